@@ -25,38 +25,22 @@ template <class To, class From>
   return {to(s.xx), to(s.xy), to(s.xz), to(s.yy), to(s.yz), to(s.zz)};
 }
 
-Matrices shifted_paper_ensemble(double shift, std::size_t count) {
-  Matrices all = ensembles::paper_ensemble<double>(count);
-  for (Matrix& s : all) s.xx += shift, s.yy += shift, s.zz += shift;
-  return all;
-}
+using Make = std::function<Matrices(std::size_t count)>;
 
-Matrices diagonals(std::size_t count) {
-  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
-  for (Matrix& s : all) s.xy = s.xz = s.yz = 0;
-  return all;
-}
-
-// v v^T: has the double eigenvalue 0.
-Matrices rank_one(std::size_t count) {
-  Matrices all = ensembles::uniform_entries<double>(-1, 1, count);
-  for (Matrix& s : all) {
-    const double x = s.xx, y = s.xy, z = s.xz;
-    s = {x * x, x * y, x * z, y * y, y * z, z * z};
-  }
-  return all;
-}
-
-Matrices multiples_of_identity(std::size_t count) {
-  Matrices all = ensembles::uniform_entries<double>(-3, 3, count);
-  for (Matrix& s : all) s = {s.xx, 0, 0, s.xx, 0, s.xx};
-  return all;
+// Each matrix of another ensemble, changed.
+template <class Change>
+Make changed(const Make& from, Change change) {
+  return [=](std::size_t count) {
+    Matrices all = from(count);
+    for (Matrix& s : all) s = change(s);
+    return all;
+  };
 }
 
 struct Ensemble {
   std::string name;
   double value;
-  std::function<Matrices(std::size_t count)> make;
+  Make make;
 };
 
 struct Plan {
@@ -80,18 +64,31 @@ Plan by_value(std::string title, std::string by, const std::vector<double>& valu
 }
 
 Plan ensembles_plan() {
-  return {
-      "by ensemble",
-      "ensemble",
-      {{"paper: M M^T", 0, [](std::size_t n) { return ensembles::paper_ensemble<double>(n); }},
-       {"entries in [0, 3]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(0, 3, n); }},
-       {"entries in [-1, 1]", 0, [](std::size_t n) { return ensembles::uniform_entries<double>(-1, 1, n); }},
-       {"diagonal, [-3, 3]", 0, diagonals},
-       {"rank one, v v^T", 0, rank_one},
-       {"multiples of I", 0, multiples_of_identity},
-       {"zero", 0, [](std::size_t n) { return Matrices(n); }},
-       {"M M^T + 20 I", 0, [](std::size_t n) { return shifted_paper_ensemble(20, n); }},
-       {"M M^T - 80 I", 0, [](std::size_t n) { return shifted_paper_ensemble(-80, n); }}}};
+  const Make paper = [](std::size_t n) { return ensembles::paper_ensemble<double>(n); };
+  const auto entries = [](double low, double high) -> Make {
+    return [=](std::size_t n) { return ensembles::uniform_entries<double>(low, high, n); };
+  };
+  const auto shifted = [](double by) {
+    return [=](const Matrix& s) { return Matrix{s.xx + by, s.xy, s.xz, s.yy + by, s.yz, s.zz + by}; };
+  };
+  return {"by ensemble",
+          "ensemble",
+          {{"paper: M M^T", 0, paper},
+           {"entries in [0, 3]", 0, entries(0, 3)},
+           {"entries in [-1, 1]", 0, entries(-1, 1)},
+           {"diagonal, [-3, 3]", 0,
+            changed(entries(-3, 3), [](const Matrix& s) { return Matrix{s.xx, 0, 0, s.yy, 0, s.zz}; })},
+           {"rank one, v v^T", 0,  // has the double eigenvalue 0
+            changed(entries(-1, 1),
+                    [](const Matrix& s) {
+                      const double x = s.xx, y = s.xy, z = s.xz;
+                      return Matrix{x * x, x * y, x * z, y * y, y * z, z * z};
+                    })},
+           {"multiples of I", 0,
+            changed(entries(-3, 3), [](const Matrix& s) { return Matrix{s.xx, 0, 0, s.xx, 0, s.xx}; })},
+           {"zero", 0, [](std::size_t n) { return Matrices(n); }},
+           {"M M^T + 20 I", 0, changed(paper, shifted(20))},
+           {"M M^T - 80 I", 0, changed(paper, shifted(-80))}}};
 }
 
 std::vector<Plan> plans(bool in_float) {

@@ -1,5 +1,3 @@
-#include "bench/bind.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -9,6 +7,7 @@
 
 #include "base/text.h"
 #include "base/worker_pool.h"
+#include "bench/frame.h"
 #include "bench/models.h"
 #include "bench/reference_frame.h"
 #include "bench/table.h"

@@ -1,5 +1,3 @@
-#include "bench/eigen.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -7,6 +5,7 @@
 
 #include "base/text.h"
 #include "bench/ensembles.h"
+#include "bench/exp.h"
 #include "bench/table.h"
 #include "sym3/eigen.h"
 #include "sym3/eigenvalues.h"

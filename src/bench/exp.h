@@ -1,7 +1,9 @@
-// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes.
+// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes; checks of
+// all bounds of the core.
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -57,5 +59,22 @@ Table layouts_table(const ExpBench& bench);
 void print(const ExpBench& bench);
 nlohmann::json to_json(const ExpBench& bench);
 Plot plot_of(const ExpBench& bench);
+
+struct EigenBench {
+  std::size_t count = 0;
+  std::vector<BenchResult> results;
+};
+
+/// Cost of eigenvalues by QR, Eigen's closed form, Viete's formula and our method: the paper's ensemble in
+/// double, one thread, processor time, medians. Throws base::Cancelled.
+EigenBench measure_eigen(std::size_t count, base::Progress& progress);
+
+void print(const EigenBench& bench);
+nlohmann::json to_json(const EigenBench& bench);
+Plot plot_of(const EigenBench& bench);
+
+/// viete bench sym3: prints speed and error of the core, one line per documented limit. `count`: number of
+/// matrices for runs from memory, 0 for 10,000,000. Throws base::Error.
+void bench_sym3(std::size_t count, const std::filesystem::path& json);
 
 }  // namespace viete::bench

@@ -11,8 +11,6 @@
 #include "bench/halfway.h"
 #include "bench/models.h"
 #include "bench/modes.h"
-#include "bench/modes_table.h"
-#include "mesh/normals.h"
 
 namespace viete::bench {
 
@@ -32,41 +30,6 @@ ModeComparison ways_of(const Figures& figures, const scene::Document& opened, ba
   return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
 }
 
-// View from above and from the side, with back faces removed.
-ShapePicture picture_of(std::string name, const mesh::Surface& rest,
-                        const std::vector<mesh::Point>& positions) {
-  constexpr std::size_t most_dots = 3000;
-  constexpr double aside = 0.5, above = 0.6;  // radians
-  const mesh::Point right{std::cos(aside), 0, -std::sin(aside)},
-      toward{std::sin(aside) * std::cos(above), std::sin(above), std::cos(aside) * std::cos(above)};
-  const mesh::Point up = mesh::cross(toward, right);
-  const auto around = mesh::vertex_triangles(positions.size(), rest.triangles);
-  std::vector<mesh::Point> normals(positions.size());
-  mesh::vertex_normals(positions, rest.triangles, around, 0, positions.size(), normals);
-  const mesh::Point middle = mesh::bounds(positions).center();
-  const double diagonal = mesh::bounds(rest.positions).diagonal();
-  ShapePicture picture{std::move(name), {}};
-  for (std::size_t v = 0; v < positions.size();
-       v += std::max<std::size_t>(1, positions.size() / (2 * most_dots))) {
-    const mesh::Point p = positions[v] - middle;
-    if (mesh::dot(normals[v], toward) > 0)
-      picture.dots.push_back({mesh::dot(p, right) / diagonal, mesh::dot(p, up) / diagonal});
-  }
-  return picture;
-}
-
-void measure_shapes(Figures& figures, const ShapesOfModel& model, base::Progress& progress) {
-  Halfway halfway = measure_halfway(model, progress);
-  figures.shapes = std::move(halfway.rows);
-  const nlohmann::json* most = most_lost(figures.shapes);
-  if (!most) return;
-  const auto i = static_cast<std::size_t>(most - &figures.shapes[0]);
-  figures.pictures = {picture_of("at rest", model.rest, model.rest.positions),
-                      picture_of("halfway, linear", model.rest, halfway.shapes[i].straight),
-                      picture_of("halfway, log space", model.rest, halfway.shapes[i].in_log_space),
-                      picture_of(name_of_shape(*most), model.rest, model.shapes[i])};
-}
-
 }  // namespace
 
 ReportSizes quick_sizes() {
@@ -74,7 +37,7 @@ ReportSizes quick_sizes() {
 }
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
-  Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
+  Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   // Checks files first.
   const scene::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
@@ -92,7 +55,7 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
                {7, [&] { figures.deformation = frames_of(figures, true, progress); }},
                {28, [&] { figures.frames = frames_of(figures, false, progress); }},
                {25, [&] { figures.ways = ways_of(figures, opened, progress); }},
-               {5, [&] { measure_shapes(figures, shapes, progress); }}};
+               {5, [&] { figures.shapes = measure_halfway(shapes, progress); }}};
   double all = 0, done = 0;
   for (const auto& work : works) all += work.seconds;
   for (const auto& work : works) {
@@ -111,32 +74,6 @@ nlohmann::json to_json(const Figures& f) {
           {"frames", to_json(f.frames)},
           {"ways", to_json(f.ways, f.poses)},
           {"shapes", f.shapes}};
-}
-
-double percent_less(double time, double than) {
-  return 100 * (1 - time / than);
-}
-
-const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
-  return times.empty() ? nullptr
-                       : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
-}
-
-double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method) {
-  const auto methods = exp_methods();
-  const auto at = std::ranges::find(methods, method, [](const ExpMethod& m) { return std::string(m.name); });
-  double worst = 0;
-  for (const AccuracyTable& table : tables) {
-    if (table.by != "gap") continue;
-    for (const auto& row : table.rows)
-      worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
-  }
-  return worst;
-}
-
-std::string lost_volume(const nlohmann::json& way) {
-  const double lost = 100 * (1 - double(way["volume"]));
-  return lost < 0.5 ? "nothing" : percent(lost);
 }
 
 std::string shell_word(const std::filesystem::path& path) {

@@ -1,7 +1,6 @@
 // Measures the figures of a report one after the other: the paper's three and ours.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -11,7 +10,6 @@
 
 #include "base/progress.h"
 #include "bench/accuracy.h"
-#include "bench/eigen.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
@@ -35,12 +33,6 @@ struct ReportFiles {
   std::vector<std::filesystem::path> shapes;
 };
 
-/// Dots of a model in a view, centred at 0, y up; lengths in diagonals of the model at rest.
-struct ShapePicture {
-  std::string name;
-  std::vector<std::array<double, 2>> dots;
-};
-
 struct Figures {
   ReportSizes sizes;
   ReportFiles files;
@@ -50,9 +42,8 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
   std::vector<FrameTime> frames;       ///< frames in generated cages, by number of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;                 ///< named deformers
-  nlohmann::json shapes;               ///< see measure_halfway()
-  std::vector<ShapePicture> pictures;  ///< from rest to the shape that loses most volume on straight lines
+  ModeComparison ways;    ///< named deformers
+  nlohmann::json shapes;  ///< see measure_halfway()
 };
 
 /// Sequential, so that measurements do not disturb each other. Throws base::Error, base::Cancelled.
@@ -61,17 +52,6 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
 /// All measurements, in the format of the benchmarks.
 nlohmann::json to_json(const Figures& figures);
 
-/// Number of cage triangles of the quoted frame times.
-inline constexpr std::size_t usual_faces = 300;
-
-/// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
-double percent_less(double time, double than);
-/// The frame by links, with exp by this method.
-const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method);
-/// Largest error over all gaps of two and three eigenvalues, of the method with this label.
-double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method);
-/// Volume loss of a deformer in a row of measure_halfway(): "27 %", "nothing".
-std::string lost_volume(const nlohmann::json& way);
 /// A path quoted for the shell.
 std::string shell_word(const std::filesystem::path& path);
 

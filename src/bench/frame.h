@@ -1,4 +1,4 @@
-// viete bench frame: every path of the frame, timed and compared.
+// viete bench frame and bind: every path of the frame, and of binding, timed and compared.
 #pragma once
 
 #include <cstddef>
@@ -45,7 +45,8 @@ const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& n
 /// Checks the limits for generated cages.
 void check_frame(std::span<const FrameTime> times, Bars& bars);
 
-/// Prints the tables. Throws base::Error.
+/// Print the tables. Throw base::Error.
 void bench_frame(const ModelOptions& options);
+void bench_bind(const ModelOptions& options);
 
 }  // namespace viete::bench

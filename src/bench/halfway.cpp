@@ -73,14 +73,14 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
   return model;
 }
 
-Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
+nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
   constexpr std::size_t moments = 21;
   base::WorkerPool pool(1);
   const deform::ShapeSpace space(model.rest, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(model.rest);
   const RestModel rest(model.rest);
   const Points& from = rest.positions();
-  Halfway halfway{nlohmann::json::array(), {}};
+  nlohmann::json rows = nlohmann::json::array();
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const Points& to = model.shapes[i];
     const double smaller = std::min(1.0, rest.volume(to));
@@ -91,30 +91,16 @@ Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
       return nlohmann::json{{"edges", edge_error(edges, from, to, half)}, {"volume", volume(half)}};
     };
     Between between(space, to);
-    halfway.shapes.push_back({between.straight(0.5), between.in_log_space(0.5)});
-    nlohmann::json log = measured(halfway.shapes.back().in_log_space),
-                   line = measured(halfway.shapes.back().straight);
+    nlohmann::json log = measured(between.in_log_space(0.5)), line = measured(between.straight(0.5));
     for (std::size_t m = 0; m < moments; ++m) {
       const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
       log["volumes"].push_back(volume(between.in_log_space(share)));
       line["volumes"].push_back(volume(between.straight(share)));
       progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
     }
-    halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
+    rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
   }
-  return halfway;
-}
-
-const nlohmann::json* most_lost(const nlohmann::json& halfway) {
-  const nlohmann::json* most = nullptr;
-  for (const auto& row : halfway) {
-    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
-  }
-  return most;
-}
-
-std::string name_of_shape(const nlohmann::json& row) {
-  return without_prefix(row["name"], "shape_");
+  return rows;
 }
 
 }  // namespace viete::bench

@@ -29,24 +29,9 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// Positions halfway: linearly, and in log space.
-struct HalfwayShape {
-  std::vector<mesh::Point> straight, in_log_space;
-};
-
-/// Halfway from rest to each shape, in log space and linearly.
-struct Halfway {
-  /// Deviations of edges and volume from those of both ends. The volume is relative to the smaller end's, NaN
-  /// for a model that encloses none; "volumes": at 21 evenly spaced moments from rest to the shape.
-  nlohmann::json rows;
-  std::vector<HalfwayShape> shapes;
-};
-/// Throws base::Cancelled.
-Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);
-
-/// The row of the shape with the largest volume loss on straight lines; null if there is none.
-const nlohmann::json* most_lost(const nlohmann::json& halfway);
-/// Shape name from its file: "shape_coiled.pc2" is coiled.
-std::string name_of_shape(const nlohmann::json& row);
+/// Halfway from rest to each shape, in log space and linearly: a row for each shape, with deviations of edges
+/// and volume from those of both ends. The volume is relative to the smaller end's, NaN for a model that
+/// encloses none; "volumes": at 21 evenly spaced moments from rest to the shape. Throws base::Cancelled.
+nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress);
 
 }  // namespace viete::bench

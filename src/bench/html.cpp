@@ -11,10 +11,6 @@ std::string paragraph(std::string_view text, std::string_view kind) {
   return "<p" + attribute + ">" + escaped(text) + "</p>\n";
 }
 
-std::string command_line(std::string_view command) {
-  return "<pre class=\"command\"><code>" + escaped(command) + "</code></pre>\n";
-}
-
 std::string html(const Table& table) {
   const auto opened = [&](const char* tag, std::size_t column, const char* scope) {
     const bool is_word = column == 0 || std::ranges::count(table.words, table.columns[column]) > 0;

@@ -11,9 +11,6 @@ namespace viete::bench {
 /// A paragraph of text, <p class="...">; without a class if `kind` is empty.
 std::string paragraph(std::string_view text, std::string_view kind = "");
 
-/// A command line to copy.
-std::string command_line(std::string_view command);
-
 /// Scrolls horizontally on narrow pages.
 std::string html(const Table& table);
 

@@ -2,75 +2,52 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdlib>
 #include <cstring>
-#include <memory>
-#include <new>
 #include <span>
 
+#include "base/memory.h"
 #include "sym3/view.h"
 
 namespace viete::bench {
 
-/// Starts at a page boundary, like large arrays. Not initialised.
 template <class T>
 class MatrixArray {
 public:
   MatrixArray(sym3::Layout layout, std::size_t count)
-      : layout_(layout), count_(count), stride_(sym3::padded_stride<T>(count)), size_(numbers()) {
-    data_.reset(static_cast<T*>(std::aligned_alloc(4096, (size_ * sizeof(T) + 4095) / 4096 * 4096)));
-    if (!data_) throw std::bad_alloc();
-  }
+      : layout_(layout),
+        count_(count),
+        stride_(sym3::padded_stride<T>(count)),
+        data_(layout == planes ? 6 * stride_ : (layout == full ? 9 : 6) * count) {}
 
-  sym3::SymView<T> view() const {
-    if (layout_ == sym3::Layout::planes) return sym3::SymView<T>(data_.get(), stride_);
-    return sym3::SymView<T>(layout_, data_.get());
+  sym3::SymView<T> view() {
+    if (layout_ == planes) return {data_.data(), stride_};
+    return {layout_, data_.data()};
   }
 
   /// Fills the array with these matrices, repeated.
   void fill(std::span<const sym3::Sym3<T>> matrices) {
-    for (std::size_t i = 0; i < count_; ++i) set(i, matrices[i % matrices.size()]);
+    constexpr std::size_t in_full[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
+    const std::size_t size = layout_ == full ? 9 : 6;
+    for (std::size_t i = 0; i < count_; ++i) {
+      const sym3::Sym3<T>& s = matrices[i % matrices.size()];
+      const T entries[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+      for (std::size_t k = 0; k < size; ++k)
+        data_[layout_ == planes ? k * stride_ + i : size * i + k] = entries[size == 9 ? in_full[k] : k];
+    }
   }
 
   /// The copy as a reference for computations: the same bytes, read once and written once.
   void copy_to(MatrixArray& other) const {
-    if (layout_ != sym3::Layout::planes) {
-      std::memcpy(other.data_.get(), data_.get(), size_ * sizeof(T));
-      return;
-    }
-    for (std::size_t k = 0; k < 6; ++k) {
-      std::memcpy(other.data_.get() + k * stride_, data_.get() + k * stride_, count_ * sizeof(T));
-    }
+    const std::size_t size = layout_ == planes ? count_ : data_.size();
+    for (std::size_t from = 0; from < data_.size(); from += layout_ == planes ? stride_ : size)
+      std::memcpy(other.data_.data() + from, data_.data() + from, size * sizeof(T));
   }
 
 private:
-  std::size_t numbers() const {
-    switch (layout_) {
-      case sym3::Layout::planes: return 6 * stride_;
-      case sym3::Layout::packed: return 6 * count_;
-      case sym3::Layout::full: break;
-    }
-    return 9 * count_;
-  }
-
-  void set(std::size_t i, const sym3::Sym3<T>& s) {
-    const T entries[6] = {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-    constexpr std::size_t in_full[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
-    T* data = data_.get();
-    if (layout_ == sym3::Layout::full) {
-      for (std::size_t k = 0; k < 9; ++k) data[9 * i + k] = entries[in_full[k]];
-      return;
-    }
-    for (std::size_t k = 0; k < 6; ++k)
-      data[layout_ == sym3::Layout::planes ? k * stride_ + i : 6 * i + k] = entries[k];
-  }
-
-  struct Free {
-    void operator()(T* data) const { std::free(data); }
-  };
+  static constexpr auto planes = sym3::Layout::planes, full = sym3::Layout::full;
   sym3::Layout layout_;
-  std::size_t count_, stride_, size_;
-  std::unique_ptr<T[], Free> data_;
+  std::size_t count_, stride_;
+  base::AlignedVector<T> data_;
 };
 
 }  // namespace viete::bench

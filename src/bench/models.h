@@ -26,6 +26,7 @@ struct ModelOptions {
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
   std::filesystem::path json;  ///< output of the numbers; empty: none
+  bool force = false;          ///< replaces any file
 };
 
 /// A model, and its cage if given, prepared for frames in float. Throws base::Error.

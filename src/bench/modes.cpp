@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <deque>
 #include <limits>
 #include <memory>
@@ -16,16 +15,12 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "bench/models.h"
-#include "bench/modes_table.h"
 #include "bench/table.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
-#include "mesh/edge_paths.h"
 #include "mesh/normals.h"
-#include "mesh/point_tree.h"
-#include "mesh/repair.h"
 #include "mesh/triangle.h"
 
 namespace viete::bench {
@@ -142,51 +137,6 @@ double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::sp
 
 namespace {
 
-using mesh::norm;
-
-constexpr double nearby = 0.01, touching = 0.001;  // relative to the diagonal
-constexpr std::size_t most_starts = 20000;
-
-}  // namespace
-
-std::vector<mesh::Edge> near_pairs(const mesh::Surface& model, base::WorkerPool& pool) {
-  const mesh::Surface welded = mesh::welded(model);
-  const double diagonal = mesh::used_bounds(welded).diagonal();
-  const std::vector<std::uint32_t> used = used_vertices(welded);
-  if (used.empty()) return {};
-  const mesh::EdgePaths paths(welded);
-  const auto& p = welded.positions;
-  const mesh::PointTree tree(p, used);
-  const std::size_t step = (used.size() + most_starts - 1) / most_starts;
-  std::vector<std::vector<mesh::Edge>> found((used.size() + step - 1) / step);
-  pool.for_blocks(found.size(), 64, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t a = used[i * step];
-      tree.for_within(p[a], nearby * diagonal, [&](std::uint32_t b) {
-        const bool touches = a != b && norm(p[a] - p[b]) <= touching * diagonal;
-        if (paths.part(a) != paths.part(b) || (touches && !paths.joined(a, b, nearby * diagonal)))
-          found[i].push_back({std::min(a, b), std::max(a, b)});
-      });
-    }
-  });
-  std::vector<mesh::Edge> pairs;
-  for (const auto& some : found) pairs.insert(pairs.end(), some.begin(), some.end());
-  return pairs;
-}
-
-double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest,
-            std::span<const mesh::Point> positions) {
-  double largest = 0;
-  for (const auto& [a, b] : pairs) {
-    const double change = std::abs(norm(positions[a] - positions[b]) - norm(rest[a] - rest[b]));
-    if (std::isnan(change)) return change;
-    largest = std::max(largest, change);
-  }
-  return largest / mesh::bounds(rest).diagonal();
-}
-
-namespace {
-
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 // Limit for energies per area and bending; smaller values are rounding.
 constexpr double next_to_none = 1e-10;
@@ -198,7 +148,6 @@ public:
            std::span<const NamedPose> poses, sym3::Method method)
       : surface_(model), cage_(std::move(cage)), poses_(poses), method_(method), model_(model) {
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
-    near_pairs_ = near_pairs(surface_, all_);
   }
 
   // Measures in double, link by link, with one binding at a time, since those of all vertices are large.
@@ -304,15 +253,8 @@ private:
 
   ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
     const auto [energy, collapsed] = model_.distortion(positions);
-    return {energy,
-            collapsed,
-            model_.bending(positions),
-            model_.volume(positions),
-            gap_of(pose, positions),
-            torn(near_pairs_, model_.positions(), positions),
-            nothing,
-            nothing,
-            nothing};
+    return {energy,  collapsed, model_.bending(positions), model_.volume(positions), gap_of(pose, positions),
+            nothing, nothing};
   }
 
   const mesh::Surface& surface_;
@@ -322,7 +264,6 @@ private:
   RestModel model_;
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
-  std::vector<mesh::Edge> near_pairs_;
   std::shared_ptr<const deform::Binding> staged_;
   std::deque<Bound> bound_;  // a deque keeps references valid
   std::shared_ptr<const deform::Stitching> stitching_;
@@ -381,7 +322,6 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
       ShapeQuality& q = mode.qualities[p];
       q.energy_ratio = ratio(q.energy, theirs[p].energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
-      q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
   }
 }
@@ -433,23 +373,6 @@ std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, 
   for (const auto& file : files)
     poses.push_back({without_prefix(file.stem().string(), "pose_"), deform::read_pose(file, cage, warnings)});
   return poses;
-}
-
-void bench_modes(const ModelOptions& options, ModeSettings settings) {
-  const scene::Document opened = open_model(options.model, options.cage);
-  const mesh::Surface& model = *opened.model.surface;
-  std::vector<std::string> warnings = opened.cage->warnings;
-  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
-  std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
-              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
-              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
-              processor_name().c_str(), modes_legend);
-  for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
-  base::Progress progress;
-  settings.rounds = options.rounds;
-  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
-  print(compared, poses);
-  write_json(options.json, to_json(compared, poses));
 }
 
 }  // namespace viete::bench

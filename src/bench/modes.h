@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,7 +17,6 @@
 #include "bench/models.h"
 #include "deform/cage.h"
 #include "deform/scheme.h"
-#include "mesh/half_edges.h"
 #include "mesh/surface.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
@@ -35,9 +35,8 @@ struct ShapeQuality {
   double bending = 0;         ///< RestModel::bending()
   double volume = 1;          ///< relative to rest; NaN if the model encloses none
   double gap = 0;             ///< see bench::gap()
-  double torn = 0;            ///< see bench::torn()
   /// Relative to mean value coordinates in the same run; NaN if those are nearly 0 or not measured.
-  double energy_ratio = 0, bending_ratio = 0, torn_ratio = 0;
+  double energy_ratio = 0, bending_ratio = 0;
 };
 
 /// Results of one scheme.
@@ -100,15 +99,6 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
-/// Pairs of vertices within 1 % of the model's diagonal that belong to different parts (vertices at the same
-/// place count as one), or within 0.1 % if no path of edges shorter than 1 % joins them. For large models,
-/// only 20,000 vertices spread over the file are considered.
-std::vector<mesh::Edge> near_pairs(const mesh::Surface& model, base::WorkerPool& pool);
-
-/// The largest change of distance of these pairs, in diagonals of the model at rest; 0 without pairs.
-double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest,
-            std::span<const mesh::Point> positions);
-
 struct ModeSettings {
   std::size_t rounds = 11;
   deform::PartialChoice choice{};  ///< if set: all schemes that agree with it, and mean value coordinates
@@ -130,7 +120,16 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
 std::vector<NamedPose> read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                                   std::vector<std::string>& warnings);
 
-/// Prints the tables. Throws base::Error.
+/// Over the poses with a number; NaN if there are none.
+struct OverPoses {
+  double least, middle, most;
+};
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value);
+
+nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
+
+/// Prints the tables: one of the schemes, one per pose, and a summary if there are several poses. Throws
+/// base::Error.
 void bench_modes(const ModelOptions& options, ModeSettings settings);
 
 }  // namespace viete::bench

@@ -1,5 +1,4 @@
-#include "bench/modes_table.h"
-
+// The results of all schemes, as tables and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,6 +13,20 @@ namespace viete::bench {
 
 namespace {
 
+// Explains the columns.
+constexpr const char* modes_legend =
+    R"(  moved, rigid, similar, affine: deviation of the model from the map of this kind that poses the whole
+    cage, in diagonals; exact: below 1e-9
+  leak: motion of vertices more than a quarter of the diagonal away when one vertex of the cage moves
+    by a tenth of it, in diagonals; median over the model, and over 8 vertices of the cage
+  frame, bind: ms, processor time of one thread; *: stage by stage, in double
+  volume: relative to rest
+  energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: relative to mean
+    value coordinates
+  bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
+  gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
+)";
+
 /// A measure of a shape: its column in the table of a pose, and its key in JSON.
 struct Measure {
   const char *column, *key;
@@ -26,9 +39,7 @@ constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4
                                 {"x mvc", "energy_to_mean_value", &ShapeQuality::energy_ratio, "%.3f"},
                                 {"bending", "bending", &ShapeQuality::bending, "%.3g"},
                                 {"x mvc", "bending_to_mean_value", &ShapeQuality::bending_ratio, "%.3f"},
-                                {"gap", "gap", &ShapeQuality::gap, "%.4f"},
-                                {"torn", "torn", &ShapeQuality::torn, "%.2e"},
-                                {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
+                                {"gap", "gap", &ShapeQuality::gap, "%.4f"}};
 
 /// A column of the summary of all poses.
 struct Summary {
@@ -44,9 +55,7 @@ constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::l
                                  {"worst", &ShapeQuality::energy_ratio, &OverPoses::most, "%.3f"},
                                  {"bending", &ShapeQuality::bending_ratio, &OverPoses::middle, "%.3f"},
                                  {"worst", &ShapeQuality::bending_ratio, &OverPoses::most, "%.3f"},
-                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"},
-                                 {"torn", &ShapeQuality::torn, &OverPoses::most, "%.2e"},
-                                 {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
+                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"}};
 
 std::string cell(double value, const char* format) {
   char text[32] = "-";
@@ -141,6 +150,8 @@ OverPoses over_poses(const Mode& mode, double ShapeQuality::*value) {
   return {values.front(), values[values.size() / 2], values.back()};
 }
 
+namespace {
+
 void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
   print_modes("independent of the poses",
               {"", "moved", "rigid", "similar", "affine", "leak", "frame", "bind"}, compared.modes,
@@ -153,7 +164,7 @@ void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
     });
   if (poses.size() > 1)
     print_modes("all " + std::to_string(poses.size()) +
-                    " poses; energy and bending x mvc: median and worst; gap: median; torn: worst",
+                    " poses; energy and bending x mvc: median and worst; gap: median",
                 columns_of(summaries), compared.modes, [](const Mode& mode) {
                   std::vector<std::string> cells;
                   for (const Summary& s : summaries)
@@ -163,10 +174,29 @@ void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
   print_notes(compared, poses);
 }
 
+}  // namespace
+
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses) {
   nlohmann::json results = nlohmann::json::array();
   for (const Mode& mode : compared.modes) results.push_back(to_json(mode, poses));
   return {{"figure", "modes"}, {"rest_gap", compared.rest_gap}, {"results", results}};
+}
+
+void bench_modes(const ModelOptions& options, ModeSettings settings) {
+  const scene::Document opened = open_model(options.model, options.cage);
+  const mesh::Surface& model = *opened.model.surface;
+  std::vector<std::string> warnings = opened.cage->warnings;
+  const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);
+  std::printf("modes: %s vertices, %zu cage triangles, method %s, kernel %s, %s\n%s",
+              base::with_thousands(model.positions.size()).c_str(), opened.cage->element_count(),
+              std::string(sym3::name(settings.method)).c_str(), std::string(sym3::kernel_name()).c_str(),
+              processor_name().c_str(), modes_legend);
+  for (const auto& warning : warnings) std::printf("note: %s\n", warning.c_str());
+  base::Progress progress;
+  settings.rounds = options.rounds;
+  const ModeComparison compared = measure_modes(model, opened.cage, poses, settings, progress);
+  print(compared, poses);
+  write_json(options.json, to_json(compared, poses));
 }
 
 }  // namespace viete::bench

@@ -10,12 +10,9 @@
 #include "base/memory.h"
 #include "base/text.h"
 #include "bench/accuracy.h"
-#include "bench/bind.h"
-#include "bench/eigen.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/modes.h"
-#include "bench/sym3.h"
 #include "bench/table.h"
 #include "mesh/formats/format_table.h"
 #include "sym3/kernel.h"
@@ -28,23 +25,17 @@ namespace {
 
 using namespace app;
 
-/// The file for the numbers; empty: none.
-struct JsonFile {
-  std::filesystem::path path;
-  bool force = false;
-
-  void add_to(CLI::App& command) {
-    add_file_option(command, "--json", path, "JSON file for the numbers");
-    add_force_option(command, force);
-  }
-  void check(const FilesInUse& inputs = {}) const { check_output(path, Content::json, inputs, force); }
-};
-
 struct MatrixOptions {
   std::size_t count = 0;
-  bool in_float = false;
-  JsonFile json;
+  bool in_float = false, force = false;
+  std::filesystem::path json;  // output of the numbers; empty: none
 };
+
+template <class Options>
+void add_json_options(CLI::App& command, Options& options) {
+  add_file_option(command, "--json", options.json, "JSON file for the numbers");
+  add_force_option(command, options.force);
+}
 
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
@@ -58,17 +49,17 @@ void require_memory_for(std::size_t count) {
 void run_exp(const MatrixOptions& options, base::Progress& progress) {
   const ExpBench bench = measure_exp(options.count, options.in_float, progress);
   print(bench);
-  write_json(options.json.path, to_json(bench));
+  write_json(options.json, to_json(bench));
 }
 
 void run_eigen(const MatrixOptions& options, base::Progress& progress) {
   const EigenBench bench = measure_eigen(options.count, progress);
   print(bench);
-  write_json(options.json.path, to_json(bench));
+  write_json(options.json, to_json(bench));
 }
 
 void run_sym3(const MatrixOptions& options, base::Progress&) {
-  bench_sym3(options.count, options.json.path);
+  bench_sym3(options.count, options.json);
 }
 
 void run_accuracy(const MatrixOptions& options, base::Progress& progress) {
@@ -76,34 +67,26 @@ void run_accuracy(const MatrixOptions& options, base::Progress& progress) {
   std::printf("Largest relative error (Frobenius norm) against 106 bits, kernel %s\n",
               std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table.title, errors_table(table));
-  write_json(options.json.path, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
+  write_json(options.json, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
 }
 
-/// A benchmark of a model: its options, and its output.
-struct ModelBench {
-  ModelOptions options{};
-  JsonFile json{};
-};
-
-std::shared_ptr<ModelBench> add_model_bench(CLI::App& command, std::size_t rounds, const char* usual_cage) {
-  auto bench = std::make_shared<ModelBench>();
-  ModelOptions& options = bench->options;
+std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rounds, const char* usual_cage) {
+  auto shared = std::make_shared<ModelOptions>();
+  ModelOptions& options = *shared;
   options.rounds = rounds;
   add_file_option(command, "MODEL", options.model, mesh::a_mesh())->default_str("the bundled dragon");
   add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
   whole_in_range(command.add_option("--rounds", options.rounds, "Number of repetitions"), 1, 1000)
       ->default_str(std::to_string(rounds));
-  bench->json.add_to(command);
-  return bench;
+  add_json_options(command, options);
+  return shared;
 }
 
 // Checks the files; takes the bundled model if none is given.
-void prepare(ModelBench& bench, bool posed) {
-  ModelOptions& options = bench.options;
+void prepare(ModelOptions& options, bool posed) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
-  bench.json.check(inputs);
-  options.json = bench.json.path;
+  check_output(options.json, Content::json, inputs, options.force);
   if (!options.model.empty()) return;
   const BundledModel bundled = bundled_model();
   options.model = bundled.model;
@@ -113,7 +96,7 @@ void prepare(ModelBench& bench, bool posed) {
 void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t> faces, std::size_t rounds,
                      void (*run)(const ModelOptions&)) {
   auto bench = add_model_bench(command, rounds, "generated cages, see --faces");
-  ModelOptions& options = bench->options;
+  ModelOptions& options = *bench;
   options.faces = std::move(faces);
   whole_in_range(command.add_option("--vertices", options.count,
                                     "Number of vertices: the model is truncated or subdivided to about it"),
@@ -130,7 +113,7 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   command.callback([=, &action] {
     action = [=] {
       prepare(*bench, false);
-      run(bench->options);
+      run(*bench);
       return exit_ok;
     };
   });
@@ -140,7 +123,7 @@ void add_modes_bench(CLI::App& command, Action& action) {
   auto bench = add_model_bench(command, 11, "the dragon's cage");
   auto settings = std::make_shared<ModeSettings>();
   auto asked = std::make_shared<deform::AskedScheme>();
-  command.add_option("POSE", bench->options.poses, "Posed cages (same vertices, same order)")
+  command.add_option("POSE", bench->poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses");
   add_method_option(command, [settings](sym3::Method method) { settings->method = method; });
   add_choice_options(command, settings->choice);
@@ -152,12 +135,12 @@ void add_modes_bench(CLI::App& command, Action& action) {
     if ((asked->pins || asked->hold) && !asked->iterations)
       throw CLI::ValidationError(asked->pins ? "--pins" : "--hold", "needs --stitched");
     settings->holding = {asked->pins.value_or(0), asked->hold.value_or(0)};
-    const ModelOptions& options = bench->options;
+    const ModelOptions& options = *bench;
     if (!options.model.empty() && options.poses.empty())
       throw CLI::RequiredError(options.cage.empty() ? "CAGE" : "POSE");
     action = [=] {
       prepare(*bench, true);
-      bench_modes(bench->options, *settings);
+      bench_modes(*bench, *settings);
       return exit_ok;
     };
   });
@@ -187,11 +170,11 @@ void add_matrix_bench(CLI::App& command, Action& action, const MatrixBench& benc
   options->count = bench.usual_count;
   whole_in_range(command.add_option("--count", options->count, bench.count), 1, bench.most)
       ->default_str(base::with_thousands(bench.usual_count));
-  options->json.add_to(command);
+  add_json_options(command, *options);
   if (bench.has_float) command.add_flag("--float", options->in_float, "Use single precision");
   command.callback([options, &action, run = bench.run] {
     action = [options, run] {
-      options->json.check();
+      check_output(options->json, Content::json, {}, options->force);
       require_memory_for(options->count);
       base::Progress progress;
       run(*options, progress);

@@ -10,10 +10,8 @@
 #include "app/assets.h"
 #include "base/text.h"
 #include "bench/figures.h"
-#include "bench/halfway.h"
 #include "bench/html.h"
 #include "bench/plot.h"
-#include "bench/sections.h"
 #include "bench/table.h"
 #include "sym3/kernel.h"
 
@@ -58,13 +56,7 @@ Made made_here(const std::string& command, double seconds) {
 
 namespace {
 
-// Colours of the plots, with their replacements in the dark theme.
-constexpr const char* night[][2] = {{"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"},
-                                    {"#e4e8ec", "#2b333c"}, {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"},
-                                    {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"}, {"#009e73", "#3fc79a"},
-                                    {"#b3589a", "#d98cc4"}, {"#3a3f9e", "#9499f0"}};
-
-constexpr const char* by_day = R"(
+constexpr const char* page_style = R"(
 :root{color-scheme:light;--paper:#fff;--ink:#1f2933;--faint:#5b6673;--rule:#e4e8ec;--wash:#f5f7f9;--ours:#0072b2}
 *{box-sizing:border-box}
 html{-webkit-text-size-adjust:100%}
@@ -82,15 +74,10 @@ p.note{font-size:.875rem}
 a{color:var(--ours);text-underline-offset:.15em;text-decoration-thickness:1px}
 nav ol{list-style:none;padding:0;margin:2rem 0 0;display:flex;flex-wrap:wrap;gap:.25rem 1.5rem;font-size:.9375rem}
 section{padding:3.5rem 0 0}
-dl.glance{display:grid;grid-template-columns:repeat(auto-fit,minmax(11.5rem,1fr));gap:1.5rem 2rem;margin:2.5rem 0 0}
-dl.glance div{display:flex;flex-direction:column-reverse;justify-content:flex-end;border-top:2px solid var(--ours);padding-top:.6rem}
-dl.glance dt{font-size:.875rem;line-height:1.4;color:var(--faint)}
-dl.glance dd{margin:0;font-size:1.875rem;line-height:1.2;font-weight:650;letter-spacing:-.02em;font-variant-numeric:tabular-nums}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,24rem),1fr));gap:2rem 3rem;margin:1.75rem 0}
 figure{margin:0;max-width:30rem}
 figcaption{font-size:.875rem;font-weight:600;margin:0 0 .75rem}
 svg{display:block;width:100%;height:auto;font-family:inherit;font-variant-numeric:tabular-nums;overflow:visible}
-.plots.small{grid-template-columns:repeat(auto-fit,minmax(9rem,1fr));gap:1.5rem 2rem}
 .wide{overflow-x:auto;margin:1.5rem 0}
 table{border-collapse:collapse;font-size:.875rem;line-height:1.4;font-variant-numeric:tabular-nums}
 th,td{padding:.4rem 1.5rem .4rem 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
@@ -109,58 +96,25 @@ footer{padding-top:3.5rem;padding-bottom:4rem}
 @media(max-width:30rem){header{padding-top:2rem}h1{font-size:1.75rem}section{padding-top:2.5rem}th,td{padding-right:1rem}}
 @media print{body{font-size:10pt}header{padding-top:0}nav,details.raw{display:none}section{padding-top:1.5rem}
 .plots{grid-template-columns:1fr 1fr;gap:1rem 2rem}.wide{overflow:visible}figure,.wide,h2,h3,p.seen{break-inside:avoid}
-h2,h3,p.origin,p.seen{break-after:avoid}dl.glance{grid-template-columns:repeat(4,1fr);gap:1rem}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
+h2,h3,p.origin,p.seen{break-after:avoid}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
 )";
-
-constexpr const char* colors_by_night =
-    ":root{color-scheme:dark;--paper:#14181d;--ink:#e3e7ec;--faint:#9aa5b1;--rule:#2b333c;--wash:#1b2127;"
-    "--ours:#56b4e9}\n";
-
-using base::few_digits;
-
-using Glance = std::vector<std::pair<std::string, std::string>>;
-
-// The summary: values with their descriptions.
-Glance glance_of(const Figures& figures) {
-  const double diag = time_of(figures.exp.methods, "diag"), fast = time_of(figures.exp.methods, "fast");
-  Glance glance = {{few_digits(diag / fast) + "\u00d7",
-                    "exponentials by Fast compared with Diag, double precision, from memory"},
-                   {error_text(worst_of_clusters(figures.accuracy, "Fast")),
-                    "largest relative error of Fast where eigenvalues are close; Improved SD: " +
-                        error_text(worst_of_clusters(figures.accuracy, "Improved SD"))}};
-  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
-  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
-  if (plain && ours)
-    glance.push_back({base::milliseconds(ours->cpu_ms),
-                      "a frame of " + base::with_thousands(ours->vertices) + " vertices in a cage of " +
-                          std::to_string(usual_faces) +
-                          " triangles; published method: " + base::milliseconds(plain->cpu_ms)});
-  if (const auto* most = most_lost(figures.shapes))
-    glance.push_back({lost_volume((*most)["straight"]),
-                      "of the volume is lost halfway to " + name_of_shape(*most) +
-                          " by linear interpolation; in log space: " + lost_volume((*most)["log_space"])});
-  return glance;
-}
 
 std::string head(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"generator\" content=\"viete report\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + page_style() +
+         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + page_style +
          "</style>\n</head>\n";
 }
 
-std::string header(const Figures& figures, const Made& made, const std::vector<Section>& sections) {
+std::string header(const Made& made, const std::vector<Section>& sections) {
   std::string text =
       "<header>\n<h1>Matrix exponentials and deformation</h1>\n" +
       paragraph("Measured by Viete on " + made.processor + ", " + made.date +
                 ": the three figures of the paper, and five of our own. The times of one table are measured "
                 "in turns, so ratios are more reliable than absolute times.") +
-      "<dl class=\"glance\">\n";
-  for (const auto& [value, what] : glance_of(figures))
-    text += "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
-  text += "</dl>\n<nav aria-label=\"Contents\"><ol>\n";
+      "<nav aria-label=\"Contents\"><ol>\n";
   for (const Section& s : sections)
     text += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
   return text + "<li><a href=\"#made\">How it was measured</a></li>\n</ol></nav>\n</header>\n";
@@ -172,7 +126,8 @@ std::string html(const Section& section) {
   if (!section.seen.empty()) text += paragraph(section.seen, "seen");
   if (!section.why.empty()) text += paragraph(section.why, "why");
   text += section.body;
-  for (const std::string& command : section.commands) text += command_line(command);
+  for (const std::string& command : section.commands)
+    text += "<pre class=\"command\"><code>" + escaped(command) + "</code></pre>\n";
   return text + "</section>\n";
 }
 
@@ -192,17 +147,6 @@ std::string footer(const Made& made, const nlohmann::json& json) {
 
 }  // namespace
 
-std::string page_style() {
-  std::string text = by_day;
-  text += "@media screen and (prefers-color-scheme:dark){";
-  text += colors_by_night;
-  for (const auto& [day, dark] : night) {
-    for (const std::string property : {"fill", "stroke"})
-      text += "svg [" + property + "=\"" + day + "\"]{" + property + ":" + dark + "}";
-  }
-  return text + "}\n";
-}
-
 nlohmann::json report_json(const Figures& figures, const Made& made) {
   nlohmann::json json = to_json(figures);
   json["figure"] = "report";
@@ -213,7 +157,7 @@ nlohmann::json report_json(const Figures& figures, const Made& made) {
 std::string report_page(const Figures& figures, const Made& made) {
   const std::vector<Section> sections = sections_of(figures);
   std::string text =
-      head("Viete: a report of " + made.date) + "<body>\n" + header(figures, made, sections) + "<main>\n";
+      head("Viete: a report of " + made.date) + "<body>\n" + header(made, sections) + "<main>\n";
   for (const Section& section : sections) text += html(section);
   return text + "</main>\n" + footer(made, report_json(figures, made)) + "</body>\n</html>\n";
 }

@@ -3,13 +3,23 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bench/figures.h"
 
 namespace viete::bench {
+
+/// A section of the page: text, drawings, numbers and the commands that repeat them.
+struct Section {
+  std::string id, origin, title;  ///< origin: the source of the figure
+  std::string seen;               ///< one or two sentences on the result
+  std::string why;
+  std::string body;  ///< HTML: drawings and tables
+  std::vector<std::string> commands;
+};
+/// The paper's three figures and its claims, then ours.
+std::vector<Section> sections_of(const Figures& figures);
 
 /// When and where the figures were measured.
 struct Made {
@@ -21,8 +31,6 @@ Made made_here(const std::string& command, double seconds);
 
 /// The raw numbers of the page and of report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
-/// CSS for screens in light and dark themes, for phones, and for print.
-std::string page_style();
 /// Well-formed XML. Tables, plots and text are derived from the figures.
 std::string report_page(const Figures& figures, const Made& made);
 

@@ -38,12 +38,12 @@ std::string escaped(std::string_view text) {
   return result;
 }
 
-Svg::Svg(double width, double height, const char* background) {
+Svg::Svg(double width, double height) {
   body_ = formatted(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %g %g\" width=\"%g\" height=\"%g\" "
       "font-family=\"Inter, 'Helvetica Neue', Arial, sans-serif\">\n"
-      "<rect width=\"100%%\" height=\"100%%\" fill=\"%s\"/>\n",
-      width, height, width, height, background);
+      "<rect width=\"100%%\" height=\"100%%\" fill=\"#ffffff\"/>\n",
+      width, height, width, height);
 }
 
 void Svg::text(SvgPoint at, std::string_view text, const SvgText& style) {
@@ -75,13 +75,6 @@ void Svg::disc(SvgPoint center, double radius, const char* color) {
                      color);
 }
 
-void Svg::dots(std::span<const SvgPoint> centers, const char* color, double size) {
-  body_ += formatted("<path fill=\"none\" stroke=\"%s\" stroke-width=\"%g\" stroke-linecap=\"round\" d=\"",
-                     color, size);
-  for (const SvgPoint& p : centers) body_ += formatted("M%.1f %.1fh0", p.x, p.y);
-  body_ += "\"/>\n";
-}
-
 void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
   body_ += formatted("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"2\" fill=\"%s\"/>\n",
                      corner.x, corner.y, width, height, color);
@@ -90,7 +83,7 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 namespace {
 
 constexpr double plot_width = 400, letter = 7.7;  // letter: wider than most letters
-constexpr const char *paper = "#ffffff", *faint = "#6b7785", *rule = "#e4e8ec";
+constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
   char text[32];
@@ -261,7 +254,7 @@ const char* color_of_method(const std::string& name) {
 
 std::string draw_bars(const Plot& plot) {
   const double height = 30 * static_cast<double>(plot.bars.size());
-  Svg svg(plot_width, height, paper);
+  Svg svg(plot_width, height);
   std::size_t longest = 0;
   for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.name.size());
   add_bars(svg, plot, {0, 0, plot_width, height}, 16 + letter * static_cast<double>(longest));
@@ -276,7 +269,7 @@ std::string draw_curves(const Plot& plot) {
     if (!plot.linear) value = std::max(value, value_text(curve.points.back().ns).size());
   }
   const double right = plot_width - 16 - letter * static_cast<double>(name + value + 1);
-  Svg svg(plot_width, height, paper);
+  Svg svg(plot_width, height);
   add_curves(svg, plot, {40, 8, right, height - 48}, plot_width);
   return svg.document();
 }

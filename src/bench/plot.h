@@ -25,14 +25,12 @@ struct SvgText {
 /// Lengths in pixels, y down; colours as CSS writes them. y of a text is its baseline.
 class Svg {
 public:
-  Svg(double width, double height, const char* background);
+  Svg(double width, double height);
 
   void text(SvgPoint at, std::string_view text, const SvgText& style = {});
   void line(SvgPoint from, SvgPoint to, const char* color, double width);
   void curve(std::span<const SvgPoint> points, const char* color, double width, bool dashed);
   void disc(SvgPoint center, double radius, const char* color);
-  /// Draws small discs of diameter `size`.
-  void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
   /// The complete document so far.

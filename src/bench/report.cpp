@@ -35,30 +35,16 @@ struct ReportOptions {
   fs::path numbers() const { return folder / "report.json"; }
 };
 
-/// The output folder, created if missing; removed again if it stays empty.
-class ReportFolder {
-public:
-  explicit ReportFolder(const fs::path& folder) : folder_(folder) {
-    std::error_code code;
-    if (fs::is_directory(folder, code)) return;
-    if (fs::exists(folder, code))
-      throw base::Error(folder.string(), "this is not a folder", "choose another folder");
-    if (!fs::create_directory(folder, code))
-      throw base::Error(folder.string(), "the folder cannot be created: " + code.message(),
-                        "choose another folder");
-    made_ = true;
-  }
-  ~ReportFolder() {
-    std::error_code not_empty;
-    if (made_) fs::remove(folder_, not_empty);
-  }
-  ReportFolder(const ReportFolder&) = delete;
-  ReportFolder& operator=(const ReportFolder&) = delete;
-
-private:
-  fs::path folder_;
-  bool made_ = false;
-};
+// Creates the output folder; true if it was missing.
+bool made_folder(const fs::path& folder) {
+  std::error_code code;
+  if (fs::is_directory(folder, code)) return false;
+  if (fs::exists(folder, code))
+    throw base::Error(folder.string(), "this is not a folder", "choose another folder");
+  if (fs::create_directory(folder, code)) return true;
+  throw base::Error(folder.string(), "the folder cannot be created: " + code.message(),
+                    "choose another folder");
+}
 
 // Uses the bundled dragon if no model is given; its shapes always.
 void complete(ReportFiles& files) {
@@ -102,9 +88,8 @@ Figures measured(const ReportOptions& options, const ReportSizes& sizes) try {
   throw base::Error(options.folder.string(), "stopped", "no file was changed");
 }
 
-int run_report(ReportOptions options) {
+void make_report(ReportOptions options) {
   const std::string command = typed(options, options.files);
-  const ReportFolder folder(options.folder);
   check_outputs(options);
   complete(options.files);
   const ReportSizes sizes = options.quick ? quick_sizes() : ReportSizes();
@@ -113,6 +98,17 @@ int run_report(ReportOptions options) {
   const double begun = base::wall_seconds();
   const Figures figures = measured(options, sizes);
   write(options, figures, made_here(command, base::wall_seconds() - begun));
+}
+
+int run_report(const ReportOptions& options) {
+  const bool is_new = made_folder(options.folder);
+  try {
+    make_report(options);
+  } catch (...) {
+    std::error_code not_empty;
+    if (is_new) fs::remove(options.folder, not_empty);
+    throw;
+  }
   std::printf("%s: the report; its numbers are in report.json\n", options.page().string().c_str());
   return app::exit_ok;
 }

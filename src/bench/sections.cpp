@@ -1,8 +1,6 @@
-#include "bench/sections.h"
-
+// The sections of the page.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <tuple>
 
 #include "base/text.h"
@@ -10,7 +8,7 @@
 #include "bench/figures.h"
 #include "bench/halfway.h"
 #include "bench/html.h"
-#include "bench/modes_table.h"
+#include "bench/page.h"
 #include "bench/plot.h"
 #include "sym3/exp.h"
 
@@ -23,8 +21,56 @@ using sym3::Method;
 
 constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-std::string plots(const std::string& figures, const char* kind = "plots") {
-  return "<div class=\"" + std::string(kind) + "\">" + figures + "</div>\n";
+// Number of cage triangles of the quoted frame times.
+constexpr std::size_t usual_faces = 300;
+
+// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
+double percent_less(double time, double than) {
+  return 100 * (1 - time / than);
+}
+
+// The frame by links, with exp by this method.
+const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
+  return times.empty() ? nullptr
+                       : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
+}
+
+// Largest error over all gaps of two and three eigenvalues, of the method with this label.
+double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method) {
+  const auto methods = exp_methods();
+  const auto at = std::ranges::find(methods, method, [](const ExpMethod& m) { return std::string(m.name); });
+  double worst = 0;
+  for (const AccuracyTable& table : tables) {
+    if (table.by != "gap") continue;
+    for (const auto& row : table.rows)
+      worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
+  }
+  return worst;
+}
+
+// Volume loss of a row of measure_halfway(): "27 %", "nothing".
+std::string lost_volume(const nlohmann::json& way) {
+  const double lost = 100 * (1 - double(way["volume"]));
+  return lost < 0.5 ? "nothing" : percent(lost);
+}
+
+// The row of the shape with the largest volume loss on straight lines; null if there is none.
+const nlohmann::json* most_lost(const nlohmann::json& halfway) {
+  // The row of the shape with the largest volume loss on straight lines; null if there is none.
+  const nlohmann::json* most = nullptr;
+  for (const auto& row : halfway) {
+    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
+  }
+  return most;
+}
+
+// Shape name from its file: "shape_coiled.pc2" is coiled.
+std::string name_of_shape(const nlohmann::json& row) {
+  return without_prefix(row["name"], "shape_");
+}
+
+std::string plots(const std::string& figures) {
+  return "<div class=\"plots\">" + figures + "</div>\n";
 }
 
 std::string details(const std::string& title, const std::string& body) {
@@ -306,12 +352,6 @@ double frame(const Mode& mode) {
 
 using Modes = std::vector<const Mode*>;
 
-const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
-  return **std::ranges::min_element(modes, {}, [&](const Mode* m) {
-    return std::isnan(value(*m)) ? std::numeric_limits<double>::infinity() : value(*m);
-  });
-}
-
 bool is_default(const Mode& mode) {
   return deform::way_of(mode.scheme) == deform::Way::smooth;
 }
@@ -327,16 +367,14 @@ std::string deformers_plot(const char* title, const Modes& modes, double (*value
 }
 
 Table deformers_table(const Modes& modes) {
-  Table table{
-      {"deformer", "energy", "at worst", "bending", "volume", "gap", "torn", "frame, ms", "binding, ms"}, {}};
+  Table table{{"deformer", "energy", "at worst", "bending", "volume", "gap", "frame, ms", "binding, ms"}, {}};
   for (const Mode* m : modes) {
     const auto energies = over_poses(*m, &ShapeQuality::energy_ratio),
                volumes = over_poses(*m, &ShapeQuality::volume);
     table.rows.push_back(
         {label_of(*m), number(energies.middle), number(energies.most), number(bending(*m)),
          std::isnan(volumes.least) ? "" : percent(100 * volumes.least) + " to " + percent(100 * volumes.most),
-         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle),
-         few_digits(100 * over_poses(*m, &ShapeQuality::torn).most), few_digits(m->frame_ms),
+         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle), few_digits(m->frame_ms),
          std::to_string(std::lround(m->bind_ms))});
   }
   return table;
@@ -350,21 +388,12 @@ Table meaning_of_deformers(const Modes& modes) {
   return table;
 }
 
-std::string deformers_seen(const Modes& modes, std::size_t poses) {
-  const auto frame_text = [](const Mode& mode) { return base::milliseconds(mode.frame_ms) + " per frame"; };
-  const Mode &undistorted = least(modes, energy), &unbent = least(modes, bending),
-             &fast = least(modes, frame);
-  std::string text = label_of(undistorted) + " distorts least: " + number(energy(undistorted)) +
-                     " times as much as mean value coordinates" +
-                     (poses > 1 ? " (median of " + std::to_string(poses) + " poses)" : "") + ", at " +
-                     frame_text(undistorted) + ". ";
-  text += &undistorted == &unbent ? "It also bends least. " : label_of(unbent) + " bends least. ";
-  for (const Mode* m : modes)
-    if (m != &undistorted && is_default(*m))
-      text += "Smooth, the default, distorts " + number(energy(*m)) + " times as much, at " + frame_text(*m) +
-              ". ";
-  return text + "The fastest is " + label_of(fast) +
-         (&fast == &undistorted ? "." : ", at " + frame_text(fast) + ".");
+std::string deformers_seen(const Modes& modes) {
+  const auto smooth = std::ranges::find_if(modes, [](const Mode* m) { return is_default(*m); });
+  if (smooth == modes.end()) return "";
+  return "Smooth, the default, distorts " + number(energy(**smooth)) +
+         " times as much as mean value coordinates, at " + base::milliseconds(frame(**smooth)) +
+         " per frame.";
 }
 
 Section deformers_section(const Figures& figures) {
@@ -383,7 +412,7 @@ Section deformers_section(const Figures& figures) {
   for (const NamedPose& pose : figures.poses) poses += (poses.empty() ? "" : ", ") + pose.name;
   section.body = problems;
   if (modes.empty()) return section;
-  section.seen = deformers_seen(modes, figures.poses.size());
+  section.seen = deformers_seen(modes);
   section.why =
       "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
       "value "
@@ -398,8 +427,7 @@ Section deformers_section(const Figures& figures) {
               ". Energy: symmetric Dirichlet energy of the triangles. Bending: energy of the changes of "
               "angle between triangles (discrete shells). Both are medians relative to mean value "
               "coordinates. Volume: relative to rest. Gap: mean distance of the surface from the motion "
-              "of the nearby cage. Torn: largest change of distance between vertices that are close at "
-              "rest. Gap and torn are in % of the diagonal.",
+              "of the nearby cage, in % of the diagonal.",
           "note") +
       details("Description of the deformers", html(meaning_of_deformers(modes)));
   return section;
@@ -422,25 +450,6 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// Draws all at the same scale.
-std::string drawn(const std::vector<ShapePicture>& pictures) {
-  constexpr double width = 200, height = 170, margin = 6;
-  double reach_x = 1e-9, reach_y = 1e-9;
-  for (const ShapePicture& picture : pictures)
-    for (const auto& [x, y] : picture.dots)
-      reach_x = std::max(reach_x, std::abs(x)), reach_y = std::max(reach_y, std::abs(y));
-  const double scale = std::min((width / 2 - margin) / reach_x, (height / 2 - margin) / reach_y);
-  std::string text;
-  for (const ShapePicture& picture : pictures) {
-    std::vector<SvgPoint> dots;
-    for (const auto& [x, y] : picture.dots) dots.push_back({width / 2 + scale * x, height / 2 - scale * y});
-    Svg svg(width, height, "#ffffff");
-    svg.dots(dots, "#1f2933", 0.9);
-    text += figure(picture.name, svg.document());
-  }
-  return text.empty() ? "" : plots(text, "plots small");
-}
-
 Section shapes_section(const Figures& figures) {
   Section section{"shapes", "Ours", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
@@ -458,7 +467,6 @@ Section shapes_section(const Figures& figures) {
         table.rows.back().push_back(percent(100 * double(row[key][what])));
   }
   section.body =
-      drawn(figures.pictures) +
       plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
       paragraph(
           "Volume: relative to the smaller end. Edges: root mean square deviation of the lengths, in "

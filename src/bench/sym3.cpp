@@ -1,5 +1,3 @@
-#include "bench/sym3.h"
-
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -94,13 +92,9 @@ void in_second_cache(const std::string& type, Bars& report) {
 void out_of_cache(std::size_t count, Bars& report) {
   base::Progress progress;
   for (const bool in_float : {false, true}) {
-    double best = HUGE_VAL;
-    for (const Layout layout : {Layout::planes}) {
-      const LayoutResult r = measure_layout(layout, count, in_float, progress);
-      best = std::min(best, faster(r.times, "fast", "copy"));
-    }
+    const LayoutResult r = measure_layout(Layout::planes, count, in_float, progress);
     report.check(std::string("exp ") + (in_float ? "float" : "double") + ", from memory, best layout: / copy",
-                 best, in_float ? 1.15 : 1.25, false);
+                 faster(r.times, "fast", "copy"), in_float ? 1.15 : 1.25, false);
   }
   const LayoutResult full = measure_layout(Layout::full, count, false, progress);
   report.check("exp of Matrix3d, from memory: diag /", faster(full.times, "diag", "fast"), 60, true);
@@ -176,60 +170,22 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
 constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
 constexpr double pow_exponent = 0.4;
 
-/// A function with its derivative in planes, and as numbers for the reference formula.
-template <class T>
-struct Differentiable {
-  std::string name;
-  void (*function)(const SymView<const T>&, const SymView<T>&, std::size_t);
-  void (*derivative)(const SymView<const T>&, sym3::Directions<T>, sym3::Derivatives<T>, std::size_t);
-  void (*tangent)(const SymView<const T>&, const sym3::TangentView<T>&, std::size_t);
-  T (*at)(T), (*slope_at)(T);
-};
-
-template <class T>
-std::vector<Differentiable<T>> differentiable() {
-  using Views = const SymView<const T>&;
-  using Out = const SymView<T>&;
-  using Directions = sym3::Directions<T>;
-  using Derivatives = sym3::Derivatives<T>;
-  using Tangents = const sym3::TangentView<T>&;
-  return {{"exp", [](Views s, Out f, std::size_t n) { sym3::exp(s, f, n); },
-           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::exp_derivative(s, e, f, n); },
-           [](Views s, Tangents f, std::size_t n) { sym3::exp_tangent(s, f, n); },
-           [](T x) { return std::exp(x); }, [](T x) { return std::exp(x); }},
-          {"log", [](Views s, Out f, std::size_t n) { sym3::log(s, f, n); },
-           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::log_derivative(s, e, f, n); },
-           [](Views s, Tangents f, std::size_t n) { sym3::log_tangent(s, f, n); },
-           [](T x) { return std::log(x); }, [](T x) { return 1 / x; }},
-          {"sqrt", [](Views s, Out f, std::size_t n) { sym3::sqrt(s, f, n); },
-           [](Views s, Directions e, Derivatives f, std::size_t n) { sym3::sqrt_derivative(s, e, f, n); },
-           [](Views s, Tangents f, std::size_t n) { sym3::sqrt_tangent(s, f, n); },
-           [](T x) { return std::sqrt(x); }, [](T x) { return T(0.5) / std::sqrt(x); }},
-          {"pow", [](Views s, Out f, std::size_t n) { sym3::pow(s, pow_exponent, f, n); },
-           [](Views s, Directions e, Derivatives f, std::size_t n) {
-             sym3::pow_derivative(s, pow_exponent, e, f, n);
-           },
-           [](Views s, Tangents f, std::size_t n) { sym3::pow_tangent(s, pow_exponent, f, n); },
-           [](T x) { return std::pow(x, T(pow_exponent)); },
-           [](T x) { return T(pow_exponent) * std::pow(x, T(pow_exponent - 1)); }}};
-}
-
 /// The usual method of finite element codes: eigenvectors by QR, divided differences of the function, its
 /// derivative for eigenvalues closer than a millionth.
 template <class T>
-void by_eigenvectors(const Differentiable<T>& f, const sym3::Sym3<T>& s,
-                     std::span<const sym3::Sym3<T>> directions, std::span<sym3::Sym3<T>> out) {
+void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
+                     std::span<const Sym3<T>> directions, std::span<Sym3<T>> out) {
   using Matrix = Eigen::Matrix<T, 3, 3>;
   Eigen::SelfAdjointEigenSolver<Matrix> solver;
   solver.compute(sym3::to_eigen(s));
   const auto& x = solver.eigenvalues();
   const Matrix& v = solver.eigenvectors();
-  const std::array<T, 3> values = {f.at(x[0]), f.at(x[1]), f.at(x[2])};
+  const std::array<T, 3> values = {value_at(x[0]), value_at(x[1]), value_at(x[2])};
   Matrix slopes;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {
       const T gap = x[i] - x[j];
-      slopes(i, j) = std::abs(gap) > T(1e-6) ? (values[i] - values[j]) / gap : f.slope_at((x[i] + x[j]) / 2);
+      slopes(i, j) = std::abs(gap) > T(1e-6) ? (values[i] - values[j]) / gap : slope_at((x[i] + x[j]) / 2);
     }
   }
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -241,13 +197,13 @@ void by_eigenvectors(const Differentiable<T>& f, const sym3::Sym3<T>& s,
 /// Matrices, six directions for each, and space for the results, in planes.
 template <class T>
 struct Planes {
-  std::vector<sym3::Sym3<T>> matrices, directions;
+  std::vector<Sym3<T>> matrices, directions;
   std::vector<MatrixArray<T>> arrays;  // matrices, six of directions, six of results
   std::vector<SymView<const T>> from;
   std::vector<SymView<T>> to;
   sym3::TangentView<T> tangents;
 
-  explicit Planes(const std::vector<sym3::Sym3<T>>& s)
+  explicit Planes(const std::vector<Sym3<T>>& s)
       : matrices(s), directions(uniform_entries<T>(-1, 1, 6 * s.size())) {
     for (int k = 0; k < 13; ++k) arrays.emplace_back(sym3::Layout::planes, s.size());
     arrays[0].fill(s);
@@ -261,34 +217,34 @@ struct Planes {
   }
 };
 
-template <class T>
-void time_derivative(const Differentiable<T>& f, const std::string& type, Planes<T>& p, Bars& report) {
+/// Times a function of planes, and its derivative.
+template <class T, class Function, class Derivative, class Tangent>
+void time_derivative(const std::string& what, T (*value_at)(T), T (*slope_at)(T), Planes<T>& p, Bars& report,
+                     Function function, Derivative derivative, Tangent tangent) {
   const std::size_t count = p.matrices.size();
   const SymView<const T> s(p.arrays[0].view());
-  std::array<sym3::Sym3<T>, 6> answers;
+  std::array<Sym3<T>, 6> answers;
   const auto peer = [&](std::size_t n) {
-    for (std::size_t i = 0; i < count; ++i) {
-      by_eigenvectors<T>(f, p.matrices[i], std::span(p.directions).subspan(6 * i, n),
-                         std::span(answers).first(n));
-    }
+    return [&, n](std::size_t) {
+      for (std::size_t i = 0; i < count; ++i)
+        by_eigenvectors<T>(value_at, slope_at, p.matrices[i], std::span(p.directions).subspan(6 * i, n),
+                           std::span(answers).first(n));
+    };
   };
   constexpr std::size_t often = 20;
   const auto derive = [&](std::size_t n) {
-    return
-        [&, n](std::size_t) { f.derivative(s, std::span(p.from).first(n), std::span(p.to).first(n), count); };
+    return [&, n](std::size_t) {
+      derivative(s, sym3::Directions<T>(p.from).first(n), sym3::Derivatives<T>(p.to).first(n), count);
+    };
   };
-  const std::vector<RoundCase> cases = {
-      {"eigenvectors 1", count, [&](std::size_t) { peer(1); }},
-      {"function", count, [&](std::size_t) { f.function(s, p.to[0], count); }, often},
-      {"1 direction", count, derive(1), often},
-      {"6 directions", count, derive(6), often},
-      {"tangent", count, [&](std::size_t) { f.tangent(s, p.tangents, count); }, often},
-      {"eigenvectors 6", count, [&](std::size_t) { peer(6); }},
-      {"copy", count, [&](std::size_t) { p.arrays[0].copy_to(p.arrays[7]); }, often}};
-  base::Progress progress;
-  const auto r = measure_rounds(cases, 41, progress);
-  const std::string what = "derivative of " + f.name + " " + type;
-  print(what + ", planes in the second cache, per matrix", times_table(r));
+  const auto r =
+      measure(what, {{"eigenvectors 1", count, peer(1)},
+                     {"function", count, [&](std::size_t) { function(s, p.to[0], count); }, often},
+                     {"1 direction", count, derive(1), often},
+                     {"6 directions", count, derive(6), often},
+                     {"tangent", count, [&](std::size_t) { tangent(s, p.tangents, count); }, often},
+                     {"eigenvectors 6", count, peer(6)},
+                     {"copy", count, [&](std::size_t) { p.arrays[0].copy_to(p.arrays[7]); }, often}});
   report.check(what + ", one direction: / function", faster(r, "1 direction", "function"), 3, false);
   report.check(what + ", six directions: / function", faster(r, "6 directions", "function"), 8, false);
   report.check(what + ", tangent: / function", faster(r, "tangent", "function"), 8, false);
@@ -298,12 +254,32 @@ template <class T>
 void derivatives(const std::string& type, Bars& report) {
   // Positive definite with margin, for all functions; the paper's ensemble nearly is not.
   Random random(12);
-  std::vector<sym3::Sym3<T>> matrices(matrices_in_cache);
+  std::vector<Sym3<T>> matrices(matrices_in_cache);
   for (auto& s : matrices)
     s = with_eigenvalues<T>({uniform(random, 0.5, 3), uniform(random, 0.5, 3), uniform(random, 0.5, 3)},
                             random);
   Planes<T> planes(matrices);
-  for (const auto& f : differentiable<T>()) time_derivative(f, type, planes, report);
+  const auto time = [&](const char* name, T (*value_at)(T), T (*slope_at)(T), auto... functions) {
+    time_derivative<T>(std::string("derivative of ") + name + " " + type, value_at, slope_at, planes, report,
+                       functions...);
+  };
+  time(
+      "exp", [](T x) { return std::exp(x); }, [](T x) { return std::exp(x); },
+      [](auto... a) { sym3::exp(a...); }, [](auto... a) { sym3::exp_derivative(a...); },
+      [](auto... a) { sym3::exp_tangent(a...); });
+  time(
+      "log", [](T x) { return std::log(x); }, [](T x) { return 1 / x; }, [](auto... a) { sym3::log(a...); },
+      [](auto... a) { sym3::log_derivative(a...); }, [](auto... a) { sym3::log_tangent(a...); });
+  time(
+      "sqrt", [](T x) { return std::sqrt(x); }, [](T x) { return T(0.5) / std::sqrt(x); },
+      [](auto... a) { sym3::sqrt(a...); }, [](auto... a) { sym3::sqrt_derivative(a...); },
+      [](auto... a) { sym3::sqrt_tangent(a...); });
+  time(
+      "pow", [](T x) { return std::pow(x, T(pow_exponent)); },
+      [](T x) { return T(pow_exponent) * std::pow(x, T(pow_exponent - 1)); },
+      [](auto s, auto... a) { sym3::pow(s, pow_exponent, a...); },
+      [](auto s, auto... a) { sym3::pow_derivative(s, pow_exponent, a...); },
+      [](auto s, auto... a) { sym3::pow_tangent(s, pow_exponent, a...); });
 }
 
 /// The largest relative error of exp in u, against 106 bits.

@@ -83,14 +83,6 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
 }
 
-TEST_CASE("every_plot_colour_has_a_dark_replacement") {
-  const std::string style = page_style();
-  for (const char* color :
-       {plot_color::reference, plot_color::rival, plot_color::copy, plot_color::rest, plot_color::ours[0],
-        plot_color::ours[1], plot_color::ours[2], plot_color::ours[3]})
-    CHECK_MESSAGE(test::mentions(style, "svg [fill=\"" + std::string(color) + "\"]"), color);
-}
-
 TEST_CASE("logarithmic_plots_skip_values_that_are_not_positive") {
   Plot plot;
   plot.curves = {{"Fast", "#0072b2", false, {{1e-16, 0}, {1e-8, 1e-16}, {1, 2e-16}}},

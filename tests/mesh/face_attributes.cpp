@@ -49,24 +49,15 @@ TEST_CASE("off_face_colours_may_be_bytes_fractions_or_missing") {
   CHECK(face_colors(head + "3 0 2 1 7\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", "off").empty());
 }
 
-TEST_CASE("off_integer_and_fractional_colours_are_distinguished_per_row") {
-  const std::string head = "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
-  CHECK(face_colors(head + "3 0 2 1 255 0 51\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1 0.5\n3 1 2 3 0.25 0 1 255\n",
-                    "off") ==
-        std::vector<Color>{{1, 0, 0.2F, 1}, {1, 0.5F, 0, 1}, {0, 0, 1 / 255.0F, 0.5F}, {0.25F, 0, 1, 1}});
-  CHECK(face_colors(head + "3 0 2 1 1 0 0\n3 0 1 3 1.0 0.5 0.0\n3 0 3 2 0 0 1\n3 1 2 3 127.5 0 0\n", "off") ==
-        std::vector<Color>{{1, 0, 0, 1}, {1 / 255.0F, 0.5F / 255, 0, 1}, {0, 0, 1, 1}, {0.5F, 0, 0, 1}});
-}
-
 TEST_CASE("off_undeclared_colours_are_kept") {
   const test::TemporaryFolder folder;
   const std::string faces = "3 0 2 1 0 0 255\n3 0 1 2\n";
-  const std::string text = "OFF\n3 2 0\n0 0 0 200 0 40 255\n1 0 0 0.5 0 1\n0 1 0\n" + faces;
+  const std::string text = "OFF\n3 2 0\n0 0 0 200 0 40 255\n1 0 0 51 0 255\n0 1 0\n" + faces;
   const ReadResult r = test::read_kept(text, "off");
   REQUIRE(r.attributes);
   CHECK(r.warnings.empty());
   CHECK(r.attributes->colors ==
-        std::vector<Color>{{200 / 255.0F, 0, 40 / 255.0F, 1}, {0.5F, 0, 1, 1}, Material{}.base_color});
+        std::vector<Color>{{200 / 255.0F, 0, 40 / 255.0F, 1}, {0.2F, 0, 1, 1}, Material{}.base_color});
   CHECK(test::written_again(r, r.surface.positions) == text);
   const ReadResult ply = converted(r, folder / "a.ply");
   CHECK(ply.attributes->colors[0] == r.attributes->colors[0]);

@@ -36,20 +36,19 @@ TEST_CASE("off_dialects_read_the_same") {
 }
 
 TEST_CASE("off_errors_name_the_line") {
-  CHECK(holds(test::refusal("OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 4\n3 0 1 2\n", "off"),
-              "given.off:7: face refers to vertex 4 (from 0), the file has 4"));
-  CHECK(holds(test::refusal("OFF\n2000000000 2000000000 0\n0 0 0\n", "off"),
-              "given.off:2: 2000000000 vertices and"));
-  CHECK(holds(test::refusal("OFF\n-4 2 0\n" + body, "off"), "vertex count -4 is negative"));
-  CHECK(holds(test::refusal("OFF\n4 3 0\n" + body + "    ", "off"), "the file ends before the last face"));
-  CHECK(holds(test::refusal("OFF\n4 2 0\n0 0 0\n1 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", "off"),
-              "given.off:4: a coordinate is missing"));
-  CHECK(holds(test::refusal("OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "off"),
-              "the file ends before the last face"));
-  CHECK(holds(test::refusal("4OFF\n4 2 0\n" + body, "off"), "positions with four or n coordinates"));
-  CHECK(holds(test::refusal("OFF BINARY\n4 2 0\n" + body, "off"), "binary OFF is not supported"));
-  CHECK(holds(test::refusal("OFF\n", "off"), "the file ends before the counts"));
-  CHECK(holds(test::refusal("OFF\n0 0 0\n", "off"), "no vertices"));
+  test::check_refusals(
+      "off",
+      {{"OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 4\n3 0 1 2\n",
+        "given.off:7: face refers to vertex 4 (from 0), the file has 4"},
+       {"OFF\n2000000000 2000000000 0\n0 0 0\n", "given.off:2: 2000000000 vertices and"},
+       {"OFF\n-4 2 0\n" + body, "vertex count -4 is negative"},
+       {"OFF\n4 3 0\n" + body + "    ", "the file ends before the last face"},
+       {"OFF\n4 2 0\n0 0 0\n1 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", "given.off:4: a coordinate is missing"},
+       {"OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "the file ends before the last face"},
+       {"4OFF\n4 2 0\n" + body, "positions with four or n coordinates"},
+       {"OFF BINARY\n4 2 0\n" + body, "binary OFF is not supported"},
+       {"OFF\n", "the file ends before the counts"},
+       {"OFF\n0 0 0\n", "no vertices"}});
 }
 
 TEST_CASE("off_prefixes_are_known_in_any_order") {

@@ -99,20 +99,16 @@ TEST_CASE("ply_may_begin_with_a_byte_order_mark_whether_text_or_binary") {
 TEST_CASE("ply_declared_sizes_are_checked") {
   const std::string many =
       "element vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\n";
-  CHECK(holds(test::refusal(ascii(many, rows4), "ply"),
-              "announces 4000000000 elements \"vertex\", the file has room for"));
-  CHECK(holds(test::refusal(binary(many, Bytes{false, rows4}), "ply"), "announces 4000000000"));
-  CHECK(holds(test::refusal(ascii("element vertex 9223372036854775807\nproperty float x\n", rows4), "ply"),
-              "announces"));
-  CHECK(holds(test::refusal(ascii("element vertex 99999999999999999999\n", ""), "ply"), "is too large"));
-  CHECK(
-      holds(test::refusal(ascii("element vertex\n", ""), "ply"), "given.ply:3: an element count is missing"));
-  CHECK(holds(test::refusal(ascii("element vertex -3\n", ""), "ply"),
-              "given.ply:3: element count -3 is negative"));
-  CHECK(holds(test::refusal(ascii(vertices4 + faces2, rows4 + "2000000000 0 1 2\n3 0 1 2\n"), "ply"),
-              "given.ply:14: a list announces 2000000000 values"));
-  CHECK(holds(test::refusal(ascii(vertices4 + faces2, rows4 + "-3 0 1 2\n3 0 1 2\n"), "ply"),
-              "announces -3 values"));
+  test::check_refusals(
+      "ply", {{ascii(many, rows4), "announces 4000000000 elements \"vertex\", the file has room for"},
+              {binary(many, Bytes{false, rows4}), "announces 4000000000"},
+              {ascii("element vertex 9223372036854775807\nproperty float x\n", rows4), "announces"},
+              {ascii("element vertex 99999999999999999999\n", ""), "is too large"},
+              {ascii("element vertex\n", ""), "given.ply:3: an element count is missing"},
+              {ascii("element vertex -3\n", ""), "given.ply:3: element count -3 is negative"},
+              {ascii(vertices4 + faces2, rows4 + "2000000000 0 1 2\n3 0 1 2\n"),
+               "given.ply:14: a list announces 2000000000 values"},
+              {ascii(vertices4 + faces2, rows4 + "-3 0 1 2\n3 0 1 2\n"), "announces -3 values"}});
   CHECK(test::read_text(ascii("element nothing 4000000000\n" + vertices4, rows4), "ply")
             .surface.positions.size() == 4);
 }
@@ -171,26 +167,21 @@ TEST_CASE("ply_64_bit_integers_round_trip") {
 }
 
 TEST_CASE("ply_errors_name_line_or_element") {
-  CHECK(holds(test::refusal(ascii(vertices4 + faces2, rows4 + "3 0 1 2\n3 0 1 4\n"), "ply"),
-              "given.ply:15: face refers to vertex 4 (from 0), the file has 4"));
-  CHECK(holds(test::refusal(ascii(vertices4 + faces2, rows4 + "3 0 1 2\n3 0 1 -1\n"), "ply"), "vertex -1"));
-  CHECK(holds(test::refusal(ascii(vertices4, "0 0 0\n0 0 nan\n0 0 0\n0 0 0\n"), "ply"),
-              "given.ply:9: coordinate \"nan\""));
-  CHECK(holds(test::refusal(ascii(vertices4, "0 0 0\n0 0 0\n0 0 0\n0 0        \n"), "ply"),
-              "the file ends before"));
-  CHECK(holds(test::refusal(ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"), "ply"),
-              "lacks x, y or z"));
-  CHECK(holds(test::refusal(ascii(vertices4 + "element face 1\nproperty int a\n", rows4 + "3\n"), "ply"),
-              "has no list vertex_indices"));
-  CHECK(holds(test::refusal(ascii("element vertex 1\nproperty quad x\n", "0\n"), "ply"),
-              "given.ply:4: \"quad\" is not a PLY type"));
-  CHECK(holds(test::refusal("ply\nformat binary_middle_endian 1.0\n", "ply"), "is not a PLY format"));
-  CHECK(holds(test::refusal("ply\nformat ascii 1.0\nelement vertex 1\n", "ply"),
-              "the file ends before the end of the PLY header"));
-  CHECK(holds(test::refusal("ply\n" + test::repeated("nonsense\n", 65), "ply"),
-              "given.ply:66: a PLY header cannot hold \"nonsense\""));
-  CHECK(holds(test::refusal("ply\nproperty float x\n", "ply"), "before the first element"));
-  CHECK(holds(test::refusal(ascii("", ""), "ply"), "no vertices"));
+  test::check_refusals(
+      "ply",
+      {{ascii(vertices4 + faces2, rows4 + "3 0 1 2\n3 0 1 4\n"),
+        "given.ply:15: face refers to vertex 4 (from 0), the file has 4"},
+       {ascii(vertices4 + faces2, rows4 + "3 0 1 2\n3 0 1 -1\n"), "vertex -1"},
+       {ascii(vertices4, "0 0 0\n0 0 nan\n0 0 0\n0 0 0\n"), "given.ply:9: coordinate \"nan\""},
+       {ascii(vertices4, "0 0 0\n0 0 0\n0 0 0\n0 0        \n"), "the file ends before"},
+       {ascii("element vertex 1\nproperty float x\nproperty float y\n", "0 0\n"), "lacks x, y or z"},
+       {ascii(vertices4 + "element face 1\nproperty int a\n", rows4 + "3\n"), "has no list vertex_indices"},
+       {ascii("element vertex 1\nproperty quad x\n", "0\n"), "given.ply:4: \"quad\" is not a PLY type"},
+       {"ply\nformat binary_middle_endian 1.0\n", "is not a PLY format"},
+       {"ply\nformat ascii 1.0\nelement vertex 1\n", "the file ends before the end of the PLY header"},
+       {"ply\n" + test::repeated("nonsense\n", 65), "given.ply:66: a PLY header cannot hold \"nonsense\""},
+       {"ply\nproperty float x\n", "before the first element"},
+       {ascii("", ""), "no vertices"}});
   Bytes b;
   for (int i = 0; i < 12; ++i) b.put(i == 7 ? NAN : 0.0f);
   CHECK(holds(test::refusal(binary(vertices4, b), "ply"),

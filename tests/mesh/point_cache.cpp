@@ -125,6 +125,7 @@ TEST_CASE("truncated_and_hostile_caches_are_rejected_before_allocation") {
   }
   CHECK(test::holds(cache_refusal(test::file_bytes(folder / "a.pc2").substr(0, 60)),
                     "shorter than its header says: 1 whole of 3 frames of 2 points"));
+  CHECK(test::holds(cache_refusal("version https://git-lfs.github.com/spec/v1\noid"), "Git LFS pointer"));
   CHECK(test::holds(cache_refusal("v 1 2 3\nv 4 5 6\n"), "check that it is the right file"));
   CHECK_THROWS_AS(PointCache(folder / "none.pc2"), base::Error);
   CHECK_THROWS_AS(PointCache(folder.path()), base::Error);

@@ -172,6 +172,15 @@ inline std::string refusal(const std::string& bytes, const std::string& extensio
   return {};
 }
 
+/// Checks that each file is refused with an error that holds the text.
+inline void check_refusals(const std::string& extension,
+                           const std::vector<std::pair<std::string, std::string>>& files) {
+  for (const auto& [bytes, said] : files) {
+    const std::string found = refusal(bytes, extension);
+    CHECK_MESSAGE(holds(found, said), found);
+  }
+}
+
 /// Checks every invariant of surface.h.
 inline void check_invariants(const Surface& s) {
   REQUIRE(s.polygon_starts.size() == s.polygon_count() + 1);

@@ -68,22 +68,21 @@ TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
 
 TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
-  CHECK(holds(test::refusal(whole.substr(0, whole.size() - 10), "stl"),
-              "announces 32 triangles, the file has room for 31"));
-  CHECK(holds(test::refusal(whole.substr(0, 60), "stl"), "a binary STL has at least 84 bytes"));
-  CHECK(holds(test::refusal(binary_stl(Surface{}, "a"), "stl"), "no vertices"));
+  test::check_refusals(
+      "stl", {{whole.substr(0, whole.size() - 10), "announces 32 triangles, the file has room for 31"},
+              {whole.substr(0, 60), "a binary STL has at least 84 bytes"},
+              {binary_stl(Surface{}, "a"), "no vertices"}});
   std::string huge = whole;
   for (int i = 80; i < 84; ++i) huge[i] = '\xff';
   CHECK(holds(test::refusal(huge, "stl"), "announces 4294967295 triangles"));
   Surface infinite = test::sphere(1);
   infinite.positions[infinite.triangles[0][1]][2] = INFINITY;
-  CHECK(holds(test::refusal(binary_stl(infinite, "a"), "stl"),
-              "given.stl: triangle 0: a coordinate is not a finite number"));
-  CHECK(holds(test::refusal("solid a\n" + facet.substr(0, facet.size() - 9), "stl"),
-              "the file ends within a facet"));
-  CHECK(holds(test::refusal("solid a\nvertex 0 0 0\n", "stl"), "given.stl:2: vertex outside of a facet"));
-  CHECK(holds(test::refusal("solid a\nfacet\nendfacet\n", "stl"), "given.stl:3: facet with 0 corners"));
-  CHECK(holds(test::refusal("solid a\nnonsense\n", "stl"), "\"nonsense\" is not a word of STL"));
+  test::check_refusals(
+      "stl", {{binary_stl(infinite, "a"), "given.stl: triangle 0: a coordinate is not a finite number"},
+              {"solid a\n" + facet.substr(0, facet.size() - 9), "the file ends within a facet"},
+              {"solid a\nvertex 0 0 0\n", "given.stl:2: vertex outside of a facet"},
+              {"solid a\nfacet\nendfacet\n", "given.stl:3: facet with 0 corners"},
+              {"solid a\nnonsense\n", "\"nonsense\" is not a word of STL"}});
 }
 
 TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
@@ -96,31 +95,6 @@ TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
   fewer[80] = 31;
   CHECK(
       holds(test::read_text(fewer, "stl").warnings.at(0), "50 bytes after the 31 triangles that the header"));
-}
-
-TEST_CASE("stl_attributes_after_triangles_are_skipped_and_kept") {
-  const Surface s = test::sphere(1);
-  const std::string plain = binary_stl(s, "attributes");
-  for (const std::vector<std::uint16_t>& sizes :
-       {std::vector<std::uint16_t>{0, 2, 4}, {7}, {0, 0, 0, 0, 300}, {65535}}) {
-    std::string bytes = plain.substr(0, 84);
-    for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-      const std::uint16_t size = sizes[t % sizes.size()];
-      bytes += plain.substr(84 + 50 * t, 48);
-      test::append(bytes, size);
-      bytes.append(size, '\x5a');
-    }
-    const ReadResult r = test::read_kept(bytes, "stl");
-    CHECK(r.surface.positions.size() == s.positions.size());
-    CHECK(r.surface.triangles.size() == s.triangles.size());
-    CHECK(holds(r.warnings.at(0), "attributes of triangles"));
-    CHECK(test::written_again(r, r.surface.positions) == bytes);
-    const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
-    CHECK(moved.size() == bytes.size());
-    CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
-    CHECK(
-        holds(test::refusal(bytes.substr(0, bytes.size() - 3), "stl"), "the header announces 32 triangles"));
-  }
 }
 
 TEST_CASE("stl_undefined_normals_of_moved_triangles_are_computed") {

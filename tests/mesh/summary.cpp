@@ -159,26 +159,18 @@ TEST_CASE("unused_vertices_and_several_parts_do_not_disturb_the_genus") {
 TEST_CASE("non_manifolds_have_no_topology") {
   const std::vector<Point> p = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
                                 {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  SUBCASE("two closed parts joined at a vertex, in every order of their triangles") {
-    std::vector<Triangle> order = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3},
-                                   {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
-    for (int turn = 0; turn < 8; ++turn) {
-      std::rotate(order.begin(), order.begin() + 1, order.end());
-      CHECK(!topology_of(from_triangles(p, order)));
-    }
-    CHECK(!topology_of(from_triangles(
-        p, {{0, 2, 1}, {0, 4, 5}, {0, 1, 3}, {0, 5, 6}, {0, 3, 2}, {0, 6, 4}, {1, 2, 3}, {4, 6, 5}})));
+  // Two closed parts joined at a vertex, in every order of their triangles.
+  std::vector<Triangle> order = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3},
+                                 {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
+  for (int turn = 0; turn < 8; ++turn) {
+    std::rotate(order.begin(), order.begin() + 1, order.end());
+    CHECK(!topology_of(from_triangles(p, order)));
   }
-  SUBCASE("two open fans that touch at a vertex") {
-    CHECK(!topology_of(from_triangles(p, {{0, 1, 2}, {0, 4, 5}})));
-  }
-  SUBCASE("three triangles at an edge") {
-    CHECK(!topology_of(from_triangles(p, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}})));
-  }
-  SUBCASE("opposite orientations") {
-    CHECK(!topology_of(from_triangles(p, {{0, 1, 2}, {0, 1, 3}})));
-  }
-  SUBCASE("a repeated corner") {
-    CHECK(!topology_of(from_triangles(p, {{0, 1, 2}, {3, 3, 4}})));
-  }
+  const std::vector<std::vector<Triangle>> others = {
+      {{0, 2, 1}, {0, 4, 5}, {0, 1, 3}, {0, 5, 6}, {0, 3, 2}, {0, 6, 4}, {1, 2, 3}, {4, 6, 5}},
+      {{0, 1, 2}, {0, 4, 5}},             // two open fans that touch at a vertex
+      {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}},  // three triangles at an edge
+      {{0, 1, 2}, {0, 1, 3}},             // opposite orientations
+      {{0, 1, 2}, {3, 3, 4}}};            // a repeated corner
+  for (const auto& triangles : others) CHECK(!topology_of(from_triangles(p, triangles)));
 }

@@ -45,8 +45,8 @@ bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
-/// one vertex (0 and -0 are equal), in order of first occurrence. Attributes, also those that follow
-/// triangles, and normals are only kept for writing; normals of moved facets are updated, except 0 0 0.
+/// one vertex (0 and -0 are equal), in order of first occurrence. Attributes and normals are only kept for
+/// writing; normals of moved facets are updated, except 0 0 0.
 ReadResult read_stl(const Source& source);
 /// True if the size matches the triangle count of a binary STL exactly, or if the text starts with "solid".
 bool looks_like_stl(const Source& source);
@@ -71,5 +71,9 @@ bool is_certainly_gltf(const Beginning& file);
 void write_glb(const Content& content, TextWriter& out);
 /// The same as JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
+/// GLB or glTF with an animation of the content's vertices, see check_motion(). progress (may be null) counts
+/// targets. Throws base::Cancelled too.
+void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
+                         base::Progress* progress);
 
 }  // namespace viete::mesh

@@ -101,6 +101,13 @@ bool is_flat(const Attributes& attributes) {
   return !attributes.groups.empty() && std::ranges::none_of(attributes.groups, &Group::smooth);
 }
 
+void to_unit_range(std::span<Color> colors) {
+  if (std::ranges::none_of(colors, [](const Color& c) { return std::ranges::max(c) > 1; })) return;
+  for (Color& c : colors) {
+    for (std::size_t i = 0; i < 4 && c != Color{1, 1, 1, 1}; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
+  }
+}
+
 std::uint8_t color_byte(float value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0.0F, 1.0F) * 255 + 0.5F);
 }

@@ -37,6 +37,9 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
 /// True if the whole file has flat shading.
 bool is_flat(const Attributes& attributes);
 
+/// Scales colours to [0, 1] if one has a number above 1, which means 0 to 255. White and full opacity stay.
+void to_unit_range(std::span<Color> colors);
+
 /// Scales [0, 1] to 0 to 255.
 std::uint8_t color_byte(float value);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "mesh/formats/source.h"
 
 namespace viete::mesh {
 
@@ -62,12 +63,10 @@ constexpr Signature signatures[] = {
     {"#X3D"sv, "an X3D file"sv, export_it},
     {"# vtk DataFile"sv, "a VTK file"sv, export_it},
     {"$MeshFormat"sv, "a Gmsh file"sv, export_it},
-    {"MeshVersionFormatted"sv, "a Medit file"sv, export_it},
     {"\x7F"
      "ELF"sv,
      "a program (ELF)"sv, "open a model file"sv},
     {"DRACO"sv, "a Draco file"sv, export_it},
-    {"OCTM"sv, "an OpenCTM file"sv, export_it},
     {"POINTCACHE2"sv, "a point cache (PC2), animated positions of a model"sv,
      "open its model first, then import the cache as keys"sv},
     {"%PDF-"sv, "a PDF document"sv, export_it},
@@ -86,42 +85,22 @@ constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<html"sv, "a web page"sv, download},
                                   {"<Error"sv, "an error message of a server"sv, download}};
 
-char small(char c) {
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-}
-
-constexpr auto same_letter = [](char a, char b) { return small(a) == small(b); };
-
 bool begins(std::string_view bytes, std::string_view signature) {
-  return std::ranges::equal(bytes.substr(0, signature.size()), signature, same_letter);
+  return lower_case(bytes.substr(0, signature.size())) == lower_case(signature);
 }
 
 bool holds(std::string_view bytes, std::string_view signature) {
-  return !std::ranges::search(bytes, signature, same_letter).empty();
-}
-
-// True if every other byte is 0 and the rest is text.
-bool is_utf16_without_mark(std::string_view bytes) {
-  bytes = bytes.substr(0, 64);
-  std::size_t zeros[2] = {0, 0}, text = 0;
-  for (std::size_t i = 0; i < bytes.size(); ++i) {
-    zeros[i % 2] += bytes[i] == '\0';
-    text += (bytes[i] >= 32 && bytes[i] < 127) || (bytes[i] >= 9 && bytes[i] <= 13);
-  }
-  const std::size_t half = bytes.size() / 2;
-  return half >= 2 && text >= half && (zeros[0] + 1 >= half || zeros[1] + 1 >= half) &&
-         zeros[0] * zeros[1] == 0;
+  return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
 }
 
 // Null if unknown.
 const Signature* signature_of(std::string_view bytes) {
-  static constexpr Signature utf16{"", "UTF-16 text"sv, utf8}, xml{"", "text in XML or HTML"sv, export_it};
+  static constexpr Signature xml{"", "text in XML or HTML"sv, export_it};
   const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {
     const auto found = std::ranges::find_if(all, [&](const Signature& s) { return is(bytes, s.begins); });
     return found == all.end() ? nullptr : &*found;
   };
   if (const Signature* found = find(signatures, begins)) return found;
-  if (is_utf16_without_mark(bytes)) return &utf16;
   bytes = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), bytes.size()));
   if (!bytes.starts_with('<')) return nullptr;
   bytes = bytes.substr(0, 4096);

@@ -96,7 +96,11 @@ private:
   using PieceKey = std::tuple<int, int, int, int, int>;
 
   void take_materials() {
-    for (const GltfImage& image : file_.images) attributes_->images.push_back(image.file);
+    auto& images = attributes_->images;
+    for (const GltfImage& image : file_.images) {
+      images.push_back(image.file);
+      if (image.file.name.empty()) images.back().name = "image " + std::to_string(images.size() - 1);
+    }
     for (const GltfJson& m : list_of(file_.document, "materials")) {
       const GltfJson& colored = member_of(m, "pbrMetallicRoughness");
       std::vector<double> color;
@@ -107,19 +111,6 @@ private:
       material.base_color = color.size() >= 3 ? srgb_of_linear(color) : Color{1, 1, 1, 1};
       take_texture(index_of(member_of(colored, "baseColorTexture"), "index"), material);
       attributes_->materials.push_back(material);
-    }
-    name_images();
-  }
-
-  // Names unnamed images after the materials that use them.
-  void name_images() {
-    auto& images = attributes_->images;
-    for (const Material& m : attributes_->materials) {
-      if (m.base_color_image != none && images[m.base_color_image].name.empty())
-        images[m.base_color_image].name = m.name;
-    }
-    for (std::size_t i = 0; i < images.size(); ++i) {
-      if (images[i].name.empty()) images[i].name = "image " + std::to_string(i);
     }
   }
 

@@ -1,25 +1,25 @@
 #include "mesh/formats/gltf_accessors.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
+#include <type_traits>
 
 #include "base/error.h"
+#include "mesh/formats/byte_order.h"
 
 namespace viete::mesh {
 
 namespace {
 
+// By component, from gltf_byte; the one after gltf_unsigned_short is unknown to glTF.
+constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
+                                       NumberType::uint16, NumberType::int32, NumberType::uint32,
+                                       NumberType::float32};
+
+// 0 for an unknown type.
 std::size_t component_size(int type) {
-  switch (type) {
-    case gltf_byte:
-    case gltf_unsigned_byte: return 1;
-    case gltf_short:
-    case gltf_unsigned_short: return 2;
-    case gltf_unsigned_int:
-    case gltf_float: return 4;
-    default: return 0;
-  }
+  const bool known = type >= gltf_byte && type <= gltf_float && type != gltf_unsigned_short + 1;
+  return known ? size_of(number_types[type - gltf_byte]) : 0;
 }
 
 bool is_unsigned(int type) {
@@ -33,26 +33,13 @@ std::size_t component_count(const std::string& type) {
   return vector ? static_cast<std::size_t>(type[3] - '0') : 0;
 }
 
-template <class T>
-double read_number(const unsigned char* at, bool normalized) {
-  T value;
-  std::memcpy(&value, at, sizeof value);
-  if constexpr (std::numeric_limits<T>::is_integer) {
-    constexpr double largest = static_cast<double>(std::numeric_limits<T>::max());
-    if (normalized) return std::max(static_cast<double>(value) / largest, -1.0);
-  }
-  return static_cast<double>(value);
-}
-
-double number_at(const unsigned char* at, int type, bool normalized) {
-  switch (type) {
-    case gltf_byte: return read_number<std::int8_t>(at, normalized);
-    case gltf_unsigned_byte: return read_number<std::uint8_t>(at, normalized);
-    case gltf_short: return read_number<std::int16_t>(at, normalized);
-    case gltf_unsigned_short: return read_number<std::uint16_t>(at, normalized);
-    case gltf_unsigned_int: return read_number<std::uint32_t>(at, false);
-    default: return read_number<float>(at, false);
-  }
+double number_at(const char* at, int type, bool normalized) {
+  return with_type(number_types[type - gltf_byte], [&](auto number) {
+    using Number = decltype(number);
+    const double value = static_cast<double>(number_of_bytes<Number>(at));
+    if (!normalized || !std::is_integral_v<Number> || sizeof number > 2) return value;
+    return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
+  });
 }
 
 }  // namespace
@@ -134,7 +121,7 @@ std::vector<double> GltfAccessors::numbers(int accessor, std::size_t components)
   std::vector<double> numbers(from.count * components, 0);
   const std::size_t step = component_size(a.component);
   for (std::size_t i = 0; from.has_bytes && i < from.count; ++i) {
-    const unsigned char* element = bytes(from) + i * from.stride;
+    const char* element = bytes(from) + i * from.stride;
     for (std::size_t k = 0; k < components; ++k)
       numbers[i * components + k] = number_at(element + k * step, a.component, a.normalized);
   }
@@ -157,7 +144,7 @@ void GltfAccessors::put_sparse(int index, const Accessor& a, std::size_t compone
     const double target = number_at(bytes(where) + i * where.stride, type, false);
     if (target >= static_cast<double>(a.count))
       fail("accessor", index, "has a sparse index past its elements");
-    const unsigned char* element = bytes(what) + i * what.stride;
+    const char* element = bytes(what) + i * what.stride;
     for (std::size_t k = 0; k < components; ++k)
       numbers[static_cast<std::size_t>(target) * components + k] =
           number_at(element + k * step, a.component, a.normalized);

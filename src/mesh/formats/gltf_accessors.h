@@ -58,8 +58,8 @@ private:
   GltfPlace of_view(int accessor, const GltfJson& data, std::size_t count, std::size_t size) const;
   void put_sparse(int index, const Accessor& accessor, std::size_t components,
                   std::vector<double>& numbers) const;
-  const unsigned char* bytes(const GltfPlace& place) const {
-    return reinterpret_cast<const unsigned char*>(file_.buffers[place.buffer].bytes.data()) + place.offset;
+  const char* bytes(const GltfPlace& place) const {
+    return file_.buffers[place.buffer].bytes.data() + place.offset;
   }
 
   const GltfFile& file_;

@@ -143,18 +143,26 @@ public:
   GltfShape(const std::string& name, const GltfJson& document) : name_(name), document_(document) {}
 
   void check() const {
-    whole_number("", document_, "scene");
-    each("", document_, "scenes", "scene ",
-         [&](auto& at, auto& scene) { whole_numbers(at, scene, "nodes"); });
-    each("", document_, "nodes", "node ", [&](auto& at, auto& node) { check_node(at, node); });
+    whole("", document_, {"scene"});
+    each("", document_, "scenes", "scene ", [&](auto& at, auto& scene) { wholes(at, scene, "nodes"); });
+    each("", document_, "nodes", "node ", [&](auto& at, auto& node) {
+      whole(at, node, {"mesh", "skin"});
+      wholes(at, node, "children");
+      for (const char* key : {"matrix", "translation", "rotation", "scale"})
+        list(at, node, key, "a list of numbers", [](auto& value) { return value.is_number(); });
+    });
     each("", document_, "meshes", "mesh ", [&](auto& at, auto& mesh) {
-      require(at, mesh, "primitives", !member_of(mesh, "primitives").is_null(), "present");
+      if (!mesh.contains("primitives")) fail(at, "\"primitives\" should be present");
       each(at, mesh, "primitives", ", primitive ", [&](auto& in, auto& p) { check_primitive(in, p); });
     });
-    each("", document_, "accessors", "accessor ", [&](auto& at, auto& a) { check_accessor(at, a); });
+    each("", document_, "accessors", "accessor ", [&](auto& at, auto& a) {
+      check_data(at, a);
+      const GltfJson& sparse = object(at, a, "sparse");
+      whole(at, sparse, {"count"});
+      for (const char* part : {"indices", "values"}) check_data(at, object(at, sparse, part));
+    });
     each("", document_, "bufferViews", "buffer view ", [&](auto& at, auto& view) {
-      for (const char* key : {"buffer", "byteOffset", "byteLength", "byteStride"})
-        whole_number(at, view, key);
+      whole(at, view, {"buffer", "byteOffset", "byteLength", "byteStride"});
     });
     for (const char* key :
          {"buffers", "images", "materials", "textures", "samplers", "animations", "skins", "cameras"})
@@ -162,41 +170,20 @@ public:
   }
 
 private:
-  void check_node(const std::string& at, const GltfJson& node) const {
-    whole_number(at, node, "mesh");
-    whole_number(at, node, "skin");
-    whole_numbers(at, node, "children");
-    for (const char* key : {"matrix", "translation", "rotation", "scale"}) {
-      for (const GltfJson& value : list(at, node, key, "numbers"))
-        require(at, node, key, value.is_number(), "a list of numbers");
-    }
-  }
-
   void check_primitive(const std::string& at, const GltfJson& primitive) const {
     for (const auto& [attribute, value] : object(at, primitive, "attributes").items())
       accessor(at, attribute, value);
     accessor(at, "indices", member_of(primitive, "indices"));
-    whole_number(at, primitive, "material");
-    whole_number(at, primitive, "mode");
+    whole(at, primitive, {"material", "mode"});
     each(at, primitive, "targets", ", target ", [&](auto& in, auto& target) {
       for (const auto& [key, value] : target.items()) accessor(in, key, value);
     });
   }
 
-  void check_accessor(const std::string& at, const GltfJson& a) const {
-    for (const char* key : {"bufferView", "byteOffset", "componentType", "count"}) whole_number(at, a, key);
-    check_view(at, a);
-    const GltfJson& sparse = object(at, a, "sparse");
-    whole_number(at, sparse, "count");
-    for (const char* part : {"indices", "values"}) {
-      const GltfJson& json = object(at, sparse, part);
-      for (const char* key : {"bufferView", "byteOffset", "componentType"}) whole_number(at, json, key);
-      check_view(at, json);
-    }
-  }
-
-  void check_view(const std::string& at, const GltfJson& of) const {
-    const auto view = count_of(of, "bufferView");
+  // An accessor, or the indices or values of a sparse one.
+  void check_data(const std::string& at, const GltfJson& data) const {
+    whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
+    const auto view = count_of(data, "bufferView");
     if (view && *view >= list_of(document_, "bufferViews").size())
       fail(at, "refers to buffer view " + std::to_string(*view) + ", which does not exist");
   }
@@ -211,43 +198,43 @@ private:
                    std::to_string(count));
   }
 
-  void whole_number(const std::string& at, const GltfJson& of, const char* key) const {
+  void whole(const std::string& at, const GltfJson& of, std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+      member(at, of, key, "a whole number that is not negative", count_of(member_of(of, key)).has_value());
+  }
+
+  void wholes(const std::string& at, const GltfJson& of, const char* key) const {
+    list(at, of, key, "a list of whole numbers that are not negative",
+         [](auto& value) { return count_of(value).has_value(); });
+  }
+
+  template <class Is>
+  void list(const std::string& at, const GltfJson& of, const char* key, const char* form,
+            const Is& is) const {
     const GltfJson& value = member_of(of, key);
-    require(at, of, key, value.is_null() || count_of(value), "a whole number that is not negative");
+    member(at, of, key, form, value.is_array() && std::all_of(value.begin(), value.end(), is));
   }
 
-  void whole_numbers(const std::string& at, const GltfJson& of, const char* key) const {
-    for (const GltfJson& value : list(at, of, key, "whole numbers"))
-      require(at, of, key, count_of(value).has_value(), "a list of whole numbers that are not negative");
-  }
-
-  const GltfJson& list(const std::string& at, const GltfJson& of, const char* key, const char* what) const {
-    require(at, of, key, !has(of, key) || member_of(of, key).is_array(), std::string("a list of ") + what);
-    return list_of(of, key);
-  }
-
+  // Null if missing.
   const GltfJson& object(const std::string& at, const GltfJson& of, const char* key) const {
-    static const GltfJson empty = GltfJson::object();
-    require(at, of, key, !has(of, key) || member_of(of, key).is_object(), "an object");
-    return has(of, key) ? member_of(of, key) : empty;
+    member(at, of, key, "an object", member_of(of, key).is_object());
+    return member_of(of, key);
   }
 
   template <class Check>
   void each(const std::string& at, const GltfJson& of, const char* key, const char* element,
             const Check& check) const {
-    const GltfJson& entries = list(at, of, key, "objects");
+    list(at, of, key, "a list of objects", [](auto& value) { return value.is_object(); });
+    const GltfJson& entries = list_of(of, key);
     for (std::size_t i = 0; i < entries.size(); ++i) {
-      require(at, of, key, entries[i].is_object(), "a list of objects");
       const std::string place = at + element + std::to_string(i);
       check(place, entries[i]);
     }
   }
 
-  static bool has(const GltfJson& of, const char* key) { return of.is_object() && of.contains(key); }
-
-  void require(const std::string& at, const GltfJson& of, const char* key, bool good,
-               const std::string& form) const {
-    if (!good || (has(of, key) && member_of(of, key).is_null()))
+  // Members may be missing, but not null.
+  void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
+    if (!good && of.is_object() && of.contains(key))
       fail(at, "\"" + std::string(key) + "\" should be " + form);
   }
 

@@ -14,6 +14,7 @@
 
 #include "mesh/formats/attributes.h"
 #include "mesh/formats/source.h"
+#include "mesh/formats/text_writer.h"
 
 namespace viete::mesh {
 
@@ -108,6 +109,11 @@ struct GltfFile {
 /// Parses glTF 2.0, JSON or GLB. External buffers must lie in the file's folder; images are not opened.
 /// Throws base::Error if data needed for the surface is missing, compressed or invalid.
 GltfFile take_apart(const Source& source);
+
+/// Writes the JSON chunk, the binary chunk (may be empty) and further chunks including headers. Throws
+/// base::Error beyond 4 GB.
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out);
 
 /// Percent-encodes a relative path: "a b" becomes "a%20b".
 std::string encoded_uri(std::string_view path);

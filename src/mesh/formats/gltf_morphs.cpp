@@ -21,45 +21,30 @@ namespace {
 using Numbers = std::vector<double>;
 using SharedNumbers = std::shared_ptr<const Numbers>;
 
-// The animated weights of one node.
+// The animated weights of one node: linear between its keys.
 struct WeightTrack {
-  enum class Way { linear, step, cubic };
-  SharedNumbers times,
-      values;  // per time one value per target, three times as many for cubic
-  Way way = Way::linear;
+  SharedNumbers times, values;  // per time one value per target
 
-  Numbers at(double t, std::size_t count) const;
-
-private:
-  double value(std::size_t key, std::size_t part, std::size_t target, std::size_t count) const {
-    const std::size_t parts = way == Way::cubic ? 3 : 1;
-    return (*values)[(key * parts + part) * count + target];
+  Numbers at(double t, std::size_t count) const {
+    const auto next = std::upper_bound(times->begin(), times->end(), t);
+    const std::size_t after = static_cast<std::size_t>(next - times->begin()), a = after == 0 ? 0 : after - 1,
+                      b = std::min(after, times->size() - 1);
+    const double span = (*times)[b] - (*times)[a], u = span > 0 ? (t - (*times)[a]) / span : 0;
+    Numbers weights(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double from = (*values)[a * count + i], to = (*values)[b * count + i];
+      weights[i] = from + u * (to - from);
+    }
+    return weights;
   }
 };
 
-Numbers WeightTrack::at(double t, std::size_t count) const {
-  const auto next = std::upper_bound(times->begin(), times->end(), t);
-  const std::size_t b = static_cast<std::size_t>(next - times->begin()), a = b == 0 ? 0 : b - 1;
-  const bool alone = b == 0 || b == times->size();
-  const double span = alone ? 1 : (*times)[b] - (*times)[a], u = alone ? 0 : (t - (*times)[a]) / span;
-  const std::size_t middle = way == Way::cubic ? 1 : 0;
-  Numbers weights(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double from = value(a, middle, i, count);
-    weights[i] = from;
-    if (alone || way == Way::step) continue;
-    const double to = value(b, middle, i, count);
-    if (way == Way::linear) {
-      weights[i] = from + u * (to - from);
-      continue;
-    }
-    const double out = span * value(a, 2, i, count),
-                 in = span * value(b, 0, i, count);  // cubic Hermite interpolation
-    const double u2 = u * u, u3 = u2 * u;
-    weights[i] =
-        (2 * u3 - 3 * u2 + 1) * from + (u3 - 2 * u2 + u) * out + (3 * u2 - 2 * u3) * to + (u3 - u2) * in;
-  }
-  return weights;
+// Without the tangents before and after each key of a cubic track.
+SharedNumbers keys_of_cubic(const Numbers& values, std::size_t count) {
+  Numbers keys;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (i / count % 3 == 1) keys.push_back(values[i]);
+  return std::make_shared<const Numbers>(std::move(keys));
 }
 
 class GltfMorphClip final : public MorphClip {
@@ -155,12 +140,8 @@ private:
     if (!input || !output || *input >= all || *output >= all)
       fail("has a sampler whose accessors do not exist");
     const std::string way = text_of(samplers[*sampler], "interpolation");
-    WeightTrack track;
-    track.way = way == "STEP"          ? WeightTrack::Way::step
-                : way == "CUBICSPLINE" ? WeightTrack::Way::cubic
-                                       : WeightTrack::Way::linear;
-    track.times = numbers(static_cast<int>(*input));
-    track.values = numbers(static_cast<int>(*output));
+    const std::size_t parts = way == "CUBICSPLINE" ? 3 : 1;
+    const WeightTrack track{numbers(static_cast<int>(*input)), numbers(static_cast<int>(*output))};
     const bool is_new = seen_times_.insert(static_cast<int>(*input)).second;
     for (std::size_t i = 0; i < track.times->size() && is_new; ++i) {
       const double t = (*track.times)[i];
@@ -172,15 +153,14 @@ private:
     bool used = false;
     for (std::size_t p = 0; p < counts_.size(); ++p) {
       if (!node || static_cast<std::uint64_t>(map_->placements[p].node) != *node || counts_[p] == 0) continue;
-      const std::size_t parts = track.way == WeightTrack::Way::cubic ? 3 : 1;
       if (track.values->size() != track.times->size() * parts * counts_[p])
         fail("has " + std::to_string(track.values->size()) + " weights for " +
              base::counted(track.times->size(), "time") + " and " + base::counted(counts_[p], "target"));
-      tracks_[p] = track;
+      tracks_[p] = {track.times, parts == 1 ? track.values : keys_of_cubic(*track.values, counts_[p])};
       used = true;
     }
     if (!used) return false;
-    is_curved_ |= track.way != WeightTrack::Way::linear;
+    is_curved_ |= way == "STEP" || way == "CUBICSPLINE";
     if (is_new) add_times(*track.times);
     return true;
   }

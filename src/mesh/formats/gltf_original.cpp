@@ -9,7 +9,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/gltf_morphs.h"
-#include "mesh/formats/gltf_output.h"
 
 namespace viete::mesh {
 

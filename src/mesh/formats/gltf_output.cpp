@@ -1,5 +1,4 @@
-#include "mesh/formats/gltf_output.h"
-
+// Writes GLB and glTF: the container, and any surface as a new file.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>

@@ -67,10 +67,11 @@ private:
 
   // Reads three components, or one for all; not curves and CIE colours.
   void diffuse(Color& color) {
-    const auto red = next_number();
-    if (!red) return;
-    const auto green = next_number(), blue = next_number();
-    const std::array<double, 3> rgb = {*red, green.value_or(*red), blue.value_or(green.value_or(*red))};
+    std::array<double, 3> rgb{};
+    const std::size_t count = text_.numbers(rgb);
+    if (count == 0) return;
+    if (count < 3) rgb[2] = rgb[count - 1];
+    if (count < 2) rgb[1] = rgb[0];
     for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
   }
 

@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "mesh/formats/conversion.h"
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/mtl.h"
 #include "mesh/formats/obj_words.h"
@@ -21,18 +22,6 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-// Reads up to `most` numbers of this line; stops at the first non-number.
-template <std::size_t most>
-std::size_t numbers(TextCursor& text, std::array<double, most>& values) {
-  std::size_t count = 0;
-  while (count < most && !text.at_line_end()) {
-    const auto value = number_in(text.word());
-    if (!value) break;
-    values[count++] = *value;
-  }
-  return count;
-}
-
 // Collects attributes. Unreadable ones cause a warning and are ignored; they never make a file unreadable.
 class ObjAttributes {
 public:
@@ -41,7 +30,7 @@ public:
   // Reads an optional weight or colour after x y z.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
-    const std::size_t count = numbers(text, values);
+    const std::size_t count = text.numbers(values);
     if (count < 3) return;  // a weight
     Color color = white;
     for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
@@ -55,13 +44,13 @@ public:
 
   void texture_point(TextCursor& text) {
     std::array<double, 2> values{};
-    bad_numbers_ += numbers(text, values) == 0;
+    bad_numbers_ += text.numbers(values) == 0;
     found_.texture_points.push_back(values);
   }
 
   void normal(TextCursor& text) {
     Vec3 values{};
-    if (numbers(text, values) < 3) {
+    if (text.numbers(values) < 3) {
       ++bad_numbers_;
       values = {};
     }
@@ -127,7 +116,8 @@ public:
     for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
       if (!indices->empty()) indices->resize(corners, none);
     }
-    finish_colors(builder.vertex_count());
+    to_unit_range(found_.colors);
+    if (!found_.colors.empty()) found_.colors.resize(builder.vertex_count(), white);
     finish_groups();
     files_ = read_materials(source_, libraries_, found_, builder);
     tell_bad(builder);
@@ -153,19 +143,6 @@ private:
       i = none;
       ++bad_indices_;
     }
-  }
-
-  // Scales to [0, 1] if a value is larger than 1, which means 0 to 255.
-  void finish_colors(std::size_t vertices) {
-    auto& colors = found_.colors;
-    if (colors.empty()) return;
-    bool bytes = false;
-    for (const Color& c : colors) bytes |= *std::max_element(c.begin(), c.end()) > 1;
-    for (Color& c : colors) {
-      if (!bytes || c == white) continue;
-      for (std::size_t i = 0; i < 4; ++i) c[i] = i == 3 && c[i] == 1 ? 1 : c[i] / 255;
-    }
-    colors.resize(vertices, white);
   }
 
   // A file without groups keeps none.
@@ -207,7 +184,7 @@ public:
       : source_(source), text_(source, obj_rules), builder_(source), attributes_(source) {}
 
   ReadResult read() {
-    head_comments();
+    builder_.comments(text_);
     while (text_.next_filled_line()) {
       statement(text_.word());
       text_.next_line();
@@ -226,13 +203,6 @@ public:
   }
 
 private:
-  void head_comments() {
-    while (!text_.at_end() && text_.at_line_end()) {
-      builder_.comment(text_.rest_of_line());
-      text_.next_line();
-    }
-  }
-
   void statement(std::string_view word) {
     const ObjWord kind = obj_word(word);
     if (ends_block(kind)) end_normals();

@@ -54,9 +54,7 @@ ObjWord small_obj_word(std::string_view word) {
 ObjWord obj_word(std::string_view word) {
   const ObjWord found = small_obj_word(word);
   if (found != unknown || word.size() > 10) return found;
-  std::string small(word);
-  for (char& c : small) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
-  return small_obj_word(small);
+  return small_obj_word(lower_case(word));
 }
 
 ObjIndices obj_indices(std::string_view rest) {

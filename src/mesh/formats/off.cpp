@@ -1,6 +1,7 @@
 #include "mesh/formats/codecs.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -51,37 +52,12 @@ std::optional<OffForm> off_form(std::string_view word) {
   return form;
 }
 
-// A number after a position or a face.
-struct OffNumber {
-  double value = 0;
-  bool whole = false;  // written without a decimal point
-};
-
-struct OffColor {
+// numbers: red, green, blue and optionally opacity.
+Color off_color(std::span<const double> numbers) {
   Color color{0, 0, 0, 1};
-  bool whole = true;  // integers, except for the opacity
-
-  // numbers: red, green, blue and optionally opacity.
-  explicit OffColor(std::span<const OffNumber> numbers) {
-    for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i) {
-      color[i] = static_cast<float>(std::clamp(numbers[i].value, 0.0, 255.0));
-      whole &= numbers[i].whole || i == 3;
-    }
-  }
-};
-
-// Scales colours to [0, 1]: integers by 255 if one is larger than 1, and likewise decimals.
-void to_unit_range(std::span<OffColor> colors) {
-  for (const bool whole : {false, true}) {
-    const std::size_t channels = whole ? 4 : 3;
-    const bool bytes = std::ranges::any_of(colors, [&](const OffColor& c) {
-      return c.whole == whole && *std::max_element(c.color.begin(), c.color.begin() + channels) > 1;
-    });
-    for (OffColor& c : colors) {
-      for (std::size_t i = 0; i < 3 && bytes && c.whole == whole; ++i) c.color[i] /= 255;
-    }
-  }
-  for (OffColor& c : colors) c.color[3] /= c.color[3] > 1 ? 255.0F : 1.0F;
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i)
+    color[i] = static_cast<float>(std::clamp(numbers[i], 0.0, 255.0));
+  return color;
 }
 
 class OffReader {
@@ -118,7 +94,7 @@ public:
 
 private:
   void head() {
-    while (!text_.at_end() && text_.at_line_end()) comment_line();
+    builder_.comments(text_);
     TextCursor ahead = text_;
     const std::string_view word = ahead.word();
     if (const auto form = off_form(word)) {
@@ -129,13 +105,8 @@ private:
       form_ = *form;
       if (ahead.word() == "BINARY") text_.fail("binary OFF is not supported", "export as OFF text or as PLY");
     }
-    while (!text_.at_end() && text_.at_line_end()) comment_line();
+    builder_.comments(text_);
     text_.need_word("the counts");
-  }
-
-  void comment_line() {
-    builder_.comment(text_.rest_of_line());
-    text_.next_line();
   }
 
   std::size_t count(std::string_view what) {
@@ -154,14 +125,15 @@ private:
                "the file seems to be cut short: export or copy it again");
   }
 
-  // Normals contain no integers beyond 1 and few integers at all.
+  // Normals contain no numbers beyond 1, and hardly any integers.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
       for (int i = 0; i < 3; ++i) ahead.word();
       for (int i = 0; i < 3; ++i) {
-        const OffNumber n = number(ahead.word()).value_or(OffNumber{});
-        if (!n.whole || n.value > 1) return n.whole;
+        const std::string_view word = ahead.word();
+        const bool whole = word.find_first_of(".eE") == word.npos;
+        if (!whole || number_in(word).value_or(0) > 1) return whole;
       }
     }
     return false;
@@ -185,36 +157,21 @@ private:
     text_.next_line();
   }
 
-  static std::optional<OffNumber> number(std::string_view word) {
-    const auto value = number_in(word);
-    if (!value) return std::nullopt;
-    return OffNumber{*value, word.find_first_of(".eE") == std::string_view::npos};
-  }
-
-  // Reads up to `most` numbers; stops at the first non-number.
-  std::span<const OffNumber> numbers(std::size_t most) {
-    numbers_.clear();
-    while (numbers_.size() < most && !text_.at_line_end()) {
-      const auto n = number(text_.word());
-      if (!n) break;
-      numbers_.push_back(*n);
-    }
-    return numbers_;
+  std::span<const double> numbers(std::size_t most) {
+    return std::span(numbers_).first(text_.numbers(std::span(numbers_).first(most)));
   }
 
   // Reads the optional normal, colour (three or four numbers) and texture point.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
-    std::span<const OffNumber> left = numbers(form_.numbers());
+    std::span<const double> left = numbers(form_.numbers());
     const auto take = [&](std::size_t n) {
       const auto taken = left.first(std::min(n, left.size()));
       left = left.subspan(taken.size());
       return taken;
     };
-    const auto value = [](std::span<const OffNumber> of, std::size_t i) {
-      return i < of.size() ? of[i].value : 0;
-    };
-    const auto color = [&](std::size_t most) { colors_.emplace_back(take(most)); };
+    const auto value = [](std::span<const double> of, std::size_t i) { return i < of.size() ? of[i] : 0; };
+    const auto color = [&](std::size_t most) { found_.colors.push_back(off_color(take(most))); };
     if (form_.colors_first) color(4);
     if (form_.normals) {
       const auto n = take(3);
@@ -233,25 +190,24 @@ private:
     if (text_.at_line_end()) return;
     const auto behind = numbers(5);
     const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
-                          std::ranges::all_of(behind, [](const OffNumber& n) { return n.value >= 0; });
+                          std::ranges::all_of(behind, [](double x) { return x >= 0; });
     if (!is_color) ++unknown_rows_;
-    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, behind);
+    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
   }
 
   // Elements without a colour get the default.
-  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, OffColor>>& given,
+  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
                                    std::size_t count) {
-    std::vector<OffColor> colors;
+    std::vector<Color> colors;
     for (const auto& [at, color] : given) colors.push_back(color);
     to_unit_range(colors);
     std::vector<Color> all(given.empty() ? 0 : count, Material{}.base_color);
-    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i].color;
+    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i];
     return all;
   }
 
   std::shared_ptr<const Attributes> finished_attributes() {
-    to_unit_range(colors_);
-    for (const OffColor& c : colors_) found_.colors.push_back(c.color);
+    to_unit_range(found_.colors);
     if (unknown_rows_ > 0) {
       builder_.warn(source_.name + ": ignored extra values after the positions of " +
                     base::counted(unknown_rows_, "row") + " that the header does not declare");
@@ -285,7 +241,7 @@ private:
   // Reads three or four numbers after the corners; a single one is an index into an external colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4);
-    if (behind.size() >= 3) face_colors_.emplace_back(polygon, OffColor(behind));
+    if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));
   }
 
   const Source& source_;
@@ -293,9 +249,8 @@ private:
   SurfaceBuilder builder_;
   std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
-  std::vector<OffNumber> numbers_;                                              // numbers of the current row
-  std::vector<OffColor> colors_;                                                // one per vertex
-  std::vector<std::pair<std::size_t, OffColor>> unnamed_colors_, face_colors_;  // for vertices, for polygons
+  std::array<double, 9> numbers_{};                                          // of the current row
+  std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // for vertices, for polygons
   std::size_t unknown_rows_ = 0;
   Attributes found_;
 };

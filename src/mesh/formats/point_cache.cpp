@@ -1,16 +1,13 @@
 #include "mesh/formats/point_cache.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <bit>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <utility>
 
 #include "base/error.h"
@@ -67,11 +64,6 @@ const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head)
   return head;
 }
 
-struct CloseCache {
-  int handle;
-  ~CloseCache() { close(handle); }
-};
-
 }  // namespace
 
 std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
@@ -105,23 +97,20 @@ void write_point_cache(const fs::path& path, const PointCacheHead& wished,
 }
 
 PointCache::PointCache(const fs::path& path) : name_(path.string()) {
-  const int handle = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (handle < 0)
-    throw base::Error(name_, std::string("cannot be opened: ") + std::strerror(errno), "check the path");
-  const auto file = std::make_shared<const CloseCache>(handle);
-  struct stat status {};
-  if (fstat(handle, &status) != 0 || !S_ISREG(status.st_mode))
-    throw base::Error(name_, "this is not a regular file", "choose a point cache");
-  read_ = [file, name = name_](std::uint64_t offset, std::span<char> to) {
-    while (!to.empty()) {
-      const ssize_t got = pread(file->handle, to.data(), to.size(), static_cast<off_t>(offset));
-      if (got < 0 && errno == EINTR) continue;
-      if (got <= 0) throw base::Error(name, "cannot be read completely", "check the disk");
-      offset += static_cast<std::uint64_t>(got);
-      to = to.subspan(static_cast<std::size_t>(got));
-    }
+  struct Open {
+    std::ifstream file;
+    std::mutex mutex;
   };
-  read_head(static_cast<std::uint64_t>(status.st_size));
+  const std::size_t size = regular_file_size(path);
+  const std::shared_ptr<Open> open(new Open{std::ifstream(path, std::ios::binary), {}});
+  read_ = [open, name = name_](std::uint64_t offset, std::span<char> to) {
+    const std::lock_guard lock(open->mutex);
+    open->file.clear();
+    open->file.seekg(static_cast<std::streamoff>(offset));
+    if (!open->file.read(to.data(), static_cast<std::streamsize>(to.size())))
+      throw base::Error(name, "cannot be read completely", "check the disk and the permissions");
+  };
+  read_head(size);
 }
 
 PointCache::PointCache(std::string name, std::string_view bytes) : name_(std::move(name)) {

@@ -19,6 +19,17 @@ struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
+std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
+  try {
+    return std::make_unique_for_overwrite<char[]>(size);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
+                      "reduce the model or use a larger machine");
+  }
+}
+
+}  // namespace
+
 std::size_t regular_file_size(const fs::path& path) {
   if (path.empty()) throw base::Error("file name", "is empty", "choose a file");
   std::error_code code;
@@ -41,17 +52,6 @@ std::size_t regular_file_size(const fs::path& path) {
   if (code) throw base::Error(path.string(), "cannot be opened: " + code.message());
   return static_cast<std::size_t>(size);
 }
-
-std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
-  try {
-    return std::make_unique_for_overwrite<char[]>(size);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
-                      "reduce the model or use a larger machine");
-  }
-}
-
-}  // namespace
 
 std::string Source::place(std::string_view element, std::size_t index) const {
   return name + ": " + std::string(element) + " " + std::to_string(index);
@@ -92,13 +92,15 @@ Source Beginning::whole_lines() const {
   return {"", "", bytes().substr(0, last)};
 }
 
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(c >= 'A' && c <= 'Z' ? c + 32 : c);
+  return lower;
+}
+
 std::string extension_of(const fs::path& path) {
-  std::string extension = path.extension().string();
-  if (!extension.empty()) extension.erase(0, 1);
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : static_cast<char>(c);
-  });
-  return extension;
+  const std::string extension = path.extension().string();
+  return lower_case(extension.empty() ? extension : extension.substr(1));
 }
 
 fs::path folder_of(const fs::path& file) {

@@ -33,11 +33,14 @@ struct Source {
   std::string place(std::string_view element, std::size_t index) const;
 };
 
+/// Throws base::Error if the file is missing or not a regular file (a pipe might never end).
+std::size_t regular_file_size(const std::filesystem::path& path);
+
 /// A whole file in memory.
 class FileBytes {
 public:
-  /// Throws base::Error if the file is missing, not a regular file (a pipe might never end), larger than
-  /// `most` bytes, unreadable or larger than memory; throws base::Cancelled.
+  /// Throws base::Error too if the file is larger than `most` bytes, unreadable or larger than memory; throws
+  /// base::Cancelled.
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -64,6 +67,9 @@ private:
   std::string bytes_;
   std::uint64_t file_size_ = 0;
 };
+
+/// ASCII letters in lower case.
+std::string lower_case(std::string_view text);
 
 /// The extension in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);

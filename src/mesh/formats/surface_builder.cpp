@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/text_cursor.h"
 #include "mesh/triangulation.h"
 
 namespace viete::mesh {
@@ -40,6 +39,10 @@ void SurfaceBuilder::comment(std::string_view text) {
   if (result_.comments.size() >= 64) return;
   std::string kept = clipped(text);
   if (!kept.empty()) result_.comments.push_back(std::move(kept));
+}
+
+void SurfaceBuilder::comments(TextCursor& text) {
+  for (; !text.at_end() && text.at_line_end(); text.next_line()) comment(text.rest_of_line());
 }
 
 ReadResult SurfaceBuilder::finish(std::string format) {

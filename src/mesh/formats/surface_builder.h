@@ -8,6 +8,7 @@
 
 #include "mesh/formats/original.h"
 #include "mesh/formats/source.h"
+#include "mesh/formats/text_cursor.h"
 
 namespace viete::mesh {
 
@@ -32,6 +33,8 @@ public:
 
   /// Keeps the comment if it is among the first 64 of the header.
   void comment(std::string_view text);
+  /// The comments up to the first statement.
+  void comments(TextCursor& text);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
   /// Triangulates the polygons. Throws base::Error without vertices; warns without polygons.

@@ -13,20 +13,10 @@ namespace {
 // True if a decimal number beyond the range of double is too small rather than too large, which
 // std::from_chars does not tell.
 bool is_tiny(std::string_view number) {
-  long magnitude = 0;  // decimal exponent of the first nonzero digit
-  bool past_point = false, past_zeros = false;
-  std::size_t i = 0;
-  for (; i < number.size() && number[i] != 'e' && number[i] != 'E'; ++i) {
-    if (number[i] == '.') past_point = true;
-    if (number[i] >= '1' && number[i] <= '9') past_zeros = true;
-    if (number[i] >= '0' && number[i] <= '9' && past_point != past_zeros) magnitude += past_point ? -1 : 1;
-  }
-  const std::string_view exponent = number.substr(std::min(i + 1, number.size()));
-  if (exponent.empty()) return magnitude < 0;
-  const char* const digits = exponent.data() + (exponent.front() == '+' ? 1 : 0);
-  int value = 0;
-  const auto code = std::from_chars(digits, exponent.data() + exponent.size(), value).ec;
-  return code == std::errc() ? magnitude + value < 0 : exponent.front() == '-';
+  long double value = 0;
+  const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
+  return code == std::errc() ? std::abs(value) < 1
+                             : number.find("e-") != number.npos || number.find("E-") != number.npos;
 }
 
 // Advice for common malformed numbers.
@@ -141,15 +131,25 @@ double TextCursor::coordinate() {
 // Handles a plus sign, which from_chars rejects, and underflow to 0; otherwise reports a non-number.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
+  const char* const number = from + (plus ? 1 : 0);
   double value = 0;
-  const auto [to, code] = std::from_chars(from + (plus ? 1 : 0), end_, value);
+  const auto [to, code] = std::from_chars(number, end_, value);
   if ((code == std::errc() || code == std::errc::result_out_of_range) && ends_word(to)) {
     at_ = to;
     if (code == std::errc()) return value;
-    return is_tiny({from, static_cast<std::size_t>(to - from)}) ? 0.0 : HUGE_VAL;
+    return is_tiny({number, to}) ? 0.0 : HUGE_VAL;
   }
   const std::string_view text = rest_of_word();
   fail(in_quotes(text) + " is not a number", advice_on(text));
+}
+
+std::size_t TextCursor::numbers(std::span<double> to) {
+  for (std::size_t count = 0; count < to.size(); ++count) {
+    const auto value = at_line_end() ? std::nullopt : number_in(word());
+    if (!value) return count;
+    to[count] = *value;
+  }
+  return to.size();
 }
 
 std::int64_t TextCursor::leading_integer(std::string_view what) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -53,6 +54,9 @@ public:
 
   /// The next word as a coordinate: finite, at most 1e100 in size so that volumes stay finite.
   double coordinate();
+
+  /// Reads numbers of this line up to the first word that is none, at most `to`. Returns how many.
+  std::size_t numbers(std::span<double> to);
 
   /// The next word as an integer. what: its name in messages, "face index".
   std::int64_t integer(std::string_view what);

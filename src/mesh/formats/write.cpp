@@ -10,7 +10,6 @@
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/format_table.h"
-#include "mesh/formats/gltf_output.h"
 #include "mesh/formats/printed.h"
 
 namespace viete::mesh {
