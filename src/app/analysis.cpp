@@ -1,7 +1,6 @@
 #include "app/analysis.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "app/child_process.h"
 #include "base/clock.h"

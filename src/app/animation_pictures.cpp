@@ -39,17 +39,11 @@ std::string ffmpeg_command(const PictureRun& run) {
   for (const char c : pattern) pictures += c == '%' ? "%%" : std::string(1, c);
   const auto place = pictures.rfind(pattern.substr(begin, end - begin));
   const std::string digits = "%0" + std::to_string(end - begin);
-  const bool gaps = run.step != 1 || run.frames.front() < 0;  // numbering that ffmpeg does not support
-  pictures.replace(place, end - begin, digits + (gaps ? ".0f" : "d"));
-  const std::string rate = " -framerate " + plain(run.rate / run.step),
-                    number = std::to_string(run.frames.front());
-  const std::string input =
-      gaps ? "seq -f " + shell_word(pictures) + ' ' + number + ' ' + std::to_string(run.step) + ' ' +
-                 std::to_string(run.frames.back()) + " | tr '\\n' '\\0' | xargs -0 cat | ffmpeg" + rate +
-                 " -f image2pipe -i -"
-           : "ffmpeg" + rate + " -start_number " + number + " -i " + shell_word(pictures);
+  pictures.replace(place, end - begin, digits + "d");
   // 4:2:0 plays everywhere, but needs even sizes.
-  return input + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " + shell_word(film + ".mp4");
+  return "ffmpeg -framerate " + plain(run.rate) + " -start_number " + std::to_string(run.frames.front()) +
+         " -i " + shell_word(pictures) + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " +
+         shell_word(film + ".mp4");
 }
 
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
@@ -79,7 +73,8 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
   }
   progress.report(1);
   std::vector<std::string> notes = scene::other_files_note(name, run.frames);
-  notes.push_back(ffmpeg_command(run));
+  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // not supported by ffmpeg
+  if (!has_gaps) notes.push_back(ffmpeg_command(run));
   return notes;
 }
 

@@ -20,12 +20,14 @@ struct PictureRun {
 };
 
 /// Renders the viewer's document, following its timeline and camera keys. Each file is written completely or
-/// not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(). Throws
+/// not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(), if the
+/// numbers have no gaps. Throws
 /// base::Error and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
 /// The shell command that converts the pictures to a film at the timeline's rate, one line.
+/// The numbers must not have gaps.
 std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

@@ -1,5 +1,4 @@
 // viete between A B -o PATTERN: interpolates between shapes of a model.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>

@@ -2,7 +2,6 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "app/assets.h"
@@ -12,7 +11,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
-#include "mesh/formats/read.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <memory>
 #include <optional>
 #include <utility>
 
@@ -88,10 +87,10 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
       throw base::Error(options.camera.string(), "this session has no camera", "choose another one");
     return viewer.workspace().camera.set_pose(*camera);
   }
-  const bool keeps_look = has_camera && !options.look_given;
+  const bool keeps_look = has_camera && options.look.empty();
   if (keeps_look && options.compare.empty()) return;
   scene::Workspace& workspace = viewer.workspace();
-  if (!keeps_look) workspace.camera.look(looks.at(options.look));
+  if (!keeps_look) workspace.camera.look(looks.at(options.look.empty() ? "home" : options.look));
   workspace.camera.animate(1);
   scene::frame_all(workspace, false);
 }
@@ -111,7 +110,8 @@ void print_missing(const scene::Workspace& w) {
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened) {
   const std::optional<scene::Session> session = opened.session;
   ViewerOptions viewer = options.viewer;
-  if (session && session->window && !options.size_given) viewer.size = *session->window;
+  if (session && session->window) viewer.size = *session->window;
+  if (options.size.x > 0) viewer.size = options.size;
   const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
@@ -136,7 +136,7 @@ void print_messages(const scene::Workspace& workspace) {
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-  add_size_option(command, options.viewer.size);
+  add_size_option(command, options.size);
   auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
@@ -161,11 +161,6 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
                                      "Compare 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
-}
-
-void take_given(const CLI::App& command, PictureOptions& options) {
-  options.size_given = command.count("--size") > 0;
-  options.look_given = command.count("--look") > 0;
 }
 
 }  // namespace viete::app

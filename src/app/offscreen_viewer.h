@@ -9,6 +9,10 @@
 #include "platform/offscreen_context.h"
 #include "scene/files/open.h"
 
+namespace CLI {
+class App;
+}
+
 namespace viete::app {
 
 class OffscreenViewer {
@@ -27,28 +31,18 @@ private:
   Viewer viewer_;
 };
 
-}  // namespace viete::app
-
-namespace CLI {
-class App;
-}
-
-namespace viete::app {
-
 struct PictureOptions {
   ViewerOptions viewer{.samples = 4};
   bool panels = false, light = false, cage = false, wireframe = false, no_grid = false;
-  std::string look = "home", shading, map;
-  std::vector<std::string> compare;             ///< deformers or methods, one view each
-  std::filesystem::path camera;                 ///< a session to take the camera from; empty: none
-  bool panels_of_session = true;                ///< show panels if the session's window did
-  bool size_given = false, look_given = false;  ///< set after parsing, see take_given()
+  std::string look, shading, map;    ///< empty: not given
+  std::vector<std::string> compare;  ///< deformers or methods, one view each
+  std::filesystem::path camera;      ///< a session to take the camera from; empty: none
+  bool panels_of_session = true;     ///< show panels if the session's window did
+  glm::ivec2 size{0, 0};             ///< 0: as the session's window
 };
 
 /// --size, --scale, --look, --shading and flags. The target must outlive parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
-/// Records which options were given explicitly.
-void take_given(const CLI::App& command, PictureOptions& options);
 
 /// A viewer of the opened document, with the camera and view of its session unless options override them. Its
 /// first picture is ready after settle().

@@ -1,6 +1,5 @@
 #include "app/options.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -9,7 +8,6 @@
 #include "app/help.h"
 #include "base/text.h"
 #include "deform/probe.h"
-#include "deform/scheme.h"
 #include "lab/field.h"
 #include "scene/document/range.h"
 #include "scene/workspace/frame_stats.h"

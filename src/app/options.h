@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"

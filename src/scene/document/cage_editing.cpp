@@ -1,7 +1,5 @@
 #include "scene/document/cage_editing.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/error.h"

@@ -1,7 +1,6 @@
 #include "scene/document/elements.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "mesh/union_find.h"
 

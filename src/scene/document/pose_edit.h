@@ -42,7 +42,6 @@ void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
 /// Moves it before the pose `to`, or to the end.
 void move_pose(Document& document, std::size_t pose, std::size_t to);
-void duplicate_pose(Document& document, std::size_t pose);
 /// Its contribution to the mix is removed too.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 

@@ -1,11 +1,6 @@
 // Probes of a document: adding, moving and removing them. Each change is an undoable edit.
 #pragma once
 
-#include <glm/glm.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "scene/document/brush.h"
 #include "scene/document/document.h"
 

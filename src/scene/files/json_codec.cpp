@@ -1,6 +1,5 @@
 #include "scene/files/json_codec.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -35,10 +34,10 @@ JsonField JsonField::item(std::size_t index) const {
 
 namespace {
 
-template <class T>
-void code_by(const JsonField& field, T& value, T (JsonReader::*read)() const) {
+template <class T, class... Limit>
+void code_by(const JsonField& field, T& value, T (JsonReader::*read)(Limit...) const, Limit... limit) {
   if (field.reads()) {
-    value = (field.in().*read)();
+    value = (field.in().*read)(limit...);
   } else {
     field.out() = value;
   }
@@ -116,11 +115,7 @@ void code(const JsonField& field, int& value, const Limits& limits) {
 }
 
 void code(const JsonField& field, mesh::Vec3& value, const Reach& reach) {
-  if (field.reads()) {
-    value = field.in().place(reach.most);
-  } else {
-    field.out() = value;
-  }
+  code_by(field, value, &JsonReader::place, reach.most);
 }
 
 void code(const JsonField& field, glm::vec3& value, const Reach& reach) {
@@ -131,11 +126,7 @@ void code(const JsonField& field, glm::vec3& value, const Reach& reach) {
 }
 
 void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& reach) {
-  if (field.reads()) {
-    value = field.in().places(reach.most);
-  } else {
-    field.out() = value;
-  }
+  code_by(field, value, &JsonReader::places, reach.most);
 }
 
 void code(const JsonField& field, std::uint64_t& value) {

@@ -135,8 +135,8 @@ void add_hand_commands(CommandTable& table) {
               paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
             });
   table.add("place_pivot", "Place pivot",
-            "Place the pivot with the next click: on a vertex, an edge or the model's surface.", {key('J')},
-            has_model, begin_placing_pivot);
+            "Place the pivot with the next click: on a vertex or the model's surface.", {key('J')}, has_model,
+            begin_placing_pivot);
   table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
             {key('.')}, no_drag_runs, choose_next<Pivot>);
   add_hand_choices<Pivot>(table, "Pivot");

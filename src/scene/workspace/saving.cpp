@@ -1,17 +1,13 @@
 #include "scene/workspace/saving.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/atomic_file.h"
 #include "deform/pose_io.h"
 #include "mesh/formats/write.h"
 #include "scene/document/brush.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/pose_edit.h"
-#include "scene/files/animation_import.h"
 #include "scene/files/output.h"
-#include "scene/files/session.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/split.h"
 
@@ -91,11 +87,6 @@ bool save_pose(Workspace& workspace, const fs::path& path) {
     deform::write_pose(path, *workspace.document.cage, real_pose(workspace.document));
     mark_pose_saved(workspace);
   });
-}
-
-bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "pose", path, no_own,
-                 [&] { write_named_pose(workspace.document, *workspace.chosen_pose, path); });
 }
 
 bool save_cage(Workspace& workspace, const fs::path& path) {

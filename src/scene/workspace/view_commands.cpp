@@ -182,16 +182,6 @@ void choose_field(Workspace& w, Field field) {
 void add_map_commands(CommandTable& table) {
   table.heading("Map");
   add_choices<Field>(table, "Map", has_model, choose_field);
-  table.add("next_map", "Next map", "Show the next map on the model.", has_model,
-            [](Workspace& w) { w.view.field = next_choice(w.view.field); });
-  table.add("toggle_error_map", {"Show error map", "Error map"},
-            "Show the relative error of the exponential at each vertex as a map.", {key('E'), false, true},
-            uses_method,
-            {[](Workspace& w) {
-               const bool on = w.view.field == Field::exp_error;
-               w.view.field = on ? Field::none : Field::exp_error;
-             },
-             [](const Workspace& w) { return w.view.field == Field::exp_error; }});
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
             {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
              [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});

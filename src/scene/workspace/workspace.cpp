@@ -29,6 +29,11 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   return points;
 }
 
+mesh::Bounds cube_around(const mesh::Point& center, double half) {
+  const mesh::Vec3 way{half, half, half};
+  return {center - way, center + way};
+}
+
 // The positions used by the cage's elements; unused vertices are ignored.
 std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
@@ -48,12 +53,8 @@ std::vector<mesh::Point> around_probes(const Document& document) {
   for (const auto i : document.selection.indices()) {
     const deform::Probe& probe = document.probes.all[i];
     const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
-    const mesh::Point center = probe_center(document, i);
-    for (int corner = 0; corner < 8; ++corner) {
-      mesh::Point p = center;
-      for (std::size_t k = 0; k < 3; ++k) p[k] += (corner >> k & 1) ? half : -half;
-      points.push_back(p);
-    }
+    const auto box = corners(cube_around(probe_center(document, i), half));
+    points.insert(points.end(), box.begin(), box.end());
   }
   return points;
 }
@@ -132,8 +133,7 @@ void frame_worst(Workspace& w) {
   if (worst >= surface.positions.size()) return;
   const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
   const double half = share * w.document.model.bounds.diagonal();
-  const mesh::Bounds box{at - mesh::Vec3{half, half, half}, at + mesh::Vec3{half, half, half}};
-  w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
+  w.camera.frame(in_view(w.document.space, corners(cube_around(at, half))), w.viewport, true);
 }
 
 void toggle_finding(Workspace& workspace, std::size_t index) {
