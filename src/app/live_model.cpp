@@ -20,12 +20,6 @@ namespace viete::app {
 
 namespace {
 
-// True if anything besides the shape moves the model.
-bool moves_beyond_shape(const scene::Document& document) {
-  const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
-  return document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin);
-}
-
 // Only its rotation if the map flattens, since a drag could not be inverted.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   constexpr double flattest = 0.05;
@@ -36,14 +30,13 @@ sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
 
 }  // namespace
 
-LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
-  const scene::Document& document = workspace.document;
+LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
+  const scene::Document& document = w.document;
   const scene::Revisions& now = document.revisions();
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
   const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
-  if (new_surfaces || new_cage)
-    follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
+  if (new_surfaces || new_cage) follow_surfaces(w, new_surfaces ? files_.take_bound() : std::move(made));
   if (new_surfaces || new_cage || new_weights) {
     binder_.cancel();
     given_up_.reset();
@@ -52,13 +45,13 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   }
   // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
   // being generated.
-  if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
+  if (!deformer_ && !binder_.running() && !w.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
   // Other elements or another blend need other sums over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  same_path_ = workspace.view.same_path;
+  same_path_ = w.view.same_path;
   if (deformer_ && deformer_->all_staged() != same_path_) {
     deformer_->set_all_staged(same_path_);
     derived_.reset();
@@ -67,8 +60,8 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
   // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
-  take_binding(workspace, false);
-  workspace.binding = binder_.state();
+  take_binding(w, false);
+  w.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
 
@@ -93,16 +86,16 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
 }
 
 // Discards everything derived from the old surfaces.
-void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
+void LiveModel::follow_surfaces(scene::Workspace& w, Bound bound) {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
   no_cage_.reset();
   around_ = {};
   given_up_.reset();
-  workspace.pose_notes.clear();
-  workspace.pose_report = {};
-  if (bound.binds(workspace.document)) install(workspace, std::move(bound));
+  w.pose_notes.clear();
+  w.pose_report = {};
+  if (bound.binds(w.document)) install(w, std::move(bound));
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
@@ -112,20 +105,20 @@ void LiveModel::start_binding(const scene::Document& document) {
                                : "Preparing the model for probes");
 }
 
-void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
+void LiveModel::take_binding(scene::Workspace& w, bool wait) {
   auto result = binder_.poll(wait);
   if (!result) return;
-  if (!result->value) return stop_binding(workspace, result->problem, scene::Severity::error);
-  install(workspace, *std::move(result->value));
+  if (!result->value) return stop_binding(w, result->problem, scene::Severity::error);
+  install(w, *std::move(result->value));
 }
 
 constexpr scene::Concern of_cage{"bind", scene::Scope::cage};
 
-void LiveModel::install(scene::Workspace& workspace, Bound bound) {
-  for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
-  workspace.messages.succeeded(of_cage.topic);
+void LiveModel::install(scene::Workspace& w, Bound bound) {
+  for (const auto& warning : bound.binding->warnings) w.messages.warn(warning, of_cage);
+  w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
-  renew_deformer(scheme_of(workspace.document));
+  renew_deformer(scheme_of(w.document));
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
@@ -138,9 +131,9 @@ void LiveModel::renew_deformer(const deform::Scheme& scheme) {
   unprepared_ = true;
 }
 
-void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
+void LiveModel::stop_binding(scene::Workspace& w, const std::string& why, scene::Severity severity) {
   binder_.cancel();
-  scene::Document& document = workspace.document;
+  scene::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe tries again
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
@@ -148,16 +141,16 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
     scene::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // the revision that is bound
     if (!deformer_->engine(document.method)) {
-      workspace.view.same_path = false;
+      w.view.same_path = false;
       document.put_method(sym3::Method::fast);
     }
   }
-  workspace.messages.say(severity, why, of_cage);
+  w.messages.say(severity, why, of_cage);
 }
 
-void LiveModel::finish_binding(scene::Workspace& workspace) {
-  follow(workspace);
-  take_binding(workspace, true);
+void LiveModel::finish_binding(scene::Workspace& w) {
+  follow(w);
+  take_binding(w, true);
 }
 
 bool LiveModel::deforms(const scene::Document& document) const {
@@ -169,20 +162,20 @@ bool LiveModel::is_due(const scene::Document& document) const {
          weights_ != document.revisions().weights || deforms(document);
 }
 
-bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
+bool LiveModel::deform(scene::Workspace& w, scene::FrameTimes& times) {
   prepared_ = false;
   if (!deformer_) return false;
-  scene::Document& document = workspace.document;
-  const auto& drag = workspace.interaction.drag;
+  scene::Document& document = w.document;
+  const auto& drag = w.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
-  const bool editing = changes_rest(workspace);
+  const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
     run(document, document.pose, document.shape, times.method);
     take_carried(document);
-    if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
+    if (document.has_cage()) scene::take_report(w, deformer_->state().report());
     times.links = deformer_->times();
     derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
@@ -206,7 +199,9 @@ scene::Carried LiveModel::carried_pin(const scene::Document& document, const def
   const mesh::Surface& surface = *document.model.surface;
   if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
   scene::Carried carried;
-  if (moves_beyond_shape(document)) carried.map = map_at(document, v);
+  const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
+  if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
+    carried.map = map_at(document, v);  // not only the shape moves the model
   const mesh::Vec3 off = probe.place - scene::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
   return carried;

@@ -34,10 +34,10 @@ std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Select
 
 }  // namespace
 
-bool CageMarks::set(const scene::Workspace& workspace, const render::Theme& theme) {
+bool CageMarks::set(const scene::Workspace& w, const render::Theme& theme) {
   Marks marks;
-  marks.positions = workspace.document.pose.positions;
-  if (workspace.tools) add_faces(workspace, marks), add_edges(workspace, theme, marks);
+  marks.positions = w.document.pose.positions;
+  if (w.tools) add_faces(w, marks), add_edges(w, theme, marks);
   if (marks == marks_) return false;
   marks_ = std::move(marks);
   upload();
@@ -53,21 +53,21 @@ void CageMarks::upload() {
   if (!edges.empty()) edges_.set_positions(positions);
 }
 
-void CageMarks::add_faces(const scene::Workspace& workspace, Marks& marks) {
-  const auto& document = workspace.document;
+void CageMarks::add_faces(const scene::Workspace& w, Marks& marks) {
+  const auto& document = w.document;
   const auto& surface = document.cage->surface;
   if (document.selection.kind() != ElementKind::face) return;
   const auto marked = marks_of(*document.cage, document.selection);
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto face = surface.triangle_polygon[t];
     if (marked[face]) marks.selected.push_back(surface.triangles[t]);
-    if (workspace.interaction.hovered == face) marks.hovered.push_back(surface.triangles[t]);
+    if (w.interaction.hovered == face) marks.hovered.push_back(surface.triangles[t]);
   }
 }
 
 // Edges of selected faces count as selected; hovered edges are drawn last, on top.
-void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks) {
-  const auto& document = workspace.document;
+void CageMarks::add_edges(const scene::Workspace& w, const render::Theme& theme, Marks& marks) {
+  const auto& document = w.document;
   const auto kind = document.selection.kind();
   auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
@@ -77,7 +77,7 @@ void CageMarks::add_edges(const scene::Workspace& workspace, const render::Theme
     for (const auto i : document.selection.indices()) add(i);
   }
   const std::size_t selected = segments.size();
-  const auto hovered = workspace.interaction.hovered;
+  const auto hovered = w.interaction.hovered;
   if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);
   marks.colors.assign(segments.size(), glm::vec4(theme.hover, 0.85f));
   std::fill_n(marks.colors.begin(), selected, glm::vec4(theme.selection, 1));

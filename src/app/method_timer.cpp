@@ -23,19 +23,18 @@ constexpr std::size_t timed_rounds = 5;
 // Larger staged weights are computed only when a method that needs them is chosen.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
-bool lacks_weights(const FrameInput& timed) {
-  return timed.bound.binding->weights.empty() &&
-         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged;
-}
-
-double weight_bytes(const deform::Binding& binding) {
-  return 8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles);
+bool lacks_small_weights(const FrameInput& timed) {
+  const deform::Binding& binding = *timed.bound.binding;
+  return binding.weights.empty() &&
+         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
+         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
+             most_weight_bytes;
 }
 
 }  // namespace
 
 MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
-  if (lacks_weights(timed) && weight_bytes(*timed.bound.binding) <= most_weight_bytes)
+  if (lacks_small_weights(timed))
     timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
                             timed.bound, progress);
   base::WorkerPool pool;

@@ -89,10 +89,10 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   }
   const bool keeps_look = has_camera && options.look.empty();
   if (keeps_look && options.compare.empty()) return;
-  scene::Workspace& workspace = viewer.workspace();
-  if (!keeps_look) workspace.camera.look(looks.at(options.look.empty() ? "home" : options.look));
-  workspace.camera.animate(1);
-  scene::frame_all(workspace, false);
+  scene::Workspace& w = viewer.workspace();
+  if (!keeps_look) w.camera.look(looks.at(options.look.empty() ? "home" : options.look));
+  w.camera.animate(1);
+  scene::frame_all(w, false);
 }
 
 // Warns about requested items that are not in the picture.
@@ -116,23 +116,23 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
-  scene::Workspace& workspace = offscreen->viewer().workspace();
-  scene::apply_opened(workspace, std::move(opened));
-  workspace.view = view_of(options, session);
-  workspace.has_user = workspace.tools = false;
-  split(workspace, options.compare);
+  scene::Workspace& w = offscreen->viewer().workspace();
+  scene::apply_opened(w, std::move(opened));
+  w.view = view_of(options, session);
+  w.has_user = w.tools = false;
+  split(w, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
 }
 
-void print_messages(const scene::Workspace& workspace) {
-  print_missing(workspace);
-  if (const auto& cage = workspace.document.cage) print_notes(cage->warnings);
-  for (const auto& message : workspace.messages.all()) {
+void print_messages(const scene::Workspace& w) {
+  print_missing(w);
+  if (const auto& cage = w.document.cage) print_notes(cage->warnings);
+  for (const auto& message : w.messages.all()) {
     if (message.severity == scene::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});
   }
-  print_notes(workspace.pose_notes);
+  print_notes(w.pose_notes);
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {

@@ -122,13 +122,6 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
   return result;
 }
 
-void say(const PoseOptions& options, const Posed& result, std::span<const scene::NamedShape> examples) {
-  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
-                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
-  for (std::size_t e = 0; e < examples.size(); ++e)
-    std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
-}
-
 int write_pose(const PoseOptions& options) {
   const OpenedShapes opened = open_shapes(options.rest, options.examples, options.output);
   scene::Export what = export_to(options.output, opened.model);
@@ -143,7 +136,10 @@ int write_pose(const PoseOptions& options) {
   if (result.steps == most_steps)
     notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
   print_notes(notes);
-  say(options, result, examples);
+  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
+                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
+  for (std::size_t e = 0; e < examples.size(); ++e)
+    std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
   return exit_ok;
 }
 

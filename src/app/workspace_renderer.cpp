@@ -143,33 +143,33 @@ void WorkspaceRenderer::set_model(std::size_t view, std::span<const deform::Fram
   ++content_;
 }
 
-void WorkspaceRenderer::set_cage(const scene::Workspace& workspace) {
-  const auto& positions = workspace.document.pose.positions;
+void WorkspaceRenderer::set_cage(const scene::Workspace& w) {
+  const auto& positions = w.document.pose.positions;
   cage_faces_.set_positions(positions);
   cage_lines_.set_positions(positions);
   cage_vertices_.set_positions(positions);
   ++content_;
 }
 
-void WorkspaceRenderer::set_hand(const scene::Workspace& workspace) {
-  const render::Theme theme = render::theme(workspace.view.dark);
-  const auto& document = workspace.document;
+void WorkspaceRenderer::set_hand(const scene::Workspace& w) {
+  const render::Theme theme = render::theme(w.view.dark);
+  const auto& document = w.document;
   // Vertices are less prominent if edges or faces are selected.
-  const bool vertices = !workspace.tools || document.selection.kind() == scene::ElementKind::vertex;
-  const auto selected = workspace.tools ? scene::selected_vertices(*document.cage, document.selection)
-                                        : std::vector<std::uint32_t>{};
-  Hand hand{workspace.view.dark, {}, {}};
+  const bool vertices = !w.tools || document.selection.kind() == scene::ElementKind::vertex;
+  const auto selected =
+      w.tools ? scene::selected_vertices(*document.cage, document.selection) : std::vector<std::uint32_t>{};
+  Hand hand{w.view.dark, {}, {}};
   auto& discs = hand.discs;
   discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
   for (const auto v : selected) discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
-  const std::vector<float> shares = soft_shares(workspace);
+  const std::vector<float> shares = soft_shares(w);
   soften(shares, theme, discs);
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
-  const auto hovered = workspace.tools ? workspace.interaction.hovered : std::nullopt;
+  const auto hovered = w.tools ? w.interaction.hovered : std::nullopt;
   if (vertices && hovered && *hovered < discs.size()) discs[*hovered].ring = true;
   if (!shares.empty()) hand.ends = ramp_of_ends(shares, theme, shown_edges_);
-  if (marks_.set(workspace, theme)) ++content_;
+  if (marks_.set(w, theme)) ++content_;
   if (hand_ == hand) return;
   ++content_;
   hand_ = std::move(hand);

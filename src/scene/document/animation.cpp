@@ -120,11 +120,8 @@ bool same_pose(const deform::Pose& a, const deform::Pose& b) {
 }
 
 bool same_pose(const WholePose& a, const WholePose& b) {
-  const auto probe = [](const WholePose& pose, std::size_t i) {
-    return i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-  };
   for (std::size_t i = 0; i < std::max(a.probes.size(), b.probes.size()); ++i)
-    if (!(probe(a, i) == probe(b, i))) return false;
+    if (!(a.probe(i) == b.probe(i))) return false;
   return same_pose(a.cage, b.cage) && same_shape(a.shape, b.shape);
 }
 

@@ -172,7 +172,7 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   }
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
-    if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+    if (!probes[i].locked) probes[i].pose = pose.probe(i);
   move_pins_to_shape(document);
 }
 
@@ -355,13 +355,14 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
   change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
 }
 
+namespace {
+
+// "3 poses and 2 keys"; empty if there are none.
 std::string counted_poses(std::size_t poses, std::size_t keys) {
   const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
   const std::string others = keys == 0 ? "" : base::counted(keys, "key");
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
-
-namespace {
 
 // Keeps the shapes of keyed poses, with this pose of the cage; removes all others. Returns the number
 // removed.

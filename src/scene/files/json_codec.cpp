@@ -34,8 +34,8 @@ JsonField JsonField::item(std::size_t index) const {
 
 namespace {
 
-template <class T, class... Limit>
-void code_by(const JsonField& field, T& value, T (JsonReader::*read)(Limit...) const, Limit... limit) {
+template <class T, class Read, class... Limit>
+void code_by(const JsonField& field, T& value, Read (JsonReader::*read)(Limit...) const, Limit... limit) {
   if (field.reads()) {
     value = (field.in().*read)(limit...);
   } else {

@@ -18,13 +18,12 @@ namespace viete::scene {
 
 namespace {
 
-void report(Workspace& workspace, const Opened& opened) {
-  const bool same_model =
-      opened.document && opened.document->model.surface == workspace.document.model.surface;
+void report(Workspace& w, const Opened& opened) {
+  const bool same_model = opened.document && opened.document->model.surface == w.document.model.surface;
   const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
-  workspace.messages.succeeded("open");
-  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as, concern);
-  for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
+  w.messages.succeeded("open");
+  if (!opened.taken_as.empty()) w.messages.info(opened.taken_as, concern);
+  for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
 // After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
@@ -180,14 +179,14 @@ void apply_opened(Workspace& w, Opened&& opened) {
   frame_all(w, false);
 }
 
-bool open_now(Workspace& workspace, const OpenRequest& request) {
+bool open_now(Workspace& w, const OpenRequest& request) {
   try {
-    Opened opened = open_files(request, workspace.document);
+    Opened opened = open_files(request, w.document);
     check_drawable(opened);
-    apply_opened(workspace, std::move(opened));
+    apply_opened(w, std::move(opened));
     return true;
   } catch (const std::exception& error) {
-    workspace.messages.error(error.what(), {"open"});
+    w.messages.error(error.what(), {"open"});
     return false;
   }
 }

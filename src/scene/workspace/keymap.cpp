@@ -167,11 +167,6 @@ void Keymap::take_back(std::string_view command) {
   resolve();
 }
 
-void Keymap::take_all_back() {
-  changes_.clear();
-  resolve();
-}
-
 void Keymap::put(Changes changes) {
   changes_ = std::move(changes);
   resolve();

@@ -42,7 +42,6 @@ public:
   void change(std::string_view command, const Shortcut& shortcut);
   /// Restores the preset's keys.
   void take_back(std::string_view command);
-  void take_all_back();
   /// Replaces all changes.
   void put(Changes changes);
 

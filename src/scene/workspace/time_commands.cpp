@@ -119,10 +119,6 @@ void delete_keys(Workspace& w) {
   w.time_view.selected.clear();
 }
 
-void play_or_stop(Workspace& w) {
-  w.playback.playing ? stop_playing(w) : start_playing(w);
-}
-
 template <int Steps>
 void step(Workspace& w) {
   stop_playing(w);
@@ -154,14 +150,6 @@ void fit_range(Workspace& w) {
   w.time_view.seen = fitting(w.document.timeline);
 }
 
-void choose_easing(Workspace& w, Easing easing) {
-  set_easing(w.document, eased_keys(w), easing);
-}
-
-void choose_repeat(Workspace& w, Repeat repeat) {
-  change_play(w, [&](Playing& play) { play.repeat = repeat; });
-}
-
 }  // namespace
 
 void add_time_commands(CommandTable& table) {
@@ -177,7 +165,8 @@ void add_time_commands(CommandTable& table) {
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
-            {play_or_stop, [](const Workspace& w) { return w.playback.playing; }});
+            {[](Workspace& w) { w.playback.playing ? stop_playing(w) : start_playing(w); },
+             [](const Workspace& w) { return w.playback.playing; }});
   table.add("set_key", "Set key", "Set a key for the current pose at this frame.", {key('I')}, can_pose,
             key_pose);
   table.add("set_camera_key", {"Set camera key", "Camera key"},
@@ -201,8 +190,11 @@ void add_time_commands(CommandTable& table) {
             {Key::right, false, true}, shows_time, to_end<&Playing::last>);
   table.add("fit_range", {"Set range to keys", "Range to keys"},
             "Set the playback range from the first to the last key.", has_time, fit_range);
-  add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);
-  add_choices<Repeat>(table, "After the last frame", has_model, choose_repeat);
+  add_choices<Easing>(table, "Easing", has_pose_keys,
+                      [](Workspace& w, Easing easing) { set_easing(w.document, eased_keys(w), easing); });
+  add_choices<Repeat>(table, "After the last frame", has_model, [](Workspace& w, Repeat repeat) {
+    change_play(w, [&](Playing& play) { play.repeat = repeat; });
+  });
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
             "Set a key at this frame after each edit, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));

@@ -59,10 +59,6 @@ std::vector<mesh::Point> around_probes(const Document& document) {
   return points;
 }
 
-const mesh::Surface& surface_of(const Document& document, const Finding& finding) {
-  return finding.subject == Subject::cage ? *document.cage_file.surface : *document.model.surface;
-}
-
 void widen(std::vector<glm::vec3>& points) {
   constexpr float least = 0.12F;  // for a model of size 2
   glm::vec3 low = points[0], high = points[0];
@@ -108,22 +104,22 @@ float offer_height(const Workspace& w) {
   return std::min(height, 0.5f * w.viewport.size.y);
 }
 
-void frame_all(Workspace& workspace, bool eased) {
-  const Document& document = workspace.document;
+void frame_all(Workspace& w, bool eased) {
+  const Document& document = w.document;
   if (!document.model.surface) return;
   // A cage encloses its model: its vertices cover both.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
-  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased, offer_height(workspace));
+  w.camera.frame(in_view(document.space, points), w.viewport, eased, offer_height(w));
 }
 
-void frame_selection(Workspace& workspace, bool eased) {
-  const Document& document = workspace.document;
-  if (document.selection.empty()) return frame_all(workspace, eased);
+void frame_selection(Workspace& w, bool eased) {
+  const Document& document = w.document;
+  if (document.selection.empty()) return frame_all(w, eased);
   std::vector<mesh::Point> points;
   for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
   if (document.selection.kind() == ElementKind::probe) points = around_probes(document);
-  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+  w.camera.frame(in_view(document.space, points), w.viewport, eased);
 }
 
 void frame_worst(Workspace& w) {
@@ -136,37 +132,37 @@ void frame_worst(Workspace& w) {
   w.camera.frame(in_view(w.document.space, corners(cube_around(at, half))), w.viewport, true);
 }
 
-void toggle_finding(Workspace& workspace, std::size_t index) {
-  CheckState& checks = workspace.checks;
+void toggle_finding(Workspace& w, std::size_t index) {
+  CheckState& checks = w.checks;
   const bool hide = checks.shown == index;
   checks.show(hide ? std::nullopt : std::optional(index));
-  workspace.requests.frame_finding = !hide;
+  w.requests.frame_finding = !hide;
 }
 
-void step_element(Workspace& workspace, int step) {
-  CheckState& checks = workspace.checks;
+void step_element(Workspace& w, int step) {
+  CheckState& checks = w.checks;
   if (!checks.shown) return;
   const std::size_t n = checks.findings[*checks.shown].size();
   const std::size_t first = step > 0 ? 0 : n - 1;
   checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
-  workspace.requests.frame_finding = true;
+  w.requests.frame_finding = true;
 }
 
-void frame_finding(Workspace& workspace) {
-  const CheckState& checks = workspace.checks;
+void frame_finding(Workspace& w) {
+  const CheckState& checks = w.checks;
   if (!checks.shown) return;
   constexpr std::size_t enough = 20000;
   const Finding& finding = checks.findings[*checks.shown];
-  const Document& document = workspace.document;
-  const mesh::Surface& surface = surface_of(document, finding);
+  const Document& document = w.document;
+  const bool of_cage = finding.subject == Subject::cage;
+  const mesh::Surface& surface = of_cage ? *document.cage_file.surface : *document.model.surface;
   std::vector<glm::vec3> points;
   for (const auto e : shown_elements(checks, enough)) {
     for (const auto v : vertices_of(finding, surface, e))
-      points.push_back(document.space.to_view(
-          finding.subject == Subject::cage ? document.pose.positions[v] : workspace.posed.at(surface, v)));
+      points.push_back(document.space.to_view(of_cage ? document.pose.positions[v] : w.posed.at(surface, v)));
   }
   widen(points);
-  workspace.camera.frame(points, workspace.viewport, true);
+  w.camera.frame(points, w.viewport, true);
 }
 
 void begin_widget_edit(Workspace& w) {
@@ -185,11 +181,11 @@ void cancel_widget_edit(Workspace& w) {
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 
-void take_report(Workspace& workspace, const deform::LogReport& report) {
-  Document& document = workspace.document;
+void take_report(Workspace& w, const deform::LogReport& report) {
+  Document& document = w.document;
   document.pose.turns = report.turns;
-  workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
-  workspace.pose_report = report;
+  w.pose_notes = pose_notes(report, *document.cage, document.pose);
+  w.pose_report = report;
 }
 
 namespace {
