@@ -37,7 +37,6 @@ struct PoseOptions {
   std::vector<std::filesystem::path> examples;
   std::vector<Pin> pins;
   deform::PosingSettings settings;
-  double firmness = 1;
 };
 
 // Parses "1234=0.1,2,-3".
@@ -109,7 +108,7 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
   std::vector<deform::PosingPin> pins;
   std::vector<mesh::Point> targets;
   for (const Pin& pin : options.pins) {
-    pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : options.firmness});
+    pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : 1.0});
     targets.push_back(pin.target);
   }
   posing.set_pins(std::move(pins));
@@ -157,8 +156,6 @@ void add_pose_command(CLI::App& app, Action& action) {
       ->option_text("FILE ...");
   add_pins_option(*command, "--pin", true, "Vertex number, from 0, and its exact position", o);
   add_pins_option(*command, "--pull", false, "Vertex number and the position it is pulled to", o);
-  auto* firmness = command->add_option("--firmness", o->firmness, "Strength of --pull");
-  in_range(firmness, 1e-6, 1e6)->default_str("1");
   auto* freedom = command->add_option("--freedom", o->settings.freedom, "Allowed deviation from examples");
   in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
   auto* restraint =

@@ -144,15 +144,6 @@ void rest_probes(Document& document) {
   change_selected(document, label("reset", document), [](deform::Probe& p) { p.pose = {}; });
 }
 
-void replace_probes(Document& document) {
-  change_selected(document, label("place", document), [](deform::Probe& p) {
-    if (p.pin) return;
-    p.place = p.place + p.pose.move;
-    p.pose = {};
-  });
-  document.carried.clear();
-}
-
 int symmetry_axis(const Document& document) {
   constexpr std::size_t samples = 256;
   const auto& points = document.model.surface->positions;

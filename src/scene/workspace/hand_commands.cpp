@@ -224,10 +224,6 @@ void add_tool_commands(CommandTable& table) {
   table.add("remove_probe", {"Remove probes", "Remove"}, "Remove the selected probes. Locked probes stay.",
             {Key::delete_key, false, true}, has_free_probes_selected,
             [](Workspace& w) { remove_probes(w.document); });
-  table.add("replace_probe", {"Rest probes here", "Rest here"},
-            "Make the current place of the selected probes their rest. The model returns; further moves act "
-            "from here.",
-            has_free_probes_selected, [](Workspace& w) { replace_probes(w.document); });
   table.add("toggle_locked", {"Lock probes", "Locked"},
             "Lock the selected probes. They keep acting but cannot be dragged.", has_probes_selected,
             toggle_locked);
