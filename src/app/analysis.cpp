@@ -1,9 +1,24 @@
 #include "app/analysis.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/child_process.h"
 #include "base/clock.h"
+#include "base/median.h"
+#include "base/worker_pool.h"
+#include "deform/scheme.h"
+#include "deform/vertex_sample.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/exp.h"
+#include "sym3/reference.h"
+#include "sym3/rotation.h"
+#include "sym3/route.h"
 
 namespace viete::app {
 
@@ -175,6 +190,167 @@ void Analysis::finish_measuring(scene::Workspace& w, LiveModel& model) {
   if (timed_ != model.frames()) start_timer(w, model);
   take_times(w, model, true);
   follow_times(w, model, false);
+}
+
+namespace {
+
+using scene::compared_methods;
+
+constexpr std::size_t timed_rounds = 5;
+// Larger staged weights are computed only when a method that needs them is chosen.
+constexpr double most_weight_bytes = 256.0 * (1 << 20);
+
+bool lacks_small_weights(const FrameInput& timed) {
+  const deform::Binding& binding = *timed.bound.binding;
+  return binding.weights.empty() &&
+         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
+         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
+             most_weight_bytes;
+}
+
+}  // namespace
+
+MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
+  if (lacks_small_weights(timed))
+    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
+                            timed.bound, progress);
+  base::WorkerPool pool;
+  const Bound& bound = timed.bound;
+  deform::Deformer deformer(bound.cage, bound.binding, timed.scheme, pool,
+                            bound.stitches(timed.scheme) ? bound.stitching : nullptr);
+  deformer.set_all_staged(timed.all_staged);
+  deformer.set_mask(timed.mask);
+  deformer.set_probes(timed.probes);
+  deformer.set_shape(timed.shape);
+  std::array<std::vector<scene::FrameTimes>, compared_methods.size()> frames;
+  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
+    for (std::size_t m = 0; m < frames.size(); ++m) {
+      progress.report(0);
+      if (!deformer.engine(compared_methods[m])) continue;
+      deformer.deform(timed.pose, compared_methods[m]);
+      if (round > 0) frames[m].push_back({.links = deformer.times()});
+    }
+  }
+  MethodTimings result{{.links = {}, .measured = true}, bound.binding};
+  for (std::size_t m = 0; m < frames.size(); ++m)
+    if (!frames[m].empty()) result.times.links[m] = scene::median_of(frames[m]).links;
+  return result;
+}
+
+namespace {
+
+constexpr int rounds = 5;
+constexpr std::size_t method_count = scene::compared_methods.size();
+using Matrix = sym3::Sym3<double>;
+
+scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
+  std::vector<double> errors(matrices.size());
+  for (std::size_t i = 0; i < matrices.size(); ++i)
+    errors[i] = sym3::relative_error(computed[i], matrices[i]);
+  scene::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
+  return sample;
+}
+
+}  // namespace
+
+scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
+  scene::MethodStats stats;
+  if (matrices.empty()) return stats;
+  std::vector<Matrix> out(matrices.size());
+  std::array<std::vector<double>, method_count> seconds;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t m = 0; m < method_count; ++m) {
+      const double start = base::thread_seconds();
+      sym3::exp<double>(matrices, out, scene::compared_methods[m]);
+      seconds[m].push_back(base::thread_seconds() - start);
+      if (round == 0) stats.samples[m] = errors_of(out, matrices);
+    }
+  }
+  for (std::size_t m = 0; m < method_count; ++m) {
+    stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
+  }
+  stats.matrices = matrices.size();
+  return stats;
+}
+
+namespace {
+
+using sym3::Method;
+
+// GLM matrices are column-major.
+glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
+  const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
+  const auto s = sym3::exp(stretch);
+  const glm::dmat3 rotation(r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]);
+  return rotation * glm::dmat3(s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz);
+}
+
+std::string words_of(Method method, const sym3::Route& route) {
+  if (method == Method::diag) return "eigenvectors by QR";
+  if (method == Method::fast) {
+    if (route.by_jacobi) return "Jacobi's method";
+    const std::string degree = "degree " + std::to_string(route.degree);
+    if (route.squarings == 0) return degree + ", without squaring";
+    return degree + ", squared " + std::to_string(route.squarings) +
+           (route.squarings == 1 ? " time" : " times");
+  }
+  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all distinct"};
+  return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
+}
+
+std::vector<scene::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
+  std::vector<scene::VertexView::Way> ways;
+  for (const Method method : scene::compared_methods)
+    ways.push_back({method, words_of(method, sym3::route(sum, method)),
+                    sym3::relative_error(sym3::exp(sum, method), sum)});
+  return ways;
+}
+
+scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
+  scene::VertexView view;
+  view.vertex = vertex;
+  view.has_logs = sum.has_logs;
+  sym3::Sym3<double> partial{};
+  for (const auto& term : sum.terms) {
+    const double w = term.weight;
+    const auto& x = term.stretch;
+    partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
+               partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
+    view.terms.push_back({term.handle, w, term.at, sym3::eigenvalues(partial)});
+  }
+  if (!sum.has_logs) return view;
+  view.map = map_of(sum.stretch, sum.turn);
+  view.degrees = mesh::norm(sum.turn) * 180 / std::numbers::pi;
+  view.ways = ways_of(sum.stretch);
+  return view;
+}
+
+}  // namespace
+
+bool Analysis::vertex_is_due(const scene::Workspace& w, const LiveModel& model) const {
+  return (w.vertex.vertex || inspected_.vertex) &&
+         inspected_ != Inspected{w.vertex.vertex, model.frames(), model.deformer()};
+}
+
+bool Analysis::follow_vertex(scene::Workspace& w, const LiveModel& model) {
+  if (!vertex_is_due(w, model)) return false;
+  inspected_ = {w.vertex.vertex, model.frames(), model.deformer()};
+  const auto vertex = w.vertex.vertex;
+  w.vertex = {};
+  const deform::Deformer* deformer = model.deformer();
+  const mesh::Surface& surface = *w.document.model.surface;
+  if (!vertex || *vertex >= surface.positions.size()) return true;
+  w.vertex.vertex = vertex;
+  if (!model.ran() || !w.document.has_cage()) return true;
+  const Bound& bound = model.bound();
+  const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+  const deform::VertexSum sum =
+      deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
+  w.vertex = view_of(*vertex, sum);
+  return true;
 }
 
 }  // namespace viete::app

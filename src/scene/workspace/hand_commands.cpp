@@ -6,7 +6,6 @@
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"

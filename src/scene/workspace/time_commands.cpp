@@ -4,8 +4,8 @@
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
+#include "scene/workspace/command_tables.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"

@@ -4,7 +4,6 @@
 
 #include "scene/document/brush.h"
 #include "scene/document/elements.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
