@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "app/animation_pictures.h"
 #include "app/command_line.h"
 #include "app/help.h"
 #include "app/inputs.h"

@@ -1,4 +1,4 @@
-#include "app/animation_pictures.h"
+#include "app/offscreen_viewer.h"
 
 #include <doctest/doctest.h>
 

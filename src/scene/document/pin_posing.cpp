@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scene/document/animation.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/shape_mix.h"
 
 namespace viete::scene {
 

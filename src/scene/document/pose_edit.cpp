@@ -7,8 +7,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
+#include "scene/document/animation.h"
 #include "scene/document/record.h"
-#include "scene/document/shape_mix.h"
 
 namespace viete::scene {
 

@@ -18,7 +18,6 @@
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/files/json_codec.h"
-#include "scene/files/json_file.h"
 
 namespace viete::scene {
 

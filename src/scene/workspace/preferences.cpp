@@ -6,7 +6,6 @@
 #include "base/atomic_file.h"
 #include "scene/document/range.h"
 #include "scene/files/json_codec.h"
-#include "scene/files/json_file.h"
 
 namespace viete::scene {
 

@@ -35,7 +35,6 @@
 #include "scene/workspace/question.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
-#include "scene/workspace/vertex_view.h"
 
 namespace viete::scene {
 
