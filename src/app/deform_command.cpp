@@ -15,7 +15,6 @@
 
 #include "app/bound.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/error.h"
@@ -64,11 +63,12 @@ void take_mask(const DeformOptions& options, scene::Export& what) {
 constexpr double largest_number = 1e60;  // as for poses in files
 
 // Reads the next pose; nullopt at the end of the input.
-std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t vertices, std::size_t number) {
+std::optional<std::vector<mesh::Point>> next_pose(std::size_t vertices, std::size_t number) {
   std::vector<mesh::Point> positions(vertices);
   static_assert(sizeof(mesh::Point) == 3 * sizeof(double));
-  const std::size_t bytes = vertices * sizeof(mesh::Point), got = std::fread(positions.data(), 1, bytes, in);
-  if (std::ferror(in))
+  const std::size_t bytes = vertices * sizeof(mesh::Point),
+                    got = std::fread(positions.data(), 1, bytes, stdin);
+  if (std::ferror(stdin))
     throw base::Error("standard input", std::string("cannot be read: ") + std::strerror(errno),
                       "send poses through a pipe or from a file");
   if (got == 0) return std::nullopt;
@@ -85,8 +85,7 @@ std::optional<std::vector<mesh::Point>> next_pose(std::FILE* in, std::size_t ver
   return positions;
 }
 
-void write_positions(const deform::Deformer& deformer, std::size_t number, std::vector<float>& floats,
-                     std::FILE* out) {
+void write_positions(const deform::Deformer& deformer, std::size_t number, std::vector<float>& floats) {
   const auto vertices = deformer.vertices();
   const mesh::Vec3 origin = deformer.origin();
   floats.clear();
@@ -97,15 +96,16 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
         throw base::Error("pose " + std::to_string(number), "a position is out of the range of float32",
                           "scale the cage and the model");
     }
-  if (std::fwrite(floats.data(), sizeof(float), floats.size(), out) != floats.size() || std::fflush(out) != 0)
+  if (std::fwrite(floats.data(), sizeof(float), floats.size(), stdout) != floats.size() ||
+      std::fflush(stdout) != 0)
     throw base::Error("standard output", "it cannot be written", "check the disk space");
 }
 
 // Binds once, then reads poses, three float64 per cage vertex, and writes positions, three float32 per model
-// vertex, both in native byte order, each immediately, until `in` ends. As in the window, turns of the
+// vertex, both in native byte order, each immediately, until the input ends. As in the window, turns of the
 // cage's parts continue from the previous pose. Throws base::Error if a pose is invalid or incomplete, or
-// exceeds float, and if writing to `out` fails.
-void stream_poses(const scene::Export& what, std::FILE* in, std::FILE* out) {
+// exceeds float, and if writing fails.
+void stream_poses(const scene::Export& what) {
   base::Progress progress;
   const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);
   base::WorkerPool pool;
@@ -115,11 +115,11 @@ void stream_poses(const scene::Export& what, std::FILE* in, std::FILE* out) {
   std::vector<float> floats;
   std::vector<mesh::Vec3> turns;
   for (std::size_t number = 1;; ++number) {
-    auto positions = next_pose(in, vertices, number);
+    auto positions = next_pose(vertices, number);
     if (!positions) return;
     deformer.deform({std::move(*positions), turns}, what.method);
     turns = deformer.state().report().turns;
-    write_positions(deformer, number, floats, out);
+    write_positions(deformer, number, floats);
   }
 }
 
@@ -134,7 +134,7 @@ int stream(const DeformOptions& options) {
                       "open it in the window and add a cage");
   scene::Export what = scene::export_of(*opened.document, {});
   take_mask(options, what);
-  stream_poses(what, stdin, stdout);
+  stream_poses(what);
   return exit_ok;
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"

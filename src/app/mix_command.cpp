@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"

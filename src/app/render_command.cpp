@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"

@@ -10,7 +10,6 @@
 #include "app/autosave.h"
 #include "app/command_line.h"
 #include "app/file_desk.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
@@ -51,7 +50,18 @@ class WindowViewer {
 public:
   explicit WindowViewer(platform::Window& window)
       : window_(window), viewer_(window.gl(), viewer_options(window)) {
-    listen();
+    platform::WindowEvents events;
+    events.input = [this](platform::InputEvent event) { viewer_.input().push(std::move(event)); };
+    events.dropped = [this](std::vector<std::filesystem::path> files) {
+      viewer_.drop(std::move(files));
+      exposed_ = true;
+    };
+    events.exposed = [this] {
+      viewer_.resize(window_.size());
+      if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
+      exposed_ = true;
+    };
+    window_.listen(std::move(events));
     scene::Preferences& preferences = viewer_.workspace().preferences;
     viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
     window_.share_clipboard();
@@ -62,7 +72,6 @@ public:
   void run(int frames);
 
 private:
-  void listen();
   void draw(float seconds, bool exposed = false);
   void follow_full_screen();
 
@@ -70,21 +79,6 @@ private:
   Viewer viewer_;
   bool exposed_ = true;
 };
-
-void WindowViewer::listen() {
-  platform::WindowEvents events;
-  events.input = [this](platform::InputEvent event) { viewer_.input().push(std::move(event)); };
-  events.dropped = [this](std::vector<std::filesystem::path> files) {
-    viewer_.drop(std::move(files));
-    exposed_ = true;
-  };
-  events.exposed = [this] {
-    viewer_.resize(window_.size());
-    if (!window_.full_screen()) viewer_.workspace().preferences.window = window_.size();
-    exposed_ = true;
-  };
-  window_.listen(std::move(events));
-}
 
 // Without a title bar a message tells how to leave full screen.
 void WindowViewer::follow_full_screen() {
