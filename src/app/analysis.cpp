@@ -1,10 +1,24 @@
 #include "app/analysis.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "app/child_process.h"
 #include "base/clock.h"
+#include "base/median.h"
+#include "base/worker_pool.h"
+#include "deform/scheme.h"
+#include "deform/vertex_sample.h"
+#include "sym3/eigenvalues.h"
+#include "sym3/exp.h"
+#include "sym3/reference.h"
+#include "sym3/rotation.h"
+#include "sym3/route.h"
 
 namespace viete::app {
 
@@ -21,50 +35,50 @@ bool is_in_motion(const scene::Workspace& w) {
 
 }  // namespace
 
-void Analysis::follow_document(scene::Workspace& workspace) {
+void Analysis::follow_document(scene::Workspace& w) {
   shows_news_ = false;
-  const scene::Document& document = workspace.document;
-  if (std::exchange(workspace.requests.show_report, false))
+  const scene::Document& document = w.document;
+  if (std::exchange(w.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
       return create_and_show_report(program, state, progress);
     });
-  if (std::exchange(workspace.requests.stop_report, false)) report_.cancel();
-  follow_report(workspace);
+  if (std::exchange(w.requests.stop_report, false)) report_.cancel();
+  follow_report(w);
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface)
     start_checks(document);
-  take_checks(workspace, false);
+  take_checks(w, false);
 }
 
-void Analysis::follow_frame(scene::Workspace& workspace, LiveModel& model, bool moves) {
+void Analysis::follow_frame(scene::Workspace& w, LiveModel& model, bool moves) {
   shows_news_ = false;
-  follow_path(workspace, model);
+  follow_path(w, model);
   if (!probe_wanted_) return;
-  take_probe(workspace, false);
-  if (probe_is_due(workspace, model)) start_probe(workspace, model);
-  follow_times(workspace, model, moves);
+  take_probe(w, false);
+  if (probe_is_due(w, model)) start_probe(w, model);
+  follow_times(w, model, moves);
 }
 
-bool Analysis::has_news(const scene::Workspace& workspace, const LiveModel& model) const {
-  return probe_.has_result() || probe_is_due(workspace, model) || checks_.has_result() ||
-         report_.has_result() || timer_.has_result() || timer_is_due(workspace, model);
+bool Analysis::has_news(const scene::Workspace& w, const LiveModel& model) const {
+  return probe_.has_result() || probe_is_due(w, model) || checks_.has_result() || report_.has_result() ||
+         timer_.has_result() || timer_is_due(w, model);
 }
 
 // Discards measurements of another path. The turns of cage parts do not belong to the path.
-void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) {
-  const scene::Revisions& now = workspace.document.revisions();
+void Analysis::follow_path(scene::Workspace& w, const LiveModel& model) {
+  const scene::Revisions& now = w.document.revisions();
   const deform::Deformer* deformer = model.deformer();
   const auto engine = deformer ? deformer->ran() : std::nullopt;
   Path path{now.surfaces, now.cage, deformer ? deformer->scheme() : deform::Scheme()};
   path.scheme.amounts = {};
   const bool another = path_ != path;
   if (!another && engine_ == engine) return;
-  workspace.split.views[0].fused_error = 0;
+  w.split.views[0].fused_error = 0;
   probed_ = 0;
   if (another) {
     probe_.cancel();
-    workspace.methods = {};
+    w.methods = {};
     timer_.cancel();
-    workspace.method_times = {};
+    w.method_times = {};
     timed_ = 0;
   }
   path_ = path;
@@ -72,13 +86,13 @@ void Analysis::follow_path(scene::Workspace& workspace, const LiveModel& model) 
   shows_news_ = true;
 }
 
-void Analysis::follow_report(scene::Workspace& workspace) {
+void Analysis::follow_report(scene::Workspace& w) {
   if (const auto result = report_.poll()) {
-    if (result->value) workspace.messages.succeeded("report"), workspace.messages.info(*result->value);
-    if (!result->problem.empty()) workspace.messages.error("Report failed: " + result->problem, {"report"});
+    if (result->value) w.messages.succeeded("report"), w.messages.info(*result->value);
+    if (!result->problem.empty()) w.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
-  workspace.reporting = report_.state();
+  w.reporting = report_.state();
 }
 
 // Checks the surfaces as loaded, independent of pose and binding.
@@ -90,42 +104,42 @@ void Analysis::start_checks(const scene::Document& document) {
   });
 }
 
-void Analysis::take_checks(scene::Workspace& workspace, bool wait) {
+void Analysis::take_checks(scene::Workspace& w, bool wait) {
   auto result = checks_.poll(wait);
-  workspace.checks.running = checks_.running();
-  workspace.checks.done = checks_.state().done;
+  w.checks.running = checks_.running();
+  w.checks.done = checks_.state().done;
   if (!result) return;
   shows_news_ = true;
   if (!result->value)
-    return workspace.messages.error("Checks failed: " + result->problem, {"checks", scene::Scope::cage});
-  workspace.messages.succeeded("checks");
-  scene::take_findings(workspace.checks, *std::move(result->value));
+    return w.messages.error("Checks failed: " + result->problem, {"checks", scene::Scope::cage});
+  w.messages.succeeded("checks");
+  scene::take_findings(w.checks, *std::move(result->value));
 }
 
-void Analysis::finish_checks(scene::Workspace& workspace) {
-  follow_document(workspace);
-  if (checks_.running()) take_checks(workspace, true);
+void Analysis::finish_checks(scene::Workspace& w) {
+  follow_document(w);
+  if (checks_.running()) take_checks(w, true);
 }
 
-bool Analysis::probe_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
+bool Analysis::probe_is_due(const scene::Workspace& w, const LiveModel& model) const {
   if (!probe_wanted_ || !model.ran()) return false;
-  const bool missing = model.takes_exponentials() && workspace.methods.matrices == 0;
+  const bool missing = model.takes_exponentials() && w.methods.matrices == 0;
   const bool fresh = missing || probed_ != model.frames();
   return fresh && !probe_.running() && base::wall_seconds() - probed_at_ > probe_seconds;
 }
 
-void Analysis::take_probe(scene::Workspace& workspace, bool wait) {
+void Analysis::take_probe(scene::Workspace& w, bool wait) {
   const auto result = probe_.poll(wait);
   if (!result || !result->value) return;
-  workspace.methods = *result->value;
+  w.methods = *result->value;
   probed_at_ = base::wall_seconds();
   shows_news_ = true;
 }
 
-void Analysis::start_probe(scene::Workspace& workspace, const LiveModel& model) {
+void Analysis::start_probe(scene::Workspace& w, const LiveModel& model) {
   probed_ = model.frames();
   probed_at_ = base::wall_seconds();
-  workspace.split.views[0].fused_error = model.deformer()->sampled_error();
+  w.split.views[0].fused_error = model.deformer()->sampled_error();
   if (model.takes_exponentials())
     probe_.start([matrices = model.deformer()->sample_matrices(probed_matrices)](base::Progress&) {
       return measure_methods(matrices);
@@ -133,48 +147,210 @@ void Analysis::start_probe(scene::Workspace& workspace, const LiveModel& model) 
   shows_news_ |= !model.takes_exponentials();
 }
 
-bool Analysis::timer_is_due(const scene::Workspace& workspace, const LiveModel& model) const {
+bool Analysis::timer_is_due(const scene::Workspace& w, const LiveModel& model) const {
   return probe_wanted_ && timed_ != model.frames() && model.takes_exponentials() && !timer_.running() &&
-         !is_in_motion(workspace) && base::wall_seconds() - rests_since_ > pose_rest_seconds;
+         !is_in_motion(w) && base::wall_seconds() - rests_since_ > pose_rest_seconds;
 }
 
-void Analysis::start_timer(const scene::Workspace& workspace, const LiveModel& model) {
+void Analysis::start_timer(const scene::Workspace& w, const LiveModel& model) {
   timed_ = model.frames();
-  timer_.start([timed = model.input(workspace.document, workspace.document.method)](
-                   base::Progress& progress) { return time_methods(timed, progress); });
+  timer_.start([timed = model.input(w.document, w.document.method)](base::Progress& progress) {
+    return time_methods(timed, progress);
+  });
 }
 
-void Analysis::take_times(scene::Workspace& workspace, LiveModel& model, bool wait) {
+void Analysis::take_times(scene::Workspace& w, LiveModel& model, bool wait) {
   const auto result = timer_.poll(wait);
   if (!result || !result->value) return;  // a failed measurement shows no bar
-  workspace.method_times = result->value->times;
+  w.method_times = result->value->times;
   model.share(result->value->binding);
   shows_news_ = true;
 }
 
 // During motion the running method's bar shows its frames; at rest all methods are measured.
-void Analysis::follow_times(scene::Workspace& workspace, LiveModel& model, bool moves) {
-  if (moves || is_in_motion(workspace)) {
+void Analysis::follow_times(scene::Workspace& w, LiveModel& model, bool moves) {
+  if (moves || is_in_motion(w)) {
     rests_since_ = base::wall_seconds();
     if (timer_.running()) timer_.cancel(), timed_ = 0;
   }
-  take_times(workspace, model, false);
-  if (timer_is_due(workspace, model)) start_timer(workspace, model);
-  const auto frame = workspace.split.views[0].stats.deforming_median();
-  if (!frame || (workspace.method_times.measured && timed_ == model.frames())) return;
+  take_times(w, model, false);
+  if (timer_is_due(w, model)) start_timer(w, model);
+  const auto frame = w.split.views[0].stats.deforming_median();
+  if (!frame || (w.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = scene::compared_methods;
   const auto running = std::ranges::find(methods, frame->method);
   if (running != methods.end())
-    workspace.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
+    w.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
 }
 
-void Analysis::finish_measuring(scene::Workspace& workspace, LiveModel& model) {
+void Analysis::finish_measuring(scene::Workspace& w, LiveModel& model) {
   if (!probe_wanted_ || !model.takes_exponentials()) return;
-  take_probe(workspace, true);
-  if (probed_ != model.frames()) start_probe(workspace, model), take_probe(workspace, true);
-  if (timed_ != model.frames()) start_timer(workspace, model);
-  take_times(workspace, model, true);
-  follow_times(workspace, model, false);
+  take_probe(w, true);
+  if (probed_ != model.frames()) start_probe(w, model), take_probe(w, true);
+  if (timed_ != model.frames()) start_timer(w, model);
+  take_times(w, model, true);
+  follow_times(w, model, false);
+}
+
+namespace {
+
+using scene::compared_methods;
+
+constexpr std::size_t timed_rounds = 5;
+// Larger staged weights are computed only when a method that needs them is chosen.
+constexpr double most_weight_bytes = 256.0 * (1 << 20);
+
+bool lacks_small_weights(const FrameInput& timed) {
+  const deform::Binding& binding = *timed.bound.binding;
+  return binding.weights.empty() &&
+         deform::engine_for(timed.scheme, sym3::Method::diag) == deform::EngineKind::staged &&
+         8.0 * static_cast<double>(binding.vertices) * static_cast<double>(binding.handles) <=
+             most_weight_bytes;
+}
+
+}  // namespace
+
+MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
+  if (lacks_small_weights(timed))
+    timed.bound = app::bind(timed.bound.model, timed.bound.cage, timed.scheme, sym3::Method::diag,
+                            timed.bound, progress);
+  base::WorkerPool pool;
+  const Bound& bound = timed.bound;
+  deform::Deformer deformer(bound.cage, bound.binding, timed.scheme, pool,
+                            bound.stitches(timed.scheme) ? bound.stitching : nullptr);
+  deformer.set_all_staged(timed.all_staged);
+  deformer.set_mask(timed.mask);
+  deformer.set_probes(timed.probes);
+  deformer.set_shape(timed.shape);
+  std::array<std::vector<scene::FrameTimes>, compared_methods.size()> frames;
+  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
+    for (std::size_t m = 0; m < frames.size(); ++m) {
+      progress.report(0);
+      if (!deformer.engine(compared_methods[m])) continue;
+      deformer.deform(timed.pose, compared_methods[m]);
+      if (round > 0) frames[m].push_back({.links = deformer.times()});
+    }
+  }
+  MethodTimings result{{.links = {}, .measured = true}, bound.binding};
+  for (std::size_t m = 0; m < frames.size(); ++m)
+    if (!frames[m].empty()) result.times.links[m] = scene::median_of(frames[m]).links;
+  return result;
+}
+
+namespace {
+
+constexpr int rounds = 5;
+constexpr std::size_t method_count = scene::compared_methods.size();
+using Matrix = sym3::Sym3<double>;
+
+scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
+  std::vector<double> errors(matrices.size());
+  for (std::size_t i = 0; i < matrices.size(); ++i)
+    errors[i] = sym3::relative_error(computed[i], matrices[i]);
+  scene::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
+  sample.worst_error = std::ranges::max(errors);
+  sample.median_error = base::median(std::move(errors));
+  return sample;
+}
+
+}  // namespace
+
+scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
+  scene::MethodStats stats;
+  if (matrices.empty()) return stats;
+  std::vector<Matrix> out(matrices.size());
+  std::array<std::vector<double>, method_count> seconds;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t m = 0; m < method_count; ++m) {
+      const double start = base::thread_seconds();
+      sym3::exp<double>(matrices, out, scene::compared_methods[m]);
+      seconds[m].push_back(base::thread_seconds() - start);
+      if (round == 0) stats.samples[m] = errors_of(out, matrices);
+    }
+  }
+  for (std::size_t m = 0; m < method_count; ++m) {
+    stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
+  }
+  stats.matrices = matrices.size();
+  return stats;
+}
+
+namespace {
+
+using sym3::Method;
+
+// GLM matrices are column-major.
+glm::dmat3 map_of(const sym3::Sym3<double>& stretch, const mesh::Vec3& turn) {
+  const auto r = sym3::exp_rotation<double>({turn[0], turn[1], turn[2]});
+  const auto s = sym3::exp(stretch);
+  const glm::dmat3 rotation(r[0], r[3], r[6], r[1], r[4], r[7], r[2], r[5], r[8]);
+  return rotation * glm::dmat3(s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz);
+}
+
+std::string words_of(Method method, const sym3::Route& route) {
+  if (method == Method::diag) return "eigenvectors by QR";
+  if (method == Method::fast) {
+    if (route.by_jacobi) return "Jacobi's method";
+    const std::string degree = "degree " + std::to_string(route.degree);
+    if (route.squarings == 0) return degree + ", without squaring";
+    return degree + ", squared " + std::to_string(route.squarings) +
+           (route.squarings == 1 ? " time" : " times");
+  }
+  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all distinct"};
+  return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
+}
+
+std::vector<scene::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
+  std::vector<scene::VertexView::Way> ways;
+  for (const Method method : scene::compared_methods)
+    ways.push_back({method, words_of(method, sym3::route(sum, method)),
+                    sym3::relative_error(sym3::exp(sum, method), sum)});
+  return ways;
+}
+
+scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
+  scene::VertexView view;
+  view.vertex = vertex;
+  view.has_logs = sum.has_logs;
+  sym3::Sym3<double> partial{};
+  for (const auto& term : sum.terms) {
+    const double w = term.weight;
+    const auto& x = term.stretch;
+    partial = {partial.xx + w * x.xx, partial.xy + w * x.xy, partial.xz + w * x.xz,
+               partial.yy + w * x.yy, partial.yz + w * x.yz, partial.zz + w * x.zz};
+    view.terms.push_back({term.handle, w, term.at, sym3::eigenvalues(partial)});
+  }
+  if (!sum.has_logs) return view;
+  view.map = map_of(sum.stretch, sum.turn);
+  view.degrees = mesh::norm(sum.turn) * 180 / std::numbers::pi;
+  view.ways = ways_of(sum.stretch);
+  return view;
+}
+
+}  // namespace
+
+bool Analysis::vertex_is_due(const scene::Workspace& w, const LiveModel& model) const {
+  return (w.vertex.vertex || inspected_.vertex) &&
+         inspected_ != Inspected{w.vertex.vertex, model.frames(), model.deformer()};
+}
+
+bool Analysis::follow_vertex(scene::Workspace& w, const LiveModel& model) {
+  if (!vertex_is_due(w, model)) return false;
+  inspected_ = {w.vertex.vertex, model.frames(), model.deformer()};
+  const auto vertex = w.vertex.vertex;
+  w.vertex = {};
+  const deform::Deformer* deformer = model.deformer();
+  const mesh::Surface& surface = *w.document.model.surface;
+  if (!vertex || *vertex >= surface.positions.size()) return true;
+  w.vertex.vertex = vertex;
+  if (!model.ran() || !w.document.has_cage()) return true;
+  const Bound& bound = model.bound();
+  const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
+  const deform::VertexSum sum =
+      deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
+  w.vertex = view_of(*vertex, sum);
+  return true;
 }
 
 }  // namespace viete::app

@@ -1,13 +1,11 @@
 // viete animate SESSION -o PATTERN --frames A-B: exports the deformed model at frames of a timeline.
-#include <charconv>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
 
-#include "app/animation_pictures.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
@@ -33,7 +31,7 @@ struct AnimateOptions {
   std::optional<FrameRange> frames;
   std::optional<double> rate;
   int step = 1;
-  double tolerance = 1e-4, most_megabytes = 1000;
+  double tolerance = 1e-4;
   bool no_normals = false, straight = false, turntable = false;
   std::filesystem::path keys;
   PictureOptions picture;
@@ -41,18 +39,13 @@ struct AnimateOptions {
 
 // Parses "1-48", "-10--1", "7"; nullopt for other words.
 std::optional<FrameRange> frame_range(const std::string& text) {
-  FrameRange range{};
-  const char *at = text.data(), *const end = at + text.size();
-  const auto first = std::from_chars(at, end, range.first);
-  if (first.ec != std::errc()) return std::nullopt;
-  range.last = range.first;
-  if (first.ptr != end) {
-    if (*first.ptr != '-') return std::nullopt;
-    const auto last = std::from_chars(first.ptr + 1, end, range.last);
-    if (last.ec != std::errc() || last.ptr != end) return std::nullopt;
-  }
   using scene::Timeline;
-  const bool fits = Timeline::least_frame <= range.first && range.first <= range.last &&
+  FrameRange range{};
+  int end = 0;
+  const int read = std::sscanf(text.c_str(), "%9d%n-%9d%n", &range.first, &end, &range.last, &end);
+  if (read == 1) range.last = range.first;
+  const bool fits = read > 0 && static_cast<std::size_t>(end) == text.size() &&
+                    Timeline::least_frame <= range.first && range.first <= range.last &&
                     range.last <= Timeline::largest_frame;
   return fits ? std::optional(range) : std::nullopt;
 }
@@ -110,9 +103,7 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
   what.step = options.step;
   what.tolerance = options.tolerance;
   what.normals = !options.no_normals;
-  what.most_bytes = 1e6 * options.most_megabytes;
   what.force = force_of(options.output.force);
-  what.to_allow_more = "allow more megabytes (--largest)";
   return what;
 }
 
@@ -180,18 +171,14 @@ void add_animate_command(CLI::App& app, Action& action) {
       command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
-  auto* largest =
-      command->add_option("--largest", o->most_megabytes, "Morph targets: maximum size in megabytes");
-  in_range(largest, 1, 1e6)->default_str("1000");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);
   add_examples(*command,
                {"animate scene.viete -o motion.glb", "animate scene.viete --turntable -o frame_####.png"});
-  command->callback([o, command, &action] {
+  command->callback([o, &action] {
     check_usage(o->inputs);
     if (!o->inputs.session() && o->keys.empty() && !o->turntable) throw CLI::RequiredError("--keys");
-    take_given(*command, o->picture);
     action = [o] {
       return run_cancellable(
           o->output, [&] { return animate(*o); }, "files written so far are complete");

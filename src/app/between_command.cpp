@@ -1,5 +1,4 @@
 // viete between A B -o PATTERN: interpolates between shapes of a model.
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -7,7 +6,6 @@
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"

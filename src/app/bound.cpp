@@ -1,10 +1,7 @@
 #include "app/bound.h"
 
-#include <utility>
-
 #include "base/worker_pool.h"
 #include "deform/bind.h"
-#include "deform/binding.h"
 #include "deform/scheme.h"
 
 namespace viete::app {

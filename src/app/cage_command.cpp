@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"

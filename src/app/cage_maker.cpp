@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "base/clock.h"
-#include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"

@@ -1,7 +1,6 @@
 #include "app/file_desk.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -54,8 +53,6 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
   if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
-  if (const auto file = std::exchange(r.save_named_pose, std::nullopt); file && scene::chosen_pose(w))
-    scene::save_chosen_pose(w, *file);
   if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
     export_to(w, *file, &FileDesk::start_export);

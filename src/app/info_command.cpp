@@ -2,17 +2,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "app/assets.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
-#include "mesh/formats/read.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
 

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <span>
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
 #include "base/error.h"

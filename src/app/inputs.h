@@ -7,12 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "deform/shape_space.h"
 #include "scene/files/animation_export.h"
 #include "scene/files/export.h"
 #include "scene/files/open.h"
 #include "scene/files/output.h"
 #include "scene/files/shape_import.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace viete::app {
 
@@ -28,15 +32,6 @@ struct Output {
   /// For its progress: "Writing out.obj".
   std::string task() const { return "Writing " + file.filename().string(); }
 };
-
-}  // namespace viete::app
-
-namespace CLI {
-class App;
-class Option;
-}  // namespace CLI
-
-namespace viete::app {
 
 /// The purpose for which a command opens its inputs.
 enum class Use {

@@ -7,7 +7,6 @@
 #include "app/assets.h"
 #include "app/child_process.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/options.h"
 
 namespace viete::app {

@@ -5,14 +5,13 @@
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
 #include "base/error.h"
 #include "mesh/formats/format_table.h"
+#include "scene/document/animation.h"
 #include "scene/document/document_state.h"
-#include "scene/document/shape_mix.h"
 #include "scene/files/export.h"
 
 namespace viete::app {

@@ -1,16 +1,20 @@
 #include "app/offscreen_viewer.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
-#include <memory>
+#include <numbers>
 #include <optional>
 #include <utility>
 
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/error.h"
+#include "base/numbered_files.h"
 #include "scene/document/pose_edit.h"
+#include "scene/files/animation_export.h"
 #include "scene/workspace/apply_opened.h"
+#include "scene/workspace/playing.h"
 
 namespace viete::app {
 
@@ -88,12 +92,12 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
       throw base::Error(options.camera.string(), "this session has no camera", "choose another one");
     return viewer.workspace().camera.set_pose(*camera);
   }
-  const bool keeps_look = has_camera && !options.look_given;
+  const bool keeps_look = has_camera && options.look.empty();
   if (keeps_look && options.compare.empty()) return;
-  scene::Workspace& workspace = viewer.workspace();
-  if (!keeps_look) workspace.camera.look(looks.at(options.look));
-  workspace.camera.animate(1);
-  scene::frame_all(workspace, false);
+  scene::Workspace& w = viewer.workspace();
+  if (!keeps_look) w.camera.look(looks.at(options.look.empty() ? "home" : options.look));
+  w.camera.animate(1);
+  scene::frame_all(w, false);
 }
 
 // Warns about requested items that are not in the picture.
@@ -111,32 +115,33 @@ void print_missing(const scene::Workspace& w) {
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened) {
   const std::optional<scene::Session> session = opened.session;
   ViewerOptions viewer = options.viewer;
-  if (session && session->window && !options.size_given) viewer.size = *session->window;
+  if (session && session->window) viewer.size = *session->window;
+  if (options.size.x > 0) viewer.size = options.size;
   const glm::dvec2 pixels = static_cast<double>(viewer.scale) * glm::dvec2(viewer.size);
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
-  scene::Workspace& workspace = offscreen->viewer().workspace();
-  scene::apply_opened(workspace, std::move(opened));
-  workspace.view = view_of(options, session);
-  workspace.has_user = workspace.tools = false;
-  split(workspace, options.compare);
+  scene::Workspace& w = offscreen->viewer().workspace();
+  scene::apply_opened(w, std::move(opened));
+  w.view = view_of(options, session);
+  w.has_user = w.tools = false;
+  split(w, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
 }
 
-void print_messages(const scene::Workspace& workspace) {
-  print_missing(workspace);
-  if (const auto& cage = workspace.document.cage) print_notes(cage->warnings);
-  for (const auto& message : workspace.messages.all()) {
+void print_messages(const scene::Workspace& w) {
+  print_missing(w);
+  if (const auto& cage = w.document.cage) print_notes(cage->warnings);
+  for (const auto& message : w.messages.all()) {
     if (message.severity == scene::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});
   }
-  print_notes(workspace.pose_notes);
+  print_notes(w.pose_notes);
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
-  add_size_option(command, options.viewer.size);
+  add_size_option(command, options.size);
   auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
   auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
@@ -163,9 +168,72 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
 
-void take_given(const CLI::App& command, PictureOptions& options) {
-  options.size_given = command.count("--size") > 0;
-  options.look_given = command.count("--look") > 0;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Quotes a word for the shell.
+std::string shell_word(const std::string& text) {
+  std::string word = "'";
+  for (const char c : text) word += c == '\'' ? "'\\''" : std::string(1, c);
+  return word + "'";
+}
+
+std::string plain(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.9g", number);
+  return text;
+}
+
+}  // namespace
+
+std::string ffmpeg_command(const PictureRun& run) {
+  const std::string pattern = base::NumberedName(fs::absolute(run.file)).pattern();
+  const std::size_t first = pattern.rfind('/') + 1, begin = pattern.find('#', first),
+                    end = pattern.find_last_of('#') + 1;
+  std::string film = pattern.substr(0, begin), pictures;
+  film.resize(std::max(film.find_last_not_of("_-. ") + 1, first));
+  if (film.size() == first) film += "film";
+  for (const char c : pattern) pictures += c == '%' ? "%%" : std::string(1, c);
+  const auto place = pictures.rfind(pattern.substr(begin, end - begin));
+  const std::string digits = "%0" + std::to_string(end - begin);
+  pictures.replace(place, end - begin, digits + "d");
+  // 4:2:0 plays everywhere, but needs even sizes.
+  return "ffmpeg -framerate " + plain(run.rate) + " -start_number " + std::to_string(run.frames.front()) +
+         " -i " + shell_word(pictures) + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " +
+         shell_word(film + ".mp4");
+}
+
+std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
+                                        base::Progress& progress) {
+  const base::NumberedName name(run.file);
+  scene::check_frames_are_new(name, run.frames, run.force);
+  offscreen.settle();
+  Viewer& viewer = offscreen.viewer();
+  scene::Workspace& w = viewer.workspace();
+  const scene::CameraPose start = w.camera.pose();
+  for (std::size_t i = 0; i < run.frames.size(); ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(run.frames.size());
+    progress.report(share);
+    w.camera.set_pose(start);
+    if (!w.document.timeline.empty()) scene::go_to_frame(w, run.frames[i]);
+    if (run.turntable) {
+      scene::CameraPose camera = w.camera.pose();
+      camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
+      w.camera.set_pose(camera);
+    }
+    // Panels and maps take several frames to become current.
+    if (w.view.panels || w.view.field != lab::Field::none)
+      offscreen.settle();
+    else
+      viewer.frame(0);
+    render::write_png(name.file(run.frames[i]), viewer.picture());
+  }
+  progress.report(1);
+  std::vector<std::string> notes = scene::other_files_note(name, run.frames);
+  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // not supported by ffmpeg
+  if (!has_gaps) notes.push_back(ffmpeg_command(run));
+  return notes;
 }
 
 }  // namespace viete::app

@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
-#include "app/help.h"
 #include "base/text.h"
 #include "deform/probe.h"
-#include "deform/scheme.h"
 #include "lab/field.h"
 #include "scene/document/range.h"
 #include "scene/workspace/frame_stats.h"
@@ -169,6 +168,249 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
          "Picture size, 16 to 32768 pixels")
       ->option_text("WIDTHxHEIGHT")
       ->default_str("1280x800");
+}
+
+std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width) {
+  std::string out;
+  bool line_has_words = false;
+  const auto new_line = [&] {
+    out += '\n' + std::string(indent, ' ');
+    column = indent;
+    line_has_words = false;
+  };
+  while (!text.empty()) {
+    const std::size_t length = std::min(text.find_first_of(" \n"), text.size());
+    if (length > 0) {
+      if (line_has_words && column + 1 + length > width) new_line();
+      if (line_has_words) out += ' ';
+      column += length + (line_has_words ? 1 : 0);
+      out += text.substr(0, length);
+      line_has_words = true;
+    }
+    if (length < text.size() && text[length] == '\n') new_line();
+    text.remove_prefix(std::min(length + 1, text.size()));
+  }
+  return out;
+}
+
+std::size_t misspellings(std::string_view a, std::string_view b) {
+  // Row by row of the table over all prefixes of a and b (optimal string alignment).
+  std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t other = a[i - 1] == b[j - 1] ? 0 : 1;
+      row[j] = std::min({last[j] + 1, row[j - 1] + 1, last[j - 1] + other});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        row[j] = std::min(row[j], before_last[j - 2] + 1);
+    }
+    before_last = last;
+    std::swap(last, row);
+  }
+  return last[b.size()];
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& names) {
+  constexpr std::size_t telling = 3;  // letters
+  std::string best;
+  std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& name : names) {
+    const bool begins = word.size() >= telling && name.size() >= telling &&
+                        (name.starts_with(word) || word.starts_with(name));
+    const std::size_t count = begins ? 1 : misspellings(word, name);
+    if (count >= fewest) continue;
+    fewest = count;
+    best = name;
+  }
+  return best;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) text += i + 1 == names.size() ? " or " : ", ";
+    text += names[i];
+  }
+  return text;
+}
+
+std::string help_line(const std::string& name, const std::string& text) {
+  constexpr std::size_t text_column = 26;
+  std::string out = "  " + name;
+  if (text.empty()) return out + '\n';
+  if (out.size() + 2 > text_column) {
+    out += '\n';
+    out.append(text_column, ' ');
+  } else {
+    out.resize(text_column, ' ');
+  }
+  return out + wrapped(text, text_column, text_column) + '\n';
+}
+
+void add_examples(CLI::App& command, const std::vector<std::string>& lines) {
+  std::string text = "Examples:";
+  for (const std::string& line : lines) text += "\n  viete " + line;
+  command.footer(text);
+}
+
+namespace {
+
+using OptionList = std::vector<const CLI::Option*>;
+
+// "FILE"; empty for a flag.
+std::string value_of(const CLI::Option& option) {
+  if (option.get_items_expected_max() == 0) return "";
+  return option.get_option_text().empty() ? "VALUE" : option.get_option_text();
+}
+
+// "-o, --output FILE", or "MODEL".
+std::string name_of(const CLI::Option& option) {
+  if (option.get_positional()) return option.get_name(true, false);
+  std::string name;
+  for (const std::string& letter : option.get_snames()) name += "-" + letter + ", ";
+  for (const std::string& word : option.get_lnames()) name += "--" + word;
+  const std::string value = value_of(option);
+  return value.empty() ? name : name + " " + value;
+}
+
+std::string shortest_name(const CLI::Option& option) {
+  return option.get_snames().empty() ? "--" + option.get_lnames().front() : "-" + option.get_snames().front();
+}
+
+std::string text_of(const CLI::Option& option) {
+  std::string text = option.get_description();
+  if (!option.get_default_str().empty()) text += " (default: " + option.get_default_str() + ")";
+  return text;
+}
+
+// "MODEL [CAGE] -o FILE [OPTIONS]"
+std::string words_of(const CLI::App& command) {
+  std::string words, required;
+  bool others = false;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional()) {
+      others |= !option->get_required();
+      if (option->get_required()) required += " " + shortest_name(*option) + " " + value_of(*option);
+      continue;
+    }
+    const std::string name = name_of(*option) + (option->get_expected_max() > 1 ? "..." : "");
+    words += option->get_required() ? " " + name : " [" + name + "]";
+  }
+  if (!command_names(command).empty()) words += " COMMAND ...";
+  return words + required + (others ? " [OPTIONS]" : "");
+}
+
+std::string usage_of(const CLI::App& app) {
+  if (app.get_parent()) return "Usage: " + name_of_command(app) + words_of(app) + '\n';
+  return "Usage: viete [MODEL [CAGE]] [OPTIONS of view]\n"
+         "       viete COMMAND ...\n"
+         "       viete help COMMAND|deformers\n";
+}
+
+std::string list(const char* title, const OptionList& options) {
+  if (options.empty()) return "";
+  std::string out = std::string("\n") + title + ":\n";
+  for (const CLI::Option* option : options) out += help_line(name_of(*option), text_of(*option));
+  return out;
+}
+
+class HelpFormatter : public CLI::FormatterBase {
+public:
+  std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
+    const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
+    const OptionList options = app->get_options(
+        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // not hidden
+    std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
+    out += list("Files", words);
+    const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
+    if (!commands.empty()) out += "\nCommands:\n";
+    for (const CLI::App* command : commands)
+      out += help_line(command->get_name(), command->get_description());
+    out += list("Options", options);
+    return out + '\n' + app->get_footer() + '\n';
+  }
+};
+
+// The last subcommand given.
+const CLI::App& last_command(const CLI::App& app) {
+  const CLI::App* last = &app;
+  while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
+  return *last;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const std::string name = nearest(word, names);
+  return name.empty() ? "" : "; did you mean " + name + "?";
+}
+
+// CLI11's messages: "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or
+// "--compare: At Least 2 required but received 1".
+std::string wrong_count(const std::string& words) {
+  const std::string option = words.substr(0, words.find(':'));
+  const auto number_after = [&](const std::string& limit) {
+    const auto at = words.find(limit);
+    if (at == words.npos) return std::string();
+    const auto from = at + limit.size();
+    return words.substr(from, words.find(' ', from) - from);
+  };
+  if (const std::string least = number_after("At least "); !least.empty())
+    return option + " needs " + least + " or more values";
+  if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
+    return option + " takes at most " + most + " values";
+  return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
+}
+
+std::string unknown(const CLI::App& command, const std::vector<std::string>& words) {
+  const std::string& first = words.front();
+  if (first.size() > 1 && first[0] == '-')
+    return name_of_command(command) + " has no option " + first +
+           suggestion(first.substr(0, first.find('=')), option_names(command));
+  if (const auto names = command_names(command); !names.empty())
+    return name_of_command(command) + " has no command " + first + suggestion(first, names);
+  std::string all;
+  for (const std::string& word : words) all += (all.empty() ? "" : " ") + word;
+  return "unexpected arguments of " + name_of_command(command) + ": " + all;
+}
+
+}  // namespace
+
+std::shared_ptr<CLI::FormatterBase> help_formatter() {
+  return std::make_shared<HelpFormatter>();
+}
+
+std::string name_of_command(const CLI::App& app) {
+  return app.get_parent() ? name_of_command(*app.get_parent()) + " " + app.get_name() : app.get_name();
+}
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(command->get_name());
+  return names;
+}
+
+std::string usage_error(const CLI::App& app, const CLI::Error& error) {
+  const CLI::App& command = last_command(app);
+  const auto words = command.remaining();
+  std::string text = error.what();
+  if (!words.empty()) {
+    text = unknown(command, words);
+  } else if (const auto names = command_names(command);
+             !names.empty() && error.get_name() == "RequiredError") {
+    text = name_of_command(command) + " needs one of " + listed(names);
+  } else if (error.get_name() == "ArgumentMismatch") {
+    text = wrong_count(text);
+  }
+  return "viete: " + text + "\nTry '" + name_of_command(command) + " --help' for more information.\n";
 }
 
 }  // namespace viete::app

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
@@ -37,7 +36,6 @@ struct PoseOptions {
   std::vector<std::filesystem::path> examples;
   std::vector<Pin> pins;
   deform::PosingSettings settings;
-  double firmness = 1;
 };
 
 // Parses "1234=0.1,2,-3".
@@ -109,7 +107,7 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
   std::vector<deform::PosingPin> pins;
   std::vector<mesh::Point> targets;
   for (const Pin& pin : options.pins) {
-    pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : options.firmness});
+    pins.push_back({pin.vertex, pin.holds ? std::numeric_limits<double>::infinity() : 1.0});
     targets.push_back(pin.target);
   }
   posing.set_pins(std::move(pins));
@@ -120,13 +118,6 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
     result.farthest = std::max(result.farthest,
                                mesh::norm(result.positions[options.pins[k].vertex] - targets[k]) / diagonal);
   return result;
-}
-
-void say(const PoseOptions& options, const Posed& result, std::span<const scene::NamedShape> examples) {
-  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
-                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
-  for (std::size_t e = 0; e < examples.size(); ++e)
-    std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
 }
 
 int write_pose(const PoseOptions& options) {
@@ -143,7 +134,10 @@ int write_pose(const PoseOptions& options) {
   if (result.steps == most_steps)
     notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
   print_notes(notes);
-  say(options, result, examples);
+  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
+                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
+  for (std::size_t e = 0; e < examples.size(); ++e)
+    std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
   return exit_ok;
 }
 
@@ -161,8 +155,6 @@ void add_pose_command(CLI::App& app, Action& action) {
       ->option_text("FILE ...");
   add_pins_option(*command, "--pin", true, "Vertex number, from 0, and its exact position", o);
   add_pins_option(*command, "--pull", false, "Vertex number and the position it is pulled to", o);
-  auto* firmness = command->add_option("--firmness", o->firmness, "Strength of --pull");
-  in_range(firmness, 1e-6, 1e6)->default_str("1");
   auto* freedom = command->add_option("--freedom", o->settings.freedom, "Allowed deviation from examples");
   in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
   auto* restraint =

@@ -7,7 +7,7 @@
 #include <new>
 
 #include "app/assets.h"
-#include "app/help.h"
+#include "app/options.h"
 #include "sym3/kernel.h"
 
 namespace viete::app {

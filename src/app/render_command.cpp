@@ -1,11 +1,8 @@
 // viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: renders a picture
 // without a window.
-#include <filesystem>
 #include <memory>
-#include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
@@ -46,9 +43,8 @@ void add_render_command(CLI::App& app, Action& action) {
   command->add_flag("--transparent", o->picture.viewer.transparent, "Transparent background");
   add_examples(*command, {"render model.obj cage.obj --pose pose.obj -o picture.png",
                           "render scene.viete --look front --map area -o picture.png"});
-  command->callback([o, command, &action] {
+  command->callback([o, &action] {
     check_usage(o->inputs);
-    take_given(*command, o->picture);
     action = [o] { return render(*o); };
   });
 }

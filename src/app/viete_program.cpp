@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "app/assets.h"
-#include "app/help.h"
 #include "app/options.h"
 #include "base/error.h"
 

@@ -2,9 +2,7 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <ctime>
-#include <tuple>
 #include <utility>
 
 #include "app/assets.h"
@@ -18,7 +16,6 @@
 #include "scene/workspace/saving.h"
 #include "scene/workspace/split.h"
 #include "sym3/kernel.h"
-#include "ui/input.h"
 #include "ui/panels.h"
 #include "ui/style.h"
 

@@ -4,7 +4,6 @@
 #include <memory>
 
 #include "app/assets.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "base/memory.h"

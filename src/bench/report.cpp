@@ -8,7 +8,6 @@
 
 #include "app/assets.h"
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/inputs.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"

@@ -10,7 +10,6 @@
 #include "deform/example_posing.h"
 #include "library/arguments.h"
 #include "scene/document/animation.h"
-#include "scene/document/shape_mix.h"
 
 namespace viete {
 

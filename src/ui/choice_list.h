@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "scene/workspace/choice_commands.h"
+#include "scene/workspace/command_tables.h"
 #include "ui/context.h"
 #include "ui/widgets.h"
 

@@ -36,7 +36,6 @@ const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
                       {Purpose::locate_cage, "Locate cage of the session"},
                       {Purpose::save_session, "Save session", {}, &scene::Requests::save_session},
                       {Purpose::save_pose, "Save pose", {}, &scene::Requests::save_pose},
-                      {Purpose::save_named_pose, "Export pose", {}, &scene::Requests::save_named_pose},
                       {Purpose::save_cage, "Save cage", {}, &scene::Requests::save_cage},
                       {Purpose::save_model, "Export deformed mesh", {}, &scene::Requests::save_model},
                       {Purpose::save_animation, "Export animation", {}, &scene::Requests::save_animation}};

@@ -163,7 +163,7 @@ void reset_all_button(const Context& ui) {
     keymap.put(*std::exchange(list.taken_back, std::nullopt));
   } else {
     list.taken_back = keymap.changes();
-    keymap.take_all_back();
+    keymap.put({});
   }
 }
 

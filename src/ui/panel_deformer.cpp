@@ -7,8 +7,8 @@
 
 #include "scene/document/binding_plan.h"
 #include "scene/document/edit.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command.h"
+#include "scene/workspace/command_tables.h"
 #include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"

@@ -152,7 +152,6 @@ void grant(scene::Workspace& w, const PoseWish& wish) {
 void no_poses(const Context& ui) {
   note(ui, "Add poses to combine them with sliders or use them as keys.");
   command_row(ui, {"keep_pose"});
-  if (scene::find_command("add_example")->enabled(ui.workspace)) command_row(ui, {"add_example"});
 }
 
 }  // namespace

@@ -96,7 +96,7 @@ void panel_probes(const Context& ui) {
   if (!std::ranges::all_of(document.probes.all, [](const scene::Probe& p) { return p.pin.has_value(); }))
     mix(ui);
   if (!selected) return;
-  command_row(ui, {"reset_selected", "replace_probe"});
+  command_row(ui, {"reset_selected"});
   const auto& indices = document.selection.indices();
   const bool locked = std::ranges::all_of(indices, [&](auto i) { return document.probes.all[i].locked; });
   command_toggle(ui, "toggle_locked", locked);

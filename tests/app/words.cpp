@@ -1,4 +1,4 @@
-#include "app/help.h"
+#include "app/options.h"
 
 #include <doctest/doctest.h>
 

@@ -207,7 +207,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // nothing under the cursor
   CHECK_FALSE(d.workspace().vertex.vertex);
-  scene::find_command("toggle_error_map")->run(d.workspace());
+  scene::find_command("map_exp_error")->run(d.workspace());
   d.settle();
   scene::find_command("pick_worst")->run(d.workspace());
   d.settle();

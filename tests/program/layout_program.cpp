@@ -332,7 +332,7 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
     ask_for(d, command, top / "broken.obj");
     check_refused(d, top / "broken.obj");
   }
-  for (const char* command : {"save_pose", "export_pose", "save_cage", "save_model"}) {
+  for (const char* command : {"save_pose", "save_cage", "save_model"}) {
     CAPTURE(command);
     ask_for(d, command, top / (too_long + ".obj"));
     check_refused(d, top / (too_long + ".obj"));

@@ -115,7 +115,7 @@ void visit_panels(Driver& d) {
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
   scene::set_pose(d.document(), pose);
   check(d, "all sections");
-  d.run("toggle_error_map");
+  d.run("map_exp_error");
   d.press_key(scene::key('E'));
   check(d, "error map");
   CHECK_FALSE(d.open({scratch / "none.ply", cage}));

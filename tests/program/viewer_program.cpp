@@ -8,7 +8,7 @@
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/hand/cursor_projection.h"
-#include "scene/workspace/choice_commands.h"
+#include "scene/workspace/command_tables.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/pictures.h"

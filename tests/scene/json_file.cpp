@@ -1,4 +1,4 @@
-#include "scene/files/json_file.h"
+#include "scene/files/json_codec.h"
 
 #include <doctest/doctest.h>
 #include <nlohmann/json.hpp>

@@ -104,7 +104,7 @@ TEST_CASE("a_changed_key_is_taken_from_others_and_given_back") {
   CHECK(text(keys_of(keymap, "grab").first).empty());
   keymap.take_back("toggle_ghost");
   CHECK(text(keys_of(keymap, "grab").first) == "G");
-  keymap.take_all_back();
+  keymap.put({});
   keymap.set_preset(KeyPreset::viete);
   CHECK(keymap == fresh);
   CHECK(text(keys_of(keymap, "undo").first) == "Ctrl+Z");

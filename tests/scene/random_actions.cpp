@@ -176,15 +176,14 @@ private:
     if (is_dragging(w)) return;
     if (poses.size() < 2) return void(keep_pose(d, "pose"));
     const std::size_t pose = any_of(poses.size());
-    switch (below(12)) {
+    switch (below(11)) {
       case 0: return void(poses.size() < 9 ? keep_pose(d, "pose") : 0);
       case 1: return rename_pose(d, pose, "name " + std::to_string(below(5)));
       case 2: return move_pose(d, pose, any_of(poses.size() + 1));
-      case 3: return duplicate_pose(d, pose);
-      case 4: return remove_pose(d, w.playback.vectors, pose);
-      case 5: return update_pose(d, pose);
-      case 6: return apply_pose(d, pose);
-      case 7: return void(clear_mix(d, w.playback.vectors));
+      case 3: return remove_pose(d, w.playback.vectors, pose);
+      case 4: return update_pose(d, pose);
+      case 5: return apply_pose(d, pose);
+      case 6: return void(clear_mix(d, w.playback.vectors));
       default:
         for (int i = below(4); i >= 0; --i) set_weight(d, w.playback.vectors, pose, percent(-50, 150));
     }

@@ -205,9 +205,6 @@ TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
   CHECK(save_session(w, files / "s.viete"));
   CHECK(test::file_bytes(files.model) == model);
   CHECK(mesh::read(files.cage).surface.positions == w.document.cage->surface.positions);
-  add_poses(w.document, {{"a", test::whole(w.document.pose)}});
-  w.chosen_pose = 0;
-  CHECK(test::mentions(refuses(save_chosen_pose, files.pose), "(the pose)"));
 }
 
 TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {

@@ -16,7 +16,7 @@
 #include "scene/document/probes.h"
 #include "scene/document/record.h"
 #include "scene/files.h"
-#include "scene/files/json_file.h"
+#include "scene/files/json_codec.h"
 #include "scene/files/open.h"
 #include "scene/hand/grip.h"
 #include "scene/hand/placing.h"

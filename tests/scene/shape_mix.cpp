@@ -1,4 +1,4 @@
-#include "scene/document/shape_mix.h"
+#include "scene/document/animation.h"
 
 #include <doctest/doctest.h>
 

@@ -1,7 +1,6 @@
 // Painting the model's mask: how much each vertex follows the cage.
 #pragma once
 
-#include <glm/glm.hpp>
 #include <optional>
 #include <span>
 #include <vector>

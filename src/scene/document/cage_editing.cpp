@@ -1,7 +1,5 @@
 #include "scene/document/cage_editing.h"
 
-#include <algorithm>
-#include <array>
 #include <utility>
 
 #include "base/error.h"
@@ -49,12 +47,6 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
-CageGroups groups_of(const Document& document, const cages::Edited& edited) {
-  std::vector<std::span<const std::uint32_t>> origins;
-  for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
-  return carried(document.groups, document.cage->surface.positions.size(), origins);
-}
-
 // In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose. Without a
 // label it is part of the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
@@ -65,7 +57,9 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   carry_poses(document,
               [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
   const bool editing = is_editing_cage(document);
-  CageGroups groups = groups_of(document, edited);
+  std::vector<std::span<const std::uint32_t>> origins;
+  for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
+  CageGroups groups = carried(document.groups, document.cage->surface.positions.size(), origins);
   const ElementKind kind = document.selection.kind();
   OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
   if (editing) document.kept_pose = real;

@@ -13,15 +13,6 @@ namespace {
 constexpr float ease_seconds = 0.15f;
 constexpr float half_pi = 1.57079633f;
 
-float shortest_turn(float from, float to) {
-  return from + std::remainder(to - from, 4 * half_pi);
-}
-
-// Tangents of the half field of view of the free part of the window.
-glm::vec2 free_tangent(const Viewport& v, float covered) {
-  return std::tan(0.5f * Camera::vertical_field) * (v.seen() - glm::vec2(0, covered)) / v.window.y;
-}
-
 glm::mat4 perspective_lens(float distance, float aspect) {
   const float near_plane = std::max(0.01f * distance, 1e-4f);
   const float far_plane = distance + 20.0f + 20.0f * near_plane;
@@ -169,7 +160,7 @@ void Camera::ease_to(const CameraPose& goal) {
   start_ = current_;
   start_.yaw = std::remainder(start_.yaw, 4 * half_pi);
   goal_ = in_range(goal);
-  goal_.yaw = shortest_turn(start_.yaw, goal_.yaw);
+  goal_.yaw = start_.yaw + std::remainder(goal_.yaw - start_.yaw, 4 * half_pi);
   remaining_ = ease_seconds;
 }
 
@@ -204,8 +195,9 @@ void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool ea
   glm::vec3 low = points[0], high = points[0];
   for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
   const glm::vec3 middle = 0.5f * (low + high);
-  const glm::vec2 tangent = free_tangent(v, covered) / margin;
-  const float raised = std::tan(0.5f * vertical_field) * covered / v.window.y;
+  const float half_field = std::tan(0.5f * vertical_field);
+  const glm::vec2 tangent = half_field * (v.seen() - glm::vec2(0, covered)) / v.window.y / margin;
+  const float raised = half_field * covered / v.window.y;
   float distance = smallest / std::min(tangent.x, tangent.y);
   for (const auto& p : points) {
     const glm::vec3 d = p - middle;

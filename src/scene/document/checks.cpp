@@ -4,7 +4,6 @@
 #include <iterator>
 #include <numeric>
 #include <ranges>
-#include <span>
 #include <utility>
 
 #include "base/text.h"

@@ -1,9 +1,6 @@
 // Edits of a document: each is one history entry, or a setting.
 #pragma once
 
-#include <span>
-#include <string>
-
 #include "scene/document/document.h"
 #include "scene/document/mirror.h"
 #include "scene/document/record.h"

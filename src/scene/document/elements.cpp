@@ -1,7 +1,6 @@
 #include "scene/document/elements.h"
 
 #include <algorithm>
-#include <vector>
 
 #include "mesh/union_find.h"
 
@@ -119,13 +118,8 @@ Selection shrunk(const deform::Cage& cage, const Selection& selection) {
 }
 
 std::string element_name(ElementKind kind) {
-  switch (kind) {
-    case ElementKind::vertex: return "vertex";
-    case ElementKind::edge: return "edge";
-    case ElementKind::probe: return "probe";
-    case ElementKind::face: break;
-  }
-  return "face";
+  constexpr const char* names[] = {"vertex", "edge", "face", "probe"};
+  return names[static_cast<std::size_t>(kind)];
 }
 
 std::string counted(ElementKind kind, std::size_t count) {

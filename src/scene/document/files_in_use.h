@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 namespace viete::scene {
 
@@ -16,6 +17,8 @@ struct FileInUse {
   std::filesystem::path path;
   std::string_view what;  ///< "the model"; a string with static lifetime
 };
+
+using FileIdentity = std::variant<std::pair<dev_t, ino_t>, std::filesystem::path>;
 
 class FilesInUse {
 public:
@@ -30,8 +33,7 @@ public:
   const std::string* find(const std::filesystem::path& file) const;
 
 private:
-  std::map<std::pair<dev_t, ino_t>, std::string> by_file_;
-  std::map<std::filesystem::path, std::string> by_name_;
+  std::map<FileIdentity, std::string> files_;
 };
 
 /// Descriptions of files in use; the argument `own` is one of the first four.

@@ -1,7 +1,6 @@
 // How a drag moves the selection: pivot, axes, mirror and soft selection.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "base/choice.h"

@@ -20,12 +20,6 @@ void History::record_selection(DocumentState before) {
   push("select", std::move(before), {EditKind::selection});
 }
 
-// Snapshots are complete: dropping one does not affect its neighbours.
-void History::drop_oldest() {
-  const auto selection = std::ranges::find_if(undo_, &Entry::of_selection);
-  undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
-}
-
 void History::push(std::string label, DocumentState before, EditStep step) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // approximate size of surface, bases and neighbourhood
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
@@ -41,7 +35,10 @@ void History::push(std::string label, DocumentState before, EditStep step) {
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
   given_up_ = std::exchange(redo_, {});
   ++recorded_;
-  if (undo_.size() >= limit) drop_oldest();
+  if (undo_.size() >= limit) {  // snapshots are complete: dropping one does not affect its neighbours
+    const auto selection = std::ranges::find(undo_, EditKind::selection, &Entry::kind);
+    undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
+  }
   undo_.push_back({std::move(label), std::move(before), step, recorded_});
 }
 

@@ -66,7 +66,6 @@ public:
 
 private:
   void push(std::string label, DocumentState before, EditStep step);
-  void drop_oldest();
 
   struct Entry {
     std::string label;
@@ -74,7 +73,7 @@ private:
     EditStep step;
     unsigned long number;  // running number of the recorded edit
 
-    bool of_selection() const { return step.kind == EditKind::selection; }  // selection changes only
+    EditKind kind() const { return step.kind; }
   };
   /// Pops the last entry of `from` and stores `now` in `to`.
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);

@@ -13,10 +13,6 @@ namespace {
 
 constexpr double near_share = 0.02;  // relative to the diagonal: the accuracy of manually modelled cages
 
-double side_of(const cages::Plane& plane, const mesh::Point& p) {
-  return mesh::dot(plane.normal, p) - plane.offset;
-}
-
 Mirror paired(const deform::Cage& cage, const mesh::PointTree& tree, const cages::Plane& plane) {
   const auto& points = cage.surface.positions;
   std::vector<std::uint32_t> image(points.size());
@@ -44,7 +40,7 @@ std::vector<cages::Plane> candidates(const deform::Cage& cage, MirrorPlane choic
 }  // namespace
 
 mesh::Point reflected(const cages::Plane& plane, const mesh::Point& p) {
-  return p - (2 * side_of(plane, p)) * plane.normal;
+  return p - (2 * (mesh::dot(plane.normal, p) - plane.offset)) * plane.normal;
 }
 
 mesh::Vec3 reflected_direction(const cages::Plane& plane, const mesh::Vec3& d) {

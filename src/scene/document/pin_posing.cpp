@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scene/document/animation.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/probes.h"
-#include "scene/document/shape_mix.h"
 
 namespace viete::scene {
 
@@ -15,11 +14,6 @@ namespace {
 
 constexpr int most_steps = 24;    // after the drag has ended
 constexpr double no_step = 1e-5;  // shorter steps count as converged
-
-// From freely changing weights to almost constant ones.
-deform::PosingSettings settings_of(double freedom, bool has_examples) {
-  return {.restraint = 1e-3 * std::pow(100, freedom), .freedom = has_examples ? freedom : 1};
-}
 
 // Poses that consist of a shape of the complete model only.
 std::vector<SharedPose> examples_of(const Document& document) {
@@ -127,7 +121,9 @@ void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }
-  const double length = posing_->step(seen_.targets, settings_of(hand.freedom, !vectors_.empty()));
+  // From freely changing weights to almost constant ones.
+  const double length = posing_->step(seen_.targets, {.restraint = 1e-3 * std::pow(100, hand.freedom),
+                                                      .freedom = vectors_.empty() ? 1 : hand.freedom});
   show(document);
   if (hand.holds) {
     steps_left_ = most_steps;

@@ -7,14 +7,12 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "base/worker_pool.h"
+#include "scene/document/animation.h"
 #include "scene/document/record.h"
-#include "scene/document/shape_mix.h"
 
 namespace viete::scene {
 
 namespace {
-
-constexpr const char* no_room_for_poses = "the pose list is full";
 
 // Locked probes ignore the mix.
 void keep_locked(const Document& document, WholePose& pose) {
@@ -145,11 +143,6 @@ std::string cut(const std::string& text, std::size_t most) {
   return text.substr(0, most);
 }
 
-void check_room_for_poses(const PoseLibrary& library, std::size_t more) {
-  if (library.poses.size() + more > PoseLibrary::most_poses)
-    throw base::Error("", no_room_for_poses, "delete some of the " + std::to_string(library.poses.size()));
-}
-
 }  // namespace
 
 bool PoseLibrary::mixes() const {
@@ -179,7 +172,7 @@ void put_whole_pose(Document& document, const WholePose& pose) {
   }
   auto& probes = document.changed_probes().all;
   for (std::size_t i = 0; i < probes.size(); ++i)
-    if (!probes[i].locked) probes[i].pose = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
+    if (!probes[i].locked) probes[i].pose = pose.probe(i);
   move_pins_to_shape(document);
 }
 
@@ -215,13 +208,6 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
   return name;
 }
 
-std::size_t keep_pose(Document& document, const std::string& name) {
-  check_room_for_poses(document.library, 1);
-  record_edit(document, "add pose");
-  document.library.poses.push_back({free_name(document.library, name), shared_pose(document)});
-  return document.library.poses.size() - 1;
-}
-
 namespace {
 
 // Renames the pose in the mixes of all keys; an empty name removes it.
@@ -234,7 +220,9 @@ void rename_in_keys(Timeline& timeline, const std::string& name, const std::stri
 }
 
 void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
-  check_room_for_poses(document.library, poses.size());
+  const std::size_t count = document.library.poses.size();
+  if (count + poses.size() > PoseLibrary::most_poses)
+    throw base::Error("", "the pose list is full", "delete some of the " + std::to_string(count));
   record_edit(document, label);
   for (NamedPose& pose : poses) {
     pose.name = free_name(document.library, pose.name);
@@ -243,6 +231,11 @@ void add_named(Document& document, std::vector<NamedPose> poses, const char* lab
 }
 
 }  // namespace
+
+std::size_t keep_pose(Document& document, const std::string& name) {
+  add_named(document, {{name, shared_pose(document)}}, "add pose");
+  return document.library.poses.size() - 1;
+}
 
 void add_poses(Document& document, std::vector<NamedPose> poses) {
   add_named(document, std::move(poses), "import poses");
@@ -286,16 +279,6 @@ void move_pose(Document& document, std::size_t pose, std::size_t to) {
   NamedPose moved = std::move(poses[pose]);
   poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
-}
-
-void duplicate_pose(Document& document, std::size_t pose) {
-  check_room_for_poses(document.library, 1);
-  record_edit(document, "duplicate a pose");
-  NamedPose copy = document.library.poses[pose];
-  copy.weight = 0;
-  copy.name = free_name(document.library, copy.name);
-  auto& poses = document.library.poses;
-  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(pose) + 1, std::move(copy));
 }
 
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
@@ -372,13 +355,14 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
   change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
 }
 
+namespace {
+
+// "3 poses and 2 keys"; empty if there are none.
 std::string counted_poses(std::size_t poses, std::size_t keys) {
   const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
   const std::string others = keys == 0 ? "" : base::counted(keys, "key");
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
-
-namespace {
 
 // Keeps the shapes of keyed poses, with this pose of the cage; removes all others. Returns the number
 // removed.

@@ -42,7 +42,6 @@ void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
 /// Moves it before the pose `to`, or to the end.
 void move_pose(Document& document, std::size_t pose, std::size_t to);
-void duplicate_pose(Document& document, std::size_t pose);
 /// Its contribution to the mix is removed too.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
@@ -63,8 +62,6 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 /// After a change of the cage or of the number of probes: updates all poses, including those of keys. Part of
 /// the edit in progress.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
-/// "3 poses and 2 keys"; empty if there are none.
-std::string counted_poses(std::size_t poses, std::size_t keys);
 /// The cage becomes `by`: poses with shapes keep them, with that cage at rest; all others are removed.
 /// Returns the removed ones as "3 poses and 2 keys"; empty: none.
 std::string drop_poses(Document& document, const deform::Cage& by);

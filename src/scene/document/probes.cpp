@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <numeric>
 #include <string>
@@ -143,15 +142,6 @@ bool has_free_probes(const Document& document) {
 
 void rest_probes(Document& document) {
   change_selected(document, label("reset", document), [](deform::Probe& p) { p.pose = {}; });
-}
-
-void replace_probes(Document& document) {
-  change_selected(document, label("place", document), [](deform::Probe& p) {
-    if (p.pin) return;
-    p.place = p.place + p.pose.move;
-    p.pose = {};
-  });
-  document.carried.clear();
 }
 
 int symmetry_axis(const Document& document) {

@@ -1,11 +1,6 @@
 // Probes of a document: adding, moving and removing them. Each change is an undoable edit.
 #pragma once
 
-#include <glm/glm.hpp>
-#include <optional>
-#include <span>
-#include <vector>
-
 #include "scene/document/brush.h"
 #include "scene/document/document.h"
 
@@ -28,8 +23,6 @@ void set_pulls(Document& document, bool pulls);
 /// Change the selected probes, which must exist; locked ones change only by set_locked().
 void remove_probes(Document& document);
 void rest_probes(Document& document);  ///< resets their motion
-/// Makes the current places the rest places and resets the motion.
-void replace_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);
 /// The axis (0 x, 1 y, 2 z) whose middle plane is the model's best mirror plane.

@@ -1,7 +1,6 @@
 #include "scene/document/selection_sets.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 #include "scene/document/elements.h"

@@ -2,6 +2,7 @@
 // unit, at the origin).
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 #include "mesh/surface.h"
@@ -30,10 +31,19 @@ struct Space {
 
 /// The ground grid's cell for a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of
 /// ten.
-double grid_cell(double diagonal);
+inline double grid_cell(double diagonal) {
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) return 1;
+  const double wanted = diagonal / 20;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double mantissa = wanted / decade;
+  return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
+}
 
 /// Scales the diagonal of the box to 2.
-Space space_for(const mesh::Bounds& box);
+inline Space space_for(const mesh::Bounds& box) {
+  const double diagonal = box.diagonal();
+  return {box.center(), diagonal > 0 ? 2.0 / diagonal : 1.0};
+}
 
 inline glm::dvec3 vector_of(const mesh::Vec3& p) {
   return {p[0], p[1], p[2]};

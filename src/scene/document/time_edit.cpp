@@ -24,28 +24,13 @@ bool among(std::span<const int> frames, int frame) {
   return std::ranges::find(frames, frame) != frames.end();
 }
 
-template <class Keys>
-auto place_for(Keys& keys, int frame) {
-  return std::ranges::lower_bound(keys, frame, {}, [](const auto& key) { return key.frame; });
-}
-
 // The key of the frame, created if missing.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
-  const auto place = place_for(keys, frame);
+  const auto place = std::ranges::lower_bound(keys, frame, {}, &Key::frame);
   if (place != keys.end() && place->frame == frame) return *place;
   if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
   return *keys.insert(place, Key{frame});
-}
-
-// Clamps x; NaN becomes `least`.
-double brought_into(double x, double least, double most) {
-  return x >= least ? std::min(x, most) : least;
-}
-
-bool has_keys(const Timeline& timeline, std::span<const int> frames) {
-  const auto of_these = [&](const auto& key) { return among(frames, key.frame); };
-  return std::ranges::any_of(timeline.keys, of_these) || std::ranges::any_of(timeline.cameras, of_these);
 }
 
 void include(Timeline& timeline, int frame) {
@@ -94,8 +79,7 @@ int current_frame(const Document& document) {
 void set_key(Document& document, int frame, std::span<const double> weights) {
   Timeline timeline = document.timeline;
   put_key(timeline, frame, document, weights);
-  record_edit(document, "set key");
-  document.timeline = std::move(timeline);
+  put_timeline(document, std::move(timeline), "set key");
 }
 
 void add_key_to_edit(Document& document, int frame) {
@@ -113,8 +97,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
     key.camera.yaw = before + static_cast<float>(std::remainder(double(camera.yaw) - before, whole_turn));
   }
   include(timeline, frame);
-  record_edit(document, "set camera key");
-  document.timeline = std::move(timeline);
+  put_timeline(document, std::move(timeline), "set camera key");
 }
 
 void set_turntable(Document& document, const CameraPose& camera) {
@@ -132,11 +115,10 @@ void set_turntable(Document& document, const CameraPose& camera) {
 }
 
 void remove_keys(Document& document, std::span<const int> frames) {
-  if (!has_keys(document.timeline, frames)) return;
-  record_edit(document, "delete keys");
+  Timeline timeline = document.timeline;
   const auto gone = [&](const auto& key) { return among(frames, key.frame); };
-  std::erase_if(document.timeline.keys, gone);
-  std::erase_if(document.timeline.cameras, gone);
+  if (std::erase_if(timeline.keys, gone) + std::erase_if(timeline.cameras, gone) > 0)
+    put_timeline(document, std::move(timeline), "delete keys");
 }
 
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
@@ -171,7 +153,7 @@ void set_play(Document& document, const Playing& play) {
   static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
-  t.rate = brought_into(play.rate, Timeline::least_rate, Timeline::largest_rate);
+  t.rate = std::min(std::max(Timeline::least_rate, play.rate), Timeline::largest_rate);  // NaN: the least
 }
 
 }  // namespace viete::scene

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "scene/document/document.h"
 #include "scene/document/pose_edit.h"

@@ -29,6 +29,7 @@ struct WholePose {
   std::vector<deform::ProbePose> probes;
   SharedShape shape{};
 
+  deform::ProbePose probe(std::size_t i) const { return i < probes.size() ? probes[i] : deform::ProbePose{}; }
   friend bool operator==(const WholePose& a, const WholePose& b) {
     return a.cage.positions == b.cage.positions && a.cage.turns == b.cage.turns && a.probes == b.probes &&
            same_shape(a.shape, b.shape);

@@ -20,7 +20,7 @@ AnimatedModel::AnimatedModel(const Export& model, const Timeline& timeline, Prec
   vectors_.follow(has_cage() ? model.cage : nullptr);
   vectors_.follow_model(model.model);
   animation_.emplace(timeline, vectors_);
-  if (wish == Precision::fast && fuses() && has_memory_to_fuse()) make_fast(most, tried, progress);
+  if (wish == Precision::fast && can_fuse()) make_fast(most, tried, progress);
 }
 
 // False for the substitute of a missing cage.
@@ -34,11 +34,10 @@ WholePose AnimatedModel::pose(double frame) const {
   return pose;
 }
 
-bool AnimatedModel::fuses() const {
-  return has_cage() && deform::engine_for(model_.scheme, model_.method) == deform::EngineKind::fused;
-}
-
-bool AnimatedModel::has_memory_to_fuse() const {
+// True if method and scheme support it, and the memory suffices.
+bool AnimatedModel::can_fuse() const {
+  if (!has_cage() || deform::engine_for(model_.scheme, model_.method) != deform::EngineKind::fused)
+    return false;
   const std::size_t handles = deform::handle_count(*model_.cage, model_.scheme.weighting.elements);
   const double weights =
       4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
@@ -71,7 +70,7 @@ double AnimatedModel::fast_error() const {
 deform::Probes AnimatedModel::probes(const WholePose& pose) const {
   deform::Probes probes = model_.probes;
   for (std::size_t i = 0; i < probes.all.size(); ++i)
-    if (!probes.all[i].locked) probes.all[i].pose = i < pose.probes.size() ? pose.probes[i] : ProbePose{};
+    if (!probes.all[i].locked) probes.all[i].pose = pose.probe(i);
   return probes;
 }
 
@@ -86,9 +85,7 @@ deform::ExactModel AnimatedModel::exact(const WholePose& pose, base::Progress* p
     exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
                                              ExactDeformer::Weights::kept, model_.mask, progress);
   deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
-  notes_ = animation_->notes();
-  for (auto& note : pose_notes(deformed.report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));
-  notes_.insert(notes_.end(), deformed.warnings.begin(), deformed.warnings.end());
+  take_notes(deformed.report, pose, deformed.warnings);
   if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
     notes_.push_back(std::move(note));
   return deformed;
@@ -100,10 +97,14 @@ void AnimatedModel::run_fast(double frame) {
   deformer_->set_shape(pose.shape);
   deformer_->deform(pose.cage, model_.method);
   error_ = std::max(error_, deformer_->sampled_error());
+  take_notes(deformer_->state().report(), pose, deformer_->binding().warnings);
+}
+
+void AnimatedModel::take_notes(const deform::LogReport& report, const WholePose& pose,
+                               const std::vector<std::string>& warnings) {
   notes_ = animation_->notes();
-  for (auto& note : pose_notes(deformer_->state().report(), *model_.cage, pose.cage))
-    notes_.push_back(std::move(note));
-  notes_.insert(notes_.end(), deformer_->binding().warnings.begin(), deformer_->binding().warnings.end());
+  for (auto& note : pose_notes(report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));
+  notes_.insert(notes_.end(), warnings.begin(), warnings.end());
 }
 
 std::span<const float> AnimatedModel::floats(double frame) {

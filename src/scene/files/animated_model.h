@@ -49,8 +49,9 @@ public:
 
 private:
   bool has_cage() const;
-  bool fuses() const;
-  bool has_memory_to_fuse() const;
+  bool can_fuse() const;
+  void take_notes(const deform::LogReport& report, const WholePose& pose,
+                  const std::vector<std::string>& warnings);
   void make_fast(double most, std::span<const double> tried, base::Progress* progress);
   void run_fast(double frame);
 

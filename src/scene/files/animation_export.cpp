@@ -287,12 +287,11 @@ private:
     const bool binary = mesh::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
     if (size <= most) return;
-    throw base::Error(
-        "",
-        "the motion needs more than " + base::counted(plan.targets.size(), "morph target") + ": " +
-            base::memory_size(size) + ", and no more than " + base::memory_size(most) + " are allowed",
-        "allow a larger tolerance, " + (what_.to_allow_more.empty() ? "" : what_.to_allow_more + ", ") +
-            "or write a point cache (.pc2)");
+    throw base::Error("",
+                      "the motion needs more than " + base::counted(plan.targets.size(), "morph target") +
+                          ": " + base::memory_size(size) + ", and no more than " + base::memory_size(most) +
+                          " are allowed",
+                      "allow a larger tolerance, or write a point cache (.pc2)");
   }
 
   const AnimationExport& what_;

@@ -1,7 +1,6 @@
 // Exports the model deformed at the frames of a timeline, for the window and the command line.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -32,8 +31,7 @@ struct AnimationExport {
                             ///< of the model; above 0
   bool normals = true;      ///< morph targets: with normals; twice as large, else shading stays as at rest
   double most_bytes = 1e9;  ///< morph targets: limit of their size with weights; beyond it throws
-  std::string to_allow_more{};  ///< advice in that error: "allow more megabytes (--largest)"; empty: none
-  Force force = Force::none;    ///< replace existing numbered files
+  Force force = Force::none;  ///< replace existing numbered files
 
   std::vector<int> frames() const;
 };

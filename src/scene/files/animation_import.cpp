@@ -1,8 +1,6 @@
 #include "scene/files/animation_import.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <cmath>
 #include <utility>
 
@@ -198,10 +196,6 @@ void put_keys(Document& document, std::vector<PoseKey> keys, const std::string& 
   timeline.first = timeline.keys.front().frame;
   timeline.last = std::max(timeline.first + 1, timeline.keys.back().frame);
   put_timeline(document, std::move(timeline), label);
-}
-
-void write_named_pose(const Document& document, std::size_t pose, const fs::path& file) {
-  deform::write_pose(file, *document.cage, document.library.poses[pose].pose->cage);
 }
 
 }  // namespace viete::scene

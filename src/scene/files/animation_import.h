@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -55,8 +54,5 @@ ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& ca
 
 /// Replaces the existing keys and the range, as an edit. Camera keys stay.
 void put_keys(Document& document, std::vector<PoseKey> keys, const std::string& label);
-
-/// Format and errors as in write_pose().
-void write_named_pose(const Document& document, std::size_t pose, const std::filesystem::path& file);
 
 }  // namespace viete::scene

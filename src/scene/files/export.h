@@ -1,7 +1,6 @@
 // Exports the deformed model, for the window and the command line.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>

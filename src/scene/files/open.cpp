@@ -16,7 +16,6 @@
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
-#include "scene/document/shape_mix.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
 #include "scene/files/morph_import.h"

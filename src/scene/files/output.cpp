@@ -1,7 +1,5 @@
 #include "scene/files/output.h"
 
-#include <algorithm>
-
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/numbered_files.h"

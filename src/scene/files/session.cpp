@@ -13,13 +13,11 @@
 #include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"
 #include "scene/document/range.h"
 #include "scene/files/json_codec.h"
-#include "scene/files/json_file.h"
 
 namespace viete::scene {
 
@@ -476,8 +474,7 @@ void check_poses(const DocumentState& state, const deform::Cage* cage, const mes
         pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
       refuse(file, key, what + " is of another cage or model");
   };
-  for (const NamedPose& named : state.library.poses)
-    check("poses", mesh::in_quotes(named.name), named.pose);
+  for (const NamedPose& named : state.library.poses) check("poses", mesh::in_quotes(named.name), named.pose);
   if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
   for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
     for (const PoseKey& key : *keys)

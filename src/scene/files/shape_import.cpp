@@ -1,7 +1,5 @@
 #include "scene/files/shape_import.h"
 
-#include <algorithm>
-#include <optional>
 #include <utility>
 
 #include "base/error.h"

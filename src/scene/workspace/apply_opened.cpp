@@ -7,7 +7,6 @@
 #include "scene/document/camera.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
@@ -19,13 +18,12 @@ namespace viete::scene {
 
 namespace {
 
-void report(Workspace& workspace, const Opened& opened) {
-  const bool same_model =
-      opened.document && opened.document->model.surface == workspace.document.model.surface;
+void report(Workspace& w, const Opened& opened) {
+  const bool same_model = opened.document && opened.document->model.surface == w.document.model.surface;
   const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
-  workspace.messages.succeeded("open");
-  if (!opened.taken_as.empty()) workspace.messages.info(opened.taken_as, concern);
-  for (const auto& warning : opened.warnings) workspace.messages.warn(warning, concern);
+  w.messages.succeeded("open");
+  if (!opened.taken_as.empty()) w.messages.info(opened.taken_as, concern);
+  for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
 // After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
@@ -78,30 +76,24 @@ void take_handling(Workspace& w, const Opened& opened, bool same_model) {
   }
 }
 
-void take_shapes(Workspace& w, std::vector<NamedShape>&& shapes) {
-  const std::size_t count = shapes.size();
-  try {
-    add_shapes(w.document, std::move(shapes));
-    w.messages.info("Added " + base::counted(count, "shape") + " to the poses.");
-  } catch (const base::Error& error) {
-    w.messages.error(error.what(), {"open"});
-  }
-}
-
 // Applies loaded poses as an edit. Returns false if there are none.
 bool take_poses(Workspace& w, Opened& opened) {
   const std::string name = opened.file.filename().string();
-  if (!opened.poses.empty()) {
-    const std::size_t count = opened.poses.size();
+  const auto add = [&](const auto& put, const std::string& done) {
     try {
-      add_poses(w.document, std::move(opened.poses));
-      w.messages.info("Added " + base::counted(count, "pose") + " of " + name + ".");
+      put();
+      w.messages.info("Added " + done);
     } catch (const base::Error& error) {
       w.messages.error(error.what(), {"open"});
     }
     return true;
-  }
-  if (!opened.shapes.empty()) return take_shapes(w, std::move(opened.shapes)), true;
+  };
+  if (!opened.poses.empty())
+    return add([&] { add_poses(w.document, std::move(opened.poses)); },
+               base::counted(opened.poses.size(), "pose") + " of " + name + ".");
+  if (!opened.shapes.empty())
+    return add([&] { add_shapes(w.document, std::move(opened.shapes)); },
+               base::counted(opened.shapes.size(), "shape") + " to the poses.");
   if (opened.keys.empty()) return false;
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   put_keys(w.document, std::move(opened.keys), "Import animation");
@@ -154,10 +146,13 @@ void apply_opened(Workspace& w, Opened&& opened) {
   take_document(w, std::move(*opened.document), !opened.has_settings);
   w.saved.reset();
   w.recovered_from.clear();
+  const bool is_example = opened.session && opened.file == w.example;
   if (opened.session) {
     take_view(w, *opened.session);
-    w.saved.session = opened.recovered ? opened.session->origin : opened.file;
-    w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
+    if (!is_example) {  // Save asks for a name
+      w.saved.session = opened.recovered ? opened.session->origin : opened.file;
+      w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
+    }
   }
   take_handling(w, opened, same_model);
   w.saved.recovered = opened.recovered;
@@ -176,6 +171,7 @@ void apply_opened(Workspace& w, Opened&& opened) {
                                               : RecentFile{w.saved.session, {}});
   }
   add_unkeyed_to_undo(w, opened.recovered);
+  if (is_example) show_timeline(w), start_playing(w);
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
@@ -183,47 +179,16 @@ void apply_opened(Workspace& w, Opened&& opened) {
   frame_all(w, false);
 }
 
-bool open_now(Workspace& workspace, const OpenRequest& request) {
+bool open_now(Workspace& w, const OpenRequest& request) {
   try {
-    Opened opened = open_files(request, workspace.document);
+    Opened opened = open_files(request, w.document);
     check_drawable(opened);
-    apply_opened(workspace, std::move(opened));
+    apply_opened(w, std::move(opened));
     return true;
   } catch (const std::exception& error) {
-    workspace.messages.error(error.what(), {"open"});
-    return false;
-  }
-}
-
-bool add_motion(Workspace& w, const std::filesystem::path& file) {
-  Document& document = w.document;
-  try {
-    Session session = read_session(file);
-    const auto is_same = [](const std::filesystem::path& a, const std::filesystem::path& b) {
-      std::error_code ignored;
-      return std::filesystem::equivalent(a, b, ignored);
-    };
-    if (!document.has_cage() || !is_same(session.model.path, document.model.path) ||
-        !is_same(session.cage_file.path, document.cage_file.path))
-      throw base::Error(
-          file.string(), "its poses belong to another model or cage",
-          "open " + session.model.path.string() + " in " + session.cage_file.path.string() + " first");
-    check_poses(session, document.cage.get(), *document.model.surface, file);
-    const bool was_saved = !has_unsaved_edits(w);
-    record_edit(document, "add the poses and keys of " + file.filename().string());
-    for (NamedPose& pose : session.library.poses) {
-      pose.name = free_name(document.library, pose.name);
-      document.library.poses.push_back(std::move(pose));
-    }
-    document.timeline = std::move(session.timeline);
-    document.frame = session.frame;
-    if (was_saved) mark_saved(w);
-  } catch (const base::Error& error) {
     w.messages.error(error.what(), {"open"});
     return false;
   }
-  w.messages.succeeded("open");
-  return true;
 }
 
 }  // namespace viete::scene

@@ -1,7 +1,6 @@
 // Conditions of commands with the advice if they are not met; toggles of the view.
 #pragma once
 
-#include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"

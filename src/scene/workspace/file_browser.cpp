@@ -1,7 +1,6 @@
 #include "scene/workspace/file_browser.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <utility>
 
@@ -66,9 +65,7 @@ std::vector<std::string_view> FileBrowser::formats() const {
       if (is(f)) names.push_back(f.extension);
   };
   if (purpose == Purpose::save_session) return names;
-  const bool pose = purpose == Purpose::pose || purpose == Purpose::save_pose ||
-                    purpose == Purpose::save_named_pose || purpose == Purpose::save_cage;
-  if (pose) {
+  if (purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage) {
     add(mesh::keeps_order);
   } else if (purpose == Purpose::animation || purpose == Purpose::save_animation) {
     add(mesh::is_sequence);

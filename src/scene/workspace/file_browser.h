@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -40,7 +39,6 @@ struct FileBrowser {
     locate_cage,
     save_session,
     save_pose,
-    save_named_pose,
     save_cage,
     save_model,
     save_animation

@@ -1,12 +1,8 @@
 #include "scene/workspace/file_commands.h"
 
-#include <algorithm>
-
 #include "scene/files/output.h"
-#include "scene/workspace/apply_opened.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
-#include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 
 namespace viete::scene {
@@ -65,22 +61,8 @@ void save_animation(Workspace& w) {
       PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
 }
 
-// The document is the bundled model with its cage and no keys.
-constexpr Condition can_add_example{
-    [](const Workspace& w) {
-      const fs::path& model = w.document.model.path;
-      std::error_code ignored;
-      return !w.example.empty() && has_cage(w) && w.document.timeline.empty() &&
-             !is_editing_cage(w.document) && !is_dragging(w) &&
-             fs::equivalent(model, w.example.parent_path() / model.filename(), ignored);
-    },
-    "Requires the bundled dragon without keys: open it or delete its keys first."};
-
-void add_example(Workspace& w) {
-  if (!add_motion(w, w.example)) return;
-  show_timeline(w);
-  start_playing(w);
-}
+constexpr Condition has_example{[](const Workspace& w) { return !w.example.empty(); },
+                                "The bundled dragon was not found."};
 
 }  // namespace
 
@@ -92,12 +74,6 @@ void save(Workspace& w) {
 void browse_to_save_session(Workspace& w) {
   browse_to_save(w, Purpose::save_session, w.saved.session.empty() ? w.document.model.path : w.saved.session,
                  ".viete");
-}
-
-void browse_to_save_named_pose(Workspace& w) {
-  std::string name = w.document.library.poses[*w.chosen_pose].name;
-  std::ranges::replace(name, '/', '_');
-  browse_to_save(w, Purpose::save_named_pose, file_of_cage(w.document), "_" + name + ".obj");
 }
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
@@ -119,9 +95,11 @@ void add_file_commands(CommandTable& table) {
             }));
   table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
-  table.add("add_example", "Add example animation",
-            "Add the dragon's poses and keys of a five-second loop and play it.", can_add_example,
-            add_example);
+  table.add("open_example", "Open example animation",
+            "Open the dragon with its poses and keys of a five-second loop, and play it.", has_example,
+            [](Workspace& w) {
+              w.requests.open = OpenRequest{OpenRequest::What::model, {w.example}};
+            });
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera in a session file.", {key('S'), true}, has_model,
             save);

@@ -8,8 +8,6 @@ namespace viete::scene {
 /// Saves to the session's file, or opens the browser if it has none.
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
-/// For the chosen pose, which must exist.
-void browse_to_save_named_pose(Workspace& workspace);
 /// Locates the file that a question asks for, in the session's folder. Requires `unopened`.
 void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
 

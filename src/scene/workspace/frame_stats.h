@@ -3,6 +3,8 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <glm/glm.hpp>
 #include <memory>
 #include <optional>
 #include <span>
@@ -81,6 +83,31 @@ struct FieldView {
   std::string problem{};  ///< why there are no values; empty: available, or being computed
   /// Fixes the colour range.
   bool holds_range = false;
+};
+
+/// The vertex inspector's data for a picked vertex.
+struct VertexView {
+  /// One element of the cage and its contribution.
+  struct Term {
+    std::uint32_t element;
+    double weight;
+    mesh::Point at;                     ///< the element's center, file units
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the symmetric sum up to this term, ascending
+  };
+  /// The exponential of the whole sum by one method.
+  struct Way {
+    Method method;
+    std::string route;
+    double error;  ///< relative, against 106 bits
+  };
+
+  std::optional<std::uint32_t> vertex;  ///< the picked vertex
+  bool appearing = false;               ///< just picked: scroll to its section
+  std::vector<Term> terms;              ///< by decreasing weight
+  bool has_logs = false;                ///< false: weights only
+  glm::dmat3 map{1};                    ///< map of the whole sum
+  double degrees = 0;                   ///< rotation angle of the map
+  std::vector<Way> ways;
 };
 
 }  // namespace viete::scene

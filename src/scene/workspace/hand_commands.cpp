@@ -6,7 +6,6 @@
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
@@ -50,32 +49,15 @@ void choose_next(Workspace& w) {
   choose(w, next_choice(place<Value>(w.handling)));
 }
 
-template <Tool Use>
+template <Tool Use, Shape Kind = Shape::none>
 void grab(Workspace& w) {
-  w.interaction.grab = {Use};
-}
-
-template <Shape Kind>
-void shape(Workspace& w) {
-  w.interaction.grab = {Tool::select, Kind};
+  w.interaction.grab = {Use, Kind};
 }
 
 void copy_pose(Workspace& w) {
   w.copied = {w.document.cage, moving_vertices(w.document), {}};
   for (const auto v : w.copied.vertices) w.copied.positions.push_back(w.document.pose.positions[v]);
   w.messages.info("Copied the pose of " + counted(ElementKind::vertex, w.copied.vertices.size()) + ".");
-}
-
-void add_key_presets(CommandTable& table) {
-  int number = 0;
-  for (const Choice& entry : choices(KeyPreset{})) {
-    const auto preset = static_cast<KeyPreset>(number++);
-    const std::string label(entry.label);
-    table
-        .add(choice_command_name(preset), {"Keymap: " + label, label}, std::string(entry.hint), no_drag_runs,
-             [preset](Workspace& w) { w.preferences.keymap.set_preset(preset); })
-        .under("Keymap");
-  }
 }
 
 constexpr Condition can_grab{
@@ -88,10 +70,6 @@ constexpr Condition can_shape{
 constexpr Condition has_copied{
     [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !is_dragging(w); },
     "Copy a pose of this cage first."};
-
-void begin_placing_pivot(Workspace& w) {
-  w.interaction.placing_pivot = !w.interaction.placing_pivot;
-}
 
 constexpr Condition has_mirror{
     [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
@@ -117,16 +95,17 @@ void add_hand_commands(CommandTable& table) {
             grab<Tool::scale>);
   table.add("bend", {"Bend selection", "Bend"},
             "Bend the selection from the pivot or joint to the active element or far end.", can_shape,
-            shape<Shape::bend>);
+            grab<Tool::select, Shape::bend>);
   table.add("twist", {"Twist selection", "Twist"}, "Twist the selection between its ends by any angle.",
-            can_shape, shape<Shape::twist>);
+            can_shape, grab<Tool::select, Shape::twist>);
   table.add("taper", {"Taper selection", "Taper"},
             "Scale the selection's cross sections increasingly towards its far end.", can_shape,
-            shape<Shape::taper>);
+            grab<Tool::select, Shape::taper>);
   table.add("smooth", {"Smooth selection", "Smooth"},
-            "Move the selection towards the mean of its neighbours.", can_shape, shape<Shape::smooth>);
+            "Move the selection towards the mean of its neighbours.", can_shape,
+            grab<Tool::select, Shape::smooth>);
   table.add("relax", {"Relax selection", "Relax"}, "Move the selection towards its rest position.", can_shape,
-            shape<Shape::relax>);
+            grab<Tool::select, Shape::relax>);
   table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
             can_shape, copy_pose);
   table.add("paste_pose", "Paste pose",
@@ -135,8 +114,8 @@ void add_hand_commands(CommandTable& table) {
               paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
             });
   table.add("place_pivot", "Place pivot",
-            "Place the pivot with the next click: on a vertex, an edge or the model's surface.", {key('J')},
-            has_model, begin_placing_pivot);
+            "Place the pivot with the next click: on a vertex or the model's surface.", {key('J')}, has_model,
+            [](Workspace& w) { w.interaction.placing_pivot ^= true; });
   table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
             {key('.')}, no_drag_runs, choose_next<Pivot>);
   add_hand_choices<Pivot>(table, "Pivot");
@@ -159,7 +138,8 @@ void add_hand_commands(CommandTable& table) {
   add_hand_choices<SoftCurve>(table, "Falloff");
   add_hand_choices<SoftDistance>(table, "Falloff");
   table.heading("Keys");
-  add_key_presets(table);
+  add_choices<KeyPreset>(table, "Keymap", no_drag_runs,
+                         [](Workspace& w, KeyPreset preset) { w.preferences.keymap.set_preset(preset); });
 }
 
 namespace {
@@ -187,20 +167,18 @@ void add_in_view(Workspace& w) {
   w.view.cage = true;  // also displays the probes
 }
 
-bool all_pull(const Workspace& w) {
-  return std::ranges::all_of(w.document.selection.indices(), [&](auto i) {
-    const deform::Probe& probe = w.document.probes.all[i];
-    return !probe.pin || probe.pin->pulls;
-  });
+// True if `holds` for all selected probes.
+bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
+  return std::ranges::all_of(w.document.selection.indices(),
+                             [&](auto i) { return holds(w.document.probes.all[i]); });
 }
 
-bool all_locked(const Workspace& w) {
-  const auto& selected = w.document.selection.indices();
-  return std::ranges::all_of(selected, [&](auto i) { return w.document.probes.all[i].locked; });
+bool all_pull(const Workspace& w) {
+  return all_are(w, [](const deform::Probe& p) { return !p.pin || p.pin->pulls; });
 }
 
 void toggle_locked(Workspace& w) {
-  set_locked(w.document, !all_locked(w));
+  set_locked(w.document, !all_are(w, [](const deform::Probe& p) { return p.locked; }));
 }
 
 }  // namespace
@@ -245,10 +223,6 @@ void add_tool_commands(CommandTable& table) {
   table.add("remove_probe", {"Remove probes", "Remove"}, "Remove the selected probes. Locked probes stay.",
             {Key::delete_key, false, true}, has_free_probes_selected,
             [](Workspace& w) { remove_probes(w.document); });
-  table.add("replace_probe", {"Rest probes here", "Rest here"},
-            "Make the current place of the selected probes their rest. The model returns; further moves act "
-            "from here.",
-            has_free_probes_selected, [](Workspace& w) { replace_probes(w.document); });
   table.add("toggle_locked", {"Lock probes", "Locked"},
             "Lock the selected probes. They keep acting but cannot be dragged.", has_probes_selected,
             toggle_locked);

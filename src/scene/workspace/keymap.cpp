@@ -1,6 +1,5 @@
 #include "scene/workspace/keymap.h"
 
-#include <algorithm>
 #include <array>
 
 #include "scene/workspace/command.h"
@@ -62,9 +61,9 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"delete_keys", plain('X'), {Key::delete_key}},
 });
 constexpr std::string_view blender_without[] = {
-    "place_pivot",  "reset_pose",  "restore_leftover", "open_pose",          "save_model",  "tool_move",
-    "select_lasso", "method_diag", "method_sd",        "method_improved_sd", "method_fast", "add_probe",
-    "mirror_probe", "toggle_z_up", "toggle_error_map", "toggle_full_screen"};
+    "place_pivot", "reset_pose",   "restore_leftover", "open_pose",   "save_model",
+    "tool_move",   "select_lasso", "method_diag",      "method_sd",   "method_improved_sd",
+    "method_fast", "add_probe",    "mirror_probe",     "toggle_z_up", "toggle_full_screen"};
 
 // Keys that differ for Maya users, whose function keys set the element kind.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
@@ -102,7 +101,7 @@ constexpr auto maya_keys = std::to_array<PresetKeys>({
 constexpr std::string_view maya_without[] = {
     "reset_pose",   "restore_leftover", "screenshot",      "select_linked", "add_probe",
     "mirror_probe", "toggle_model",     "toggle_deformed", "toggle_cage",   "toggle_grid",
-    "toggle_axes",  "toggle_ghost",     "toggle_theme",    "toggle_z_up",   "toggle_error_map"};
+    "toggle_axes",  "toggle_ghost",     "toggle_theme",    "toggle_z_up"};
 
 struct PresetChanges {
   std::span<const PresetKeys> keys{};
@@ -165,11 +164,6 @@ void Keymap::change(std::string_view command, const Shortcut& shortcut) {
 
 void Keymap::take_back(std::string_view command) {
   if (const auto found = changes_.find(command); found != changes_.end()) changes_.erase(found);
-  resolve();
-}
-
-void Keymap::take_all_back() {
-  changes_.clear();
   resolve();
 }
 

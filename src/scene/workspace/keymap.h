@@ -2,7 +2,6 @@
 #pragma once
 
 #include <map>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,7 +42,6 @@ public:
   void change(std::string_view command, const Shortcut& shortcut);
   /// Restores the preset's keys.
   void take_back(std::string_view command);
-  void take_all_back();
   /// Replaces all changes.
   void put(Changes changes);
 

@@ -21,14 +21,10 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
-bool holds(const Title& title, std::string_view group) {
-  return std::ranges::find(title.groups, group) != title.groups.end();
-}
-
 // Commands without a menu of their own are in "Tools".
 std::string_view title_of(const Command& command) {
   for (const Title& title : titles) {
-    if (holds(title, command.group)) return title.title;
+    if (std::ranges::count(title.groups, command.group) > 0) return title.title;
   }
   return "Tool";
 }

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
@@ -23,8 +22,7 @@ bool is_there(const Workspace& w, const WholePose& pose) {
   if (!same_shape(pose.shape, w.document.shape)) return false;
   const auto& probes = w.document.probes.all;
   for (std::size_t i = 0; i < probes.size(); ++i) {
-    const deform::ProbePose there = i < pose.probes.size() ? pose.probes[i] : deform::ProbePose{};
-    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == there)) return false;
+    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
   }
   return true;
 }

@@ -51,23 +51,20 @@ Anchor anchor_of(const Workspace& w) {
   return anchor_of(w.document, w.handling, mirror_of(w), w.camera);
 }
 
-// The point of an edge of the posed cage that is nearest to the ray under the cursor.
-mesh::Point on_edge(const Workspace& w, std::uint32_t edge, const glm::vec2& cursor) {
-  const auto& [i, j] = w.document.cage->edges[edge];
-  const mesh::Point &a = w.document.pose.positions[i], &b = w.document.pose.positions[j];
-  const Ray ray = w.camera.ray(cursor, w.viewport);
-  const glm::dvec3 way = w.document.space.scale * vector_of(b - a);
-  const glm::dvec3 normal = glm::cross(ray.direction, glm::cross(ray.direction, way));
-  const double slope = glm::dot(way, normal);
-  const glm::dvec3 from = ray.origin - glm::dvec3(w.document.space.to_view(a));
-  return a + (slope != 0 ? std::clamp(glm::dot(from, normal) / slope, 0.0, 1.0) : 0) * (b - a);
-}
-
 mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
   const glm::dvec3 target(w.camera.pose().target);
   const CursorProjection projection(target, w.camera, w.viewport);
   const auto at = projection.in_plane(-glm::dvec3(w.camera.forward()), w.camera.ray(cursor, w.viewport));
   return w.document.space.to_file(at.value_or(target));
+}
+
+// Positions on the way, at most `apart` pixels apart, so that fast strokes have no gaps; ends with `to`.
+std::vector<glm::vec2> steps_between(const glm::vec2& from, const glm::vec2& to, float apart) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / apart)));
+  std::vector<glm::vec2> all;
+  for (int step = 1; step <= steps; ++step)
+    all.push_back(glm::mix(from, to, static_cast<float>(step) / static_cast<float>(steps)));
+  return all;
 }
 
 using Seen = std::vector<std::optional<glm::vec3>>;
@@ -109,11 +106,8 @@ Sight sight_of(const Workspace& w) {
 
 mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
   if (w.document.has_cage() && w.view.cage) {
-    const auto under = [&](ElementKind kind) {
-      return pick_element(w.document, kind, w.camera, w.viewport, cursor);
-    };
-    if (const auto vertex = under(ElementKind::vertex)) return w.document.pose.positions[vertex->index];
-    if (const auto edge = under(ElementKind::edge)) return on_edge(w, edge->index, cursor);
+    const auto vertex = pick_element(w.document, ElementKind::vertex, w.camera, w.viewport, cursor);
+    if (vertex) return w.document.pose.positions[vertex->index];
   }
   if (const auto on_model = pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport)))
     return *on_model;
@@ -162,42 +156,42 @@ std::optional<AxisWidget> axis_widget_of(const Workspace& w) {
   return shown ? axis_widget(w.camera, w.viewport) : std::nullopt;
 }
 
-void Pointer::frame(Workspace& workspace, const PointerInput& input) {
-  workspace.mirror.follow(workspace.document.cage, workspace.handling.mirror);
+void Pointer::frame(Workspace& w, const PointerInput& input) {
+  w.mirror.follow(w.document.cage, w.handling.mirror);
   // After a change of document or cage the running gesture is void.
-  const Revisions& now = workspace.document.revisions();
+  const Revisions& now = w.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
     surfaces_ = now.surfaces;
     cage_ = now.cage;
-    if (active()) finish(workspace, Gesture::ignored);
+    if (active()) finish(w, Gesture::ignored);
   }
-  if (workspace.interaction.placing_pivot && input.escape) workspace.interaction.placing_pivot = false;
-  if (workspace.interaction.grab && !active()) begin_grab(workspace, input);
-  if (gesture_ == Gesture::grabbed) end_grab(workspace, input);
+  if (w.interaction.placing_pivot && input.escape) w.interaction.placing_pivot = false;
+  if (w.interaction.grab && !active()) begin_grab(w, input);
+  if (gesture_ == Gesture::grabbed) end_grab(w, input);
   const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
   if (left_gesture && (input.escape || pressed_now(input, right_button))) {
-    cancel(workspace);
+    cancel(w);
   } else if (!active()) {
-    press(workspace, input);
+    press(w, input);
   }
-  if (active()) move(workspace, input);
-  if (active() && gesture_ != Gesture::grabbed && !input.down[button_]) release(workspace, input);
-  if (!active()) hover(workspace, input);
+  if (active()) move(w, input);
+  if (active() && gesture_ != Gesture::grabbed && !input.down[button_]) release(w, input);
+  if (!active()) hover(w, input);
   const bool free = !active() || gesture_ == Gesture::brushing;
-  if (free && input.over_view && input.wheel != 0) turn_wheel(workspace, input);
+  if (free && input.over_view && input.wheel != 0) turn_wheel(w, input);
   last_ = input;
 }
 
-void Pointer::turn_wheel(Workspace& workspace, const PointerInput& input) {
+void Pointer::turn_wheel(Workspace& w, const PointerInput& input) {
   const float factor = std::pow(1.1f, input.wheel);
-  float& select_radius = workspace.interaction.select_radius;
-  if (workspace.interaction.armed == SelectShape::brush) {
+  float& select_radius = w.interaction.select_radius;
+  if (w.interaction.armed == SelectShape::brush) {
     select_radius = std::clamp(select_radius * factor, least_select_radius, largest_select_radius);
-  } else if (shows_mask(workspace) && input.shift) {
-    const float radius = workspace.brush.radius * factor;
-    workspace.brush.radius = std::clamp(radius, Brush::least_radius, Brush::largest_radius);
+  } else if (shows_mask(w) && input.shift) {
+    const float radius = w.brush.radius * factor;
+    w.brush.radius = std::clamp(radius, Brush::least_radius, Brush::largest_radius);
   } else {
-    workspace.camera.zoom(input.wheel, input.position, workspace.viewport);
+    w.camera.zoom(input.wheel, input.position, w.viewport);
   }
 }
 
@@ -207,9 +201,9 @@ std::optional<Pick> Pointer::element_under(const Workspace& w, const glm::vec2& 
 }
 
 // Priority under the mouse: armed tool, axis widget, gizmo, cage.
-void Pointer::hover(Workspace& workspace, const PointerInput& input) {
-  Interaction& interaction = workspace.interaction;
-  interaction.over_axes = input.over_view && over_axes(workspace, input.position);
+void Pointer::hover(Workspace& w, const PointerInput& input) {
+  Interaction& interaction = w.interaction;
+  interaction.over_axes = input.over_view && over_axes(w, input.position);
   const bool free = input.over_view && !interaction.over_axes;
   interaction.brush.reset();
   interaction.crowded = false;
@@ -218,21 +212,19 @@ void Pointer::hover(Workspace& workspace, const PointerInput& input) {
     interaction.handle.reset(), interaction.hovered.reset();
     return;
   }
-  if (free && shows_mask(workspace)) {
+  if (free && shows_mask(w)) {
     interaction.handle.reset(), interaction.hovered.reset();
-    interaction.brush = brush_under(workspace, input.position);
+    interaction.brush = brush_under(w, input.position);
     return;
   }
-  auto pick = free ? element_under(workspace, input.position) : std::nullopt;
-  interaction.handle =
-      free ? handle_under(workspace, input.position, is_small(workspace, pick)) : std::nullopt;
+  auto pick = free ? element_under(w, input.position) : std::nullopt;
+  interaction.handle = free ? handle_under(w, input.position, is_small(w, pick)) : std::nullopt;
   if (interaction.handle) pick.reset();
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
-  interaction.crowded = pick && is_crowded(workspace.document, workspace.camera, workspace.viewport,
-                                           input.position, sight_.of(workspace));
+  interaction.crowded = pick && is_crowded(w.document, w.camera, w.viewport, input.position, sight_.of(w));
 }
 
-void Pointer::press(Workspace& workspace, const PointerInput& input) {
+void Pointer::press(Workspace& w, const PointerInput& input) {
   if (!input.over_view) return;
   for (const int button : {left_button, right_button, middle_button}) {
     if (!pressed_now(input, button)) continue;
@@ -240,15 +232,14 @@ void Pointer::press(Workspace& workspace, const PointerInput& input) {
     travelled_ = false;
     press_ = input.position;
     last_.position = input.position;
-    if (button == left_button && !input.alt) return press_left(workspace, input);
-    gesture_ = camera_gesture(workspace, button, input);
+    if (button == left_button && !input.alt) return press_left(w, input);
+    gesture_ = camera_gesture(w, button, input);
     return;
   }
 }
 
-Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
-                                         const PointerInput& input) const {
-  const Keymap& keys = workspace.preferences.keymap;
+Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const PointerInput& input) const {
+  const Keymap& keys = w.preferences.keymap;
   if (keys.alt_moves_camera() && input.alt && button == middle_button) return Gesture::panning;
   if (keys.alt_moves_camera() && input.alt && button == right_button) return Gesture::zooming;
   if (keys.left_orbits() && button == right_button) return Gesture::panning;
@@ -256,109 +247,105 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& workspace, int button,
 }
 
 // Like dragging the gizmo's center, but without a button.
-void Pointer::begin_grab(Workspace& workspace, const PointerInput& input) {
-  const bool wanted = !input.escape && shows_selectable(workspace) && !workspace.document.selection.empty();
+void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
+  const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
   if (wanted && !input.over_view)
     return;  // requested by a panel button: starts when the pointer is in the view
-  const auto [tool, shape] = *std::exchange(workspace.interaction.grab, std::nullopt);
+  const auto [tool, shape] = *std::exchange(w.interaction.grab, std::nullopt);
   if (!wanted) return;
   gesture_ = Gesture::grabbed;
   button_ = left_button;
   press_ = last_.position = input.position;
   grabbed_.reset();
   handle_.reset();
-  selection_before_ = workspace.document.selection;
-  Grip grip = grip_of(workspace);
+  selection_before_ = w.document.selection;
+  Grip grip = grip_of(w);
   if (shape != Shape::none)
-    grip.shaping = shaping_of(workspace.document, shape, grip, workspace.handling.pivot == Pivot::median,
-                              workspace.camera);
+    grip.shaping = shaping_of(w.document, shape, grip, w.handling.pivot == Pivot::median, w.camera);
   if (grip.shaping.shape != shape) {
     gesture_ = Gesture::none;
-    return workspace.messages.info("The selection has no two ends to " + std::string(name(shape)) +
-                                   " between.");
+    return w.messages.info("The selection has no two ends to " + std::string(name(shape)) + " between.");
   }
-  const double depth = workspace.camera.depth(glm::vec3(in_view(workspace.document, grip.anchor.center)));
-  workspace.interaction.handle.reset(), workspace.interaction.hovered.reset();
-  workspace.interaction.drag.emplace(workspace.document, std::move(grip), tool, Constraint{}, depth, press_,
-                                     workspace.camera);
+  const double depth = w.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
+  w.interaction.handle.reset(), w.interaction.hovered.reset();
+  w.interaction.drag.emplace(w.document, std::move(grip), tool, Constraint{}, depth, press_, w.camera);
 }
 
-void Pointer::end_grab(Workspace& workspace, const PointerInput& input) {
+void Pointer::end_grab(Workspace& w, const PointerInput& input) {
   if (!pressed_now(input, left_button)) return;
-  workspace.interaction.drag->commit(workspace.document);
-  workspace.view.hints = false;
-  finish(workspace, Gesture::ignored);
+  w.interaction.drag->commit(w.document);
+  w.view.hints = false;
+  finish(w, Gesture::ignored);
 }
 
-void Pointer::press_left(Workspace& workspace, const PointerInput& input) {
-  gesture_ = over_axes(workspace, press_) ? Gesture::on_axes : Gesture::pressed;
-  if (gesture_ == Gesture::pressed && workspace.interaction.placing_pivot) {
+void Pointer::press_left(Workspace& w, const PointerInput& input) {
+  gesture_ = over_axes(w, press_) ? Gesture::on_axes : Gesture::pressed;
+  if (gesture_ == Gesture::pressed && w.interaction.placing_pivot) {
     gesture_ = Gesture::ignored;
-    workspace.interaction.placing_pivot = false;
-    workspace.handling.pivot = Pivot::point;
-    workspace.handling.point = pivot_place(workspace, press_);
+    w.interaction.placing_pivot = false;
+    w.handling.pivot = Pivot::point;
+    w.handling.point = pivot_place(w, press_);
     return;
   }
   mode_ = mode_of(input);
   shape_.reset();
-  selection_before_ = workspace.document.selection;
-  if (gesture_ == Gesture::pressed && workspace.interaction.armed) return press_armed(workspace, input);
-  if (gesture_ == Gesture::pressed && shows_mask(workspace)) {
+  selection_before_ = w.document.selection;
+  if (gesture_ == Gesture::pressed && w.interaction.armed) return press_armed(w, input);
+  if (gesture_ == Gesture::pressed && shows_mask(w)) {
     gesture_ = Gesture::painting;
-    workspace.interaction.stroke.emplace(workspace.document);
-    return paint(workspace, input);
+    w.interaction.stroke.emplace(w.document);
+    return paint(w, input);
   }
   again_ = input.double_click && clicked_;
   clicked_ = false;
-  grabbed_ = element_under(workspace, press_);
-  handle_ = handle_under(workspace, press_, is_small(workspace, grabbed_));
-  crowded_ =
-      is_crowded(workspace.document, workspace.camera, workspace.viewport, press_, sight_.of(workspace));
+  grabbed_ = element_under(w, press_);
+  handle_ = handle_under(w, press_, is_small(w, grabbed_));
+  crowded_ = is_crowded(w.document, w.camera, w.viewport, press_, sight_.of(w));
 }
 
 // A click selects as usual; a brush starts immediately and stays armed.
-void Pointer::press_armed(Workspace& workspace, const PointerInput& input) {
-  shape_ = workspace.interaction.armed;
+void Pointer::press_armed(Workspace& w, const PointerInput& input) {
+  shape_ = w.interaction.armed;
   handle_.reset();
-  grabbed_ = element_under(workspace, press_);
-  if (shape_ != SelectShape::brush) return disarm(workspace);
-  gesture_ = shows_selectable(workspace) ? Gesture::brushing : Gesture::ignored;
+  grabbed_ = element_under(w, press_);
+  if (shape_ != SelectShape::brush) return disarm(w);
+  gesture_ = shows_selectable(w) ? Gesture::brushing : Gesture::ignored;
   if (gesture_ == Gesture::ignored) return;
-  workspace.interaction.brushing = mode_ == SelectMode::remove ? mode_ : SelectMode::add;
-  brush_on(workspace, input);
+  w.interaction.brushing = mode_ == SelectMode::remove ? mode_ : SelectMode::add;
+  brush_on(w, input);
 }
 
-void Pointer::move(Workspace& workspace, const PointerInput& input) {
+void Pointer::move(Workspace& w, const PointerInput& input) {
   // The pressed element's index is valid only for its kind, which a key may have changed, and only while it
   // exists.
-  const ElementKind kind = workspace.document.selection.kind();
-  const bool gone = grabbed_ && grabbed_->index >= element_count(workspace.document, kind);
+  const ElementKind kind = w.document.selection.kind();
+  const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
   const glm::vec2 delta = input.position - last_.position;
   if (glm::distance(input.position, press_) >= drag_threshold) {
     travelled_ = true;
-    if (gesture_ == Gesture::pressed) begin_left_drag(workspace, input);
+    if (gesture_ == Gesture::pressed) begin_left_drag(w, input);
     if (gesture_ == Gesture::on_axes) gesture_ = Gesture::orbiting;
   }
   switch (gesture_) {
     case Gesture::moving:
-    case Gesture::grabbed: transform(workspace, input); break;
+    case Gesture::grabbed: transform(w, input); break;
     case Gesture::painting:
-      if (delta != glm::vec2(0)) paint(workspace, input);
+      if (delta != glm::vec2(0)) paint(w, input);
       break;
-    case Gesture::boxing: workspace.interaction.box->opposite = input.position; break;
-    case Gesture::lassoing: draw_on(*workspace.interaction.lasso, input.position); break;
+    case Gesture::boxing: w.interaction.box->opposite = input.position; break;
+    case Gesture::lassoing: draw_on(*w.interaction.lasso, input.position); break;
     case Gesture::brushing:
-      if (delta != glm::vec2(0)) brush_on(workspace, input);
+      if (delta != glm::vec2(0)) brush_on(w, input);
       break;
     case Gesture::orbiting:
-      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) workspace.camera.orbit(delta);
+      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) w.camera.orbit(delta);
       break;
     case Gesture::panning:
-      if (delta != glm::vec2(0)) workspace.camera.pan(delta, workspace.viewport);
+      if (delta != glm::vec2(0)) w.camera.pan(delta, w.viewport);
       break;
     case Gesture::zooming:
-      if (delta.y != 0) workspace.camera.zoom(-0.05f * delta.y, press_, workspace.viewport);
+      if (delta.y != 0) w.camera.zoom(-0.05f * delta.y, press_, w.viewport);
       break;
     default: break;
   }
@@ -366,85 +353,78 @@ void Pointer::move(Workspace& workspace, const PointerInput& input) {
 
 // Faces and dense vertices cover the whole cage: if pressing an unselected one dragged it, a box could not be
 // started.
-bool Pointer::draws_box(const Workspace& workspace) const {
+bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
-  const Selection& selection = workspace.document.selection;
+  const Selection& selection = w.document.selection;
   if (!grabbed_ || mode_ != SelectMode::replace) return true;
   return (selection.kind() == ElementKind::face || crowded_) && !selection.contains(grabbed_->index);
 }
 
-void Pointer::begin_left_drag(Workspace& workspace, const PointerInput& input) {
-  if (!shape_ && !draws_box(workspace)) return begin_transform(workspace);
-  if (!shape_ && !grabbed_ && workspace.preferences.keymap.left_orbits() && mode_ == SelectMode::replace) {
+void Pointer::begin_left_drag(Workspace& w, const PointerInput& input) {
+  if (!shape_ && !draws_box(w)) return begin_transform(w);
+  if (!shape_ && !grabbed_ && w.preferences.keymap.left_orbits() && mode_ == SelectMode::replace) {
     gesture_ = Gesture::orbiting;
-  } else if (!shows_selectable(workspace)) {
+  } else if (!shows_selectable(w)) {
     gesture_ = Gesture::ignored;
   } else if (shape_ == SelectShape::lasso) {
     gesture_ = Gesture::lassoing;
-    workspace.interaction.lasso = Lasso{{press_}, mode_};
+    w.interaction.lasso = Lasso{{press_}, mode_};
   } else {
     gesture_ = Gesture::boxing;
-    workspace.interaction.box = Interaction::Box{press_, input.position, mode_};
+    w.interaction.box = Interaction::Box{press_, input.position, mode_};
   }
 }
 
 // A handle uses its tool; an element moves with its selection.
-void Pointer::begin_transform(Workspace& workspace) {
-  Document& document = workspace.document;
+void Pointer::begin_transform(Workspace& w) {
+  Document& document = w.document;
   gesture_ = Gesture::moving;
   selection_before_ = document.selection;
   if (handle_) {
-    Grip grip = grip_of(workspace);
-    const double depth = workspace.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
-    workspace.interaction.drag.emplace(document, std::move(grip), workspace.tool, *handle_, depth, press_,
-                                       workspace.camera);
+    Grip grip = grip_of(w);
+    const double depth = w.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
+    w.interaction.drag.emplace(document, std::move(grip), w.tool, *handle_, depth, press_, w.camera);
     return;
   }
   if (!document.selection.contains(grabbed_->index)) {
     document.selection.apply(std::array{grabbed_->index}, SelectMode::replace);
   }
-  workspace.interaction.hovered = grabbed_->index;
-  workspace.interaction.drag.emplace(document, grip_of(workspace), Tool::move, Constraint{}, grabbed_->depth,
-                                     press_, workspace.camera);
+  w.interaction.hovered = grabbed_->index;
+  w.interaction.drag.emplace(document, grip_of(w), Tool::move, Constraint{}, grabbed_->depth, press_,
+                             w.camera);
 }
 
-void Pointer::transform(Workspace& workspace, const PointerInput& input) {
-  TransformDrag& drag = *workspace.interaction.drag;
+void Pointer::transform(Workspace& w, const PointerInput& input) {
+  TransformDrag& drag = *w.interaction.drag;
   bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
-  changed |= soften_by_wheel(workspace, input.wheel);
+  changed |= soften_by_wheel(w, input.wheel);
   if (changed) {
-    drag.update(workspace.document, {input.position, input.ctrl, input.shift}, workspace.camera,
-                workspace.viewport);
+    drag.update(w.document, {input.position, input.ctrl, input.shift}, w.camera, w.viewport);
   }
   if (!input.enter) return;
-  commit_drag(workspace);
-  finish(workspace, Gesture::ignored);
+  commit_drag(w);
+  finish(w, Gesture::ignored);
 }
 
 // Dragging an unselected element has selected it: that is part of the move, or the whole edit if nothing
 // moved.
-void Pointer::commit_drag(Workspace& workspace) {
-  Document& document = workspace.document;
+void Pointer::commit_drag(Workspace& w) {
+  Document& document = w.document;
   const unsigned long edits = document.history.revision();
-  workspace.interaction.drag->commit(document);
+  w.interaction.drag->commit(document);
   if (document.history.revision() != edits) return document.history.began_with(selection_before_);
   record_selection(document, selection_before_);
 }
 
-// Interpolates in steps of half the radius, so that fast strokes have no gaps.
 void Pointer::brush_on(Workspace& w, const PointerInput& input) {
   const float radius = w.interaction.select_radius;
-  const int steps =
-      std::max(1, static_cast<int>(std::ceil(2 * glm::distance(last_.position, input.position) / radius)));
   w.interaction.cursor = input.position;
-  for (int step = 1; step <= steps; ++step) {
-    const float t = static_cast<float>(step) / static_cast<float>(steps);
-    const auto within = pick_elements_in_circle(
-        w.document, w.camera, w.viewport, glm::mix(last_.position, input.position, t), radius, sight_.of(w));
-    w.document.selection.apply(within, *w.interaction.brushing);
-  }
+  for (const glm::vec2& at : steps_between(last_.position, input.position, 0.5f * radius))
+    w.document.selection.apply(
+        pick_elements_in_circle(w.document, w.camera, w.viewport, at, radius, sight_.of(w)),
+        *w.interaction.brushing);
 }
 
 // For a finished box or lasso.
@@ -458,108 +438,99 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
   set_selection(w.document, std::move(selection));
 }
 
-bool Pointer::soften_by_wheel(Workspace& workspace, float steps) {
-  SoftSelection& soft = workspace.handling.soft;
-  const bool shapes = workspace.interaction.drag->grip().shaping.shape != Shape::none;
+bool Pointer::soften_by_wheel(Workspace& w, float steps) {
+  SoftSelection& soft = w.handling.soft;
+  const bool shapes = w.interaction.drag->grip().shaping.shape != Shape::none;
   if (!soft.on || steps == 0 || shapes) return false;  // shapes depend on the original vertices
   soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), SoftSelection::least_radius,
                            SoftSelection::largest_radius);
-  workspace.interaction.drag->soften(workspace.document, soft, mirror_of(workspace));
+  w.interaction.drag->soften(w.document, soft, mirror_of(w));
   return true;
 }
 
-// Interpolates in steps of a quarter of the radius, so that fast strokes have no gaps.
-void Pointer::paint(Workspace& workspace, const PointerInput& input) {
-  const Brush& brush = workspace.brush;
-  const float way = glm::distance(last_.position, input.position);
-  const int steps = std::max(1, static_cast<int>(std::ceil(4 * way / brush.radius)));
-  for (int step = 1; step <= steps; ++step) {
-    const float t = static_cast<float>(step) / static_cast<float>(steps);
-    const auto center = brush_under(workspace, glm::mix(last_.position, input.position, t));
-    workspace.interaction.brush = center;
+void Pointer::paint(Workspace& w, const PointerInput& input) {
+  const Brush& brush = w.brush;
+  for (const glm::vec2& at : steps_between(last_.position, input.position, 0.25f * brush.radius)) {
+    const auto center = brush_under(w, at);
+    w.interaction.brush = center;
     if (!center) continue;
-    const float depth = workspace.camera.depth(workspace.document.space.to_view(*center));
-    const double radius =
-        brush.radius * workspace.camera.per_pixel(depth, workspace.viewport) / workspace.document.space.scale;
-    workspace.interaction.stroke->dab(workspace.document, workspace.posed, *center, radius,
-                                      input.ctrl ? 1 : brush.share);
+    const float depth = w.camera.depth(w.document.space.to_view(*center));
+    const double radius = brush.radius * w.camera.per_pixel(depth, w.viewport) / w.document.space.scale;
+    w.interaction.stroke->dab(w.document, w.posed, *center, radius, input.ctrl ? 1 : brush.share);
   }
 }
 
-void Pointer::release(Workspace& workspace, const PointerInput& input) {
-  Document& document = workspace.document;
+void Pointer::release(Workspace& w, const PointerInput& input) {
+  Document& document = w.document;
   if (gesture_ == Gesture::moving) {
-    commit_drag(workspace);
-    workspace.view.hints = false;
+    commit_drag(w);
+    w.view.hints = false;
   } else if (gesture_ == Gesture::painting) {
-    workspace.interaction.stroke->commit(document);
+    w.interaction.stroke->commit(document);
   } else if (gesture_ == Gesture::boxing || gesture_ == Gesture::lassoing) {
-    select_inside(workspace, input);
+    select_inside(w, input);
   } else if (gesture_ == Gesture::brushing) {
     record_selection(document, selection_before_);
   } else if (gesture_ == Gesture::pressed) {
-    click(workspace);
+    click(w);
   } else if (gesture_ == Gesture::orbiting && button_ == right_button && !travelled_) {
-    ask_for_menu(workspace);
+    ask_for_menu(w);
   } else if (gesture_ == Gesture::on_axes) {
-    const auto axes = axis_widget_of(workspace);
+    const auto axes = axis_widget_of(w);
     const AxisBall* ball = axes ? axes->ball(press_) : nullptr;
-    if (ball) look_from(workspace.camera, *ball), frame_all(workspace, true);
+    if (ball) look_from(w.camera, *ball), frame_all(w, true);
   }
-  finish(workspace, Gesture::none);
+  finish(w, Gesture::none);
 }
 
 // A click on a gizmo handle selects the element below it. Without one, the selection is unchanged.
-void Pointer::click(Workspace& workspace) {
+void Pointer::click(Workspace& w) {
   clicked_ = !again_;
-  if (std::exchange(again_, false) && workspace.document.model.surface) {
-    const mesh::Point place = pivot_place(workspace, press_);
-    return workspace.camera.center(workspace.document.space.to_view(place));
+  if (std::exchange(again_, false) && w.document.model.surface) {
+    const mesh::Point place = pivot_place(w, press_);
+    return w.camera.center(w.document.space.to_view(place));
   }
-  Selection selection = workspace.document.selection;
+  Selection selection = w.document.selection;
   if (grabbed_) {
     selection.apply(std::array{grabbed_->index}, mode_);
   } else if (!handle_ && mode_ == SelectMode::replace) {
     selection.clear();
   }
-  set_selection(workspace.document, std::move(selection));
+  set_selection(w.document, std::move(selection));
 }
 
 // Requests the context menu of the selection; selects the element under the cursor first if it is unselected.
-void Pointer::ask_for_menu(Workspace& workspace) {
-  const auto hovered = workspace.interaction.hovered;
-  if (hovered && !workspace.document.selection.contains(*hovered)) {
-    Selection selection(workspace.document.selection.kind());
+void Pointer::ask_for_menu(Workspace& w) {
+  const auto hovered = w.interaction.hovered;
+  if (hovered && !w.document.selection.contains(*hovered)) {
+    Selection selection(w.document.selection.kind());
     selection.apply(std::array{*hovered}, SelectMode::replace);
-    set_selection(workspace.document, std::move(selection));
+    set_selection(w.document, std::move(selection));
   }
-  workspace.interaction.menu = press_;
+  w.interaction.menu = press_;
 }
 
-void Pointer::finish(Workspace& workspace, Gesture next) {
-  workspace.interaction.drag.reset();
-  workspace.interaction.box.reset();
-  workspace.interaction.lasso.reset();
-  workspace.interaction.brushing.reset();
-  workspace.interaction.stroke.reset();
+void Pointer::finish(Workspace& w, Gesture next) {
+  w.interaction.drag.reset();
+  w.interaction.box.reset();
+  w.interaction.lasso.reset();
+  w.interaction.brushing.reset();
+  w.interaction.stroke.reset();
   gesture_ = next;
 }
 
 // The button is ignored until it is released.
-void Pointer::cancel(Workspace& workspace) {
-  if (workspace.interaction.drag) workspace.interaction.drag->cancel(workspace.document);
-  if (workspace.interaction.stroke) {
-    workspace.interaction.stroke->cancel(workspace.document);
-    return finish(workspace, Gesture::ignored);
-  }
+void Pointer::cancel(Workspace& w) {
+  if (w.interaction.drag) w.interaction.drag->cancel(w.document);
+  if (w.interaction.stroke) w.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
-    return finish(workspace, Gesture::ignored);  // nothing was selected yet
+    return finish(w, Gesture::ignored);  // nothing was selected yet
   // Elements removed in the meantime are not selected again.
   const auto& before = selection_before_.indices();
   const bool all_there =
-      before.empty() || before.back() < element_count(workspace.document, selection_before_.kind());
-  workspace.document.selection = all_there ? selection_before_ : Selection(selection_before_.kind());
-  finish(workspace, Gesture::ignored);
+      before.empty() || before.back() < element_count(w.document, selection_before_.kind());
+  w.document.selection = all_there ? selection_before_ : Selection(selection_before_.kind());
+  finish(w, Gesture::ignored);
 }
 
 }  // namespace viete::scene

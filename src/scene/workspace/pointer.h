@@ -44,8 +44,8 @@ Grip grip_of(const Workspace& workspace);
 /// The axis widget, if it is shown.
 std::optional<AxisWidget> axis_widget_of(const Workspace& workspace);
 
-/// The position of a pivot placed by a click: the posed cage's vertex under the cursor, else the point on an
-/// edge, else on the model, else at the depth of the camera's target; in file coordinates.
+/// The position of a pivot placed by a click: the posed cage's vertex under the cursor, else the point on
+/// the model, else at the depth of the camera's target; in file coordinates.
 mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);
 
 /// Caches the Sight of the current view.

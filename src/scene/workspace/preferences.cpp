@@ -6,7 +6,6 @@
 #include "base/atomic_file.h"
 #include "scene/document/range.h"
 #include "scene/files/json_codec.h"
-#include "scene/files/json_file.h"
 
 namespace viete::scene {
 
@@ -20,11 +19,6 @@ constexpr Column other(Column column) {
   return column == Column::tools ? Column::methods : Column::tools;
 }
 
-// The chosen width, limited to the room.
-float fitted(float width, float room) {
-  return std::min(width, std::max(PanelLayout::least_width, room));
-}
-
 }  // namespace
 
 ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
@@ -36,7 +30,8 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
     if (layout.is_folded(column) || !(both || alone)) continue;
     const float taken = shown[index(other(column))];
     const float kept = both && column == layout.last ? PanelLayout::least_width : taken;  // for the other
-    shown[index(column)] = fitted(layout.width[index(column)], room - kept);
+    shown[index(column)] =
+        std::min(layout.width[index(column)], std::max(PanelLayout::least_width, room - kept));
   }
   return {shown[0], shown[1]};
 }

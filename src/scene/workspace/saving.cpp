@@ -1,17 +1,13 @@
 #include "scene/workspace/saving.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "base/atomic_file.h"
 #include "deform/pose_io.h"
 #include "mesh/formats/write.h"
 #include "scene/document/brush.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/pose_edit.h"
-#include "scene/files/animation_import.h"
 #include "scene/files/output.h"
-#include "scene/files/session.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/split.h"
 
@@ -23,19 +19,19 @@ namespace {
 
 // Runs a writing step if the file may be written, including `own`, its source. Reports errors as messages.
 template <class Step>
-bool attempt(Workspace& workspace, const char* what, const fs::path& path, std::string_view own, Step step) {
+bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == the_session;
-    const bool anew = session && path == workspace.saved.session;  // in any state
-    check_output(path, session ? Content::session : Content::surface, files_open(workspace, own),
+    const bool anew = session && path == w.saved.session;  // in any state
+    check_output(path, session ? Content::session : Content::surface, files_open(w, own),
                  anew ? Force::given : Force::none);
     step();
-    workspace.messages.succeeded(topic);
-    workspace.messages.info("Saved " + path.filename().string() + ".");
+    w.messages.succeeded(topic);
+    w.messages.info("Saved " + path.filename().string() + ".");
     return true;
   } catch (const std::exception& error) {
-    report_refusal(workspace, path, error.what(), topic);
+    report_refusal(w, path, error.what(), topic);
     return false;
   }
 }
@@ -75,45 +71,39 @@ bool same_timeline(const Workspace& w) {
 
 }  // namespace
 
-bool save_session(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "session", path, the_session, [&] {
-    const std::string text = session_text(session_of(workspace), path);
+bool save_session(Workspace& w, const fs::path& path) {
+  return attempt(w, "session", path, the_session, [&] {
+    const std::string text = session_text(session_of(w), path);
     base::replace_file(path, text);
-    workspace.saved.session = path;
-    workspace.saved.content = content_of_bytes(text);
-    workspace.preferences.add({path, {}});
-    mark_saved(workspace);
+    w.saved.session = path;
+    w.saved.content = content_of_bytes(text);
+    w.preferences.add({path, {}});
+    mark_saved(w);
   });
 }
 
-bool save_pose(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "pose", path, the_pose, [&] {
-    deform::write_pose(path, *workspace.document.cage, real_pose(workspace.document));
-    mark_pose_saved(workspace);
+bool save_pose(Workspace& w, const fs::path& path) {
+  return attempt(w, "pose", path, the_pose, [&] {
+    deform::write_pose(path, *w.document.cage, real_pose(w.document));
+    mark_pose_saved(w);
   });
 }
 
-bool save_chosen_pose(Workspace& workspace, const fs::path& path) {
-  return attempt(workspace, "pose", path, no_own,
-                 [&] { write_named_pose(workspace.document, *workspace.chosen_pose, path); });
-}
-
-bool save_cage(Workspace& workspace, const fs::path& path) {
-  Document& document = workspace.document;
-  return attempt(workspace, "cage", path, the_cage, [&] {
+bool save_cage(Workspace& w, const fs::path& path) {
+  Document& document = w.document;
+  return attempt(w, "cage", path, the_cage, [&] {
     mesh::check_keeps_vertices(path);  // poses and sessions depend on the vertex order
     mesh::write(path, document.cage->surface, {"cage of " + document.model.path.filename().string()});
     document.history.file_replaced(path, document.cage);
     document.cage_file.path = path;
     document.cage_file.made.clear();
     document.cage_file.format = "saved here";
-    workspace.saved.put_cage(document.cage);
+    w.saved.put_cage(document.cage);
   });
 }
 
-void report_refusal(Workspace& workspace, const fs::path& file, const std::string& problem,
-                    std::string_view topic) {
-  if (!refuse(workspace.browser, file, problem)) workspace.messages.error(problem, {topic});
+void report_refusal(Workspace& w, const fs::path& file, const std::string& problem, std::string_view topic) {
+  if (!refuse(w.browser, file, problem)) w.messages.error(problem, {topic});
 }
 
 bool changed_on_disk(const Workspace& w, const fs::path& session) {
@@ -139,14 +129,14 @@ bool has_unsaved_edits(const Workspace& w) {
                                                    !same_pose(real_pose(w.document), w.saved.state.pose))));
 }
 
-void mark_saved(Workspace& workspace) {
-  workspace.saved.state = state_of(workspace.document);
-  mark_pose_saved(workspace);
+void mark_saved(Workspace& w) {
+  w.saved.state = state_of(w.document);
+  mark_pose_saved(w);
 }
 
 // Not for probes: the file of a pose does not include them.
-void mark_pose_saved(Workspace& workspace) {
-  workspace.saved.put_pose(real_pose(workspace.document));
+void mark_pose_saved(Workspace& w) {
+  w.saved.put_pose(real_pose(w.document));
 }
 
 Session session_of(const Workspace& w) {

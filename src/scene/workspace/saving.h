@@ -1,9 +1,7 @@
 // Saving, and tracking of unsaved edits.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -17,7 +15,6 @@ namespace viete::scene {
 /// Return success. Saving a session marks all edits as saved, saving a pose those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
-bool save_chosen_pose(Workspace& workspace, const std::filesystem::path& path);  ///< the chosen named pose
 /// Saves the cage at rest; it then belongs to this file. The pose is not included.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 

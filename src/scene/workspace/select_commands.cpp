@@ -6,7 +6,6 @@
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/selection_sets.h"
-#include "scene/hand/mirror_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"
 
@@ -30,10 +29,6 @@ void select_everything(Workspace& w) {
   Selection all(w.document.selection.kind());
   all.select_all(selectable(w));
   set_selection(w.document, std::move(all));
-}
-
-void select_nothing(Workspace& w) {
-  set_selection(w.document, Selection(w.document.selection.kind()));
 }
 
 void invert_selection(Workspace& w) {
@@ -65,16 +60,13 @@ void change_groups(Workspace& w) {
   w.interaction.hovered.reset();
 }
 
-template <SelectShape Shape>
-void arm_shape(Workspace& w) {
-  arm(w, Shape);
-  w.interaction.handle.reset();
-  w.interaction.hovered.reset();
-}
-
-template <SelectShape Shape>
-bool armed(const Workspace& w) {
-  return w.interaction.armed == Shape;
+Effect arms(SelectShape shape) {
+  const auto toggle = [shape](Workspace& w) {
+    arm(w, shape);
+    w.interaction.handle.reset();
+    w.interaction.hovered.reset();
+  };
+  return {toggle, [shape](const Workspace& w) { return w.interaction.armed == shape; }};
 }
 
 template <ElementKind Kind>
@@ -110,7 +102,8 @@ void add_select_commands(CommandTable& table) {
            without_drag<has_elements>, select_everything)
       .or_by({key('A'), true});
   table.add("select_none", {"Deselect all", "None"}, "Clear the selection.", {key('A'), false, true},
-            without_drag<has_selection>, select_nothing);
+            without_drag<has_selection>,
+            [](Workspace& w) { set_selection(w.document, Selection(w.document.selection.kind())); });
   table.add("invert_selection", {"Invert selection", "Invert"}, "Exchange selected and unselected elements.",
             {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
@@ -120,14 +113,13 @@ void add_select_commands(CommandTable& table) {
       .or_by({key('L'), true});
   table.add("select_box", {"Box select", "Box"},
             "Select with a box, started anywhere. Shift adds, Ctrl removes.", {key('B')}, can_draw_selection,
-            {arm_shape<SelectShape::box>, armed<SelectShape::box>});
+            arms(SelectShape::box));
   table.add("select_lasso", {"Lasso select", "Lasso"},
             "Select by drawing a line around elements. Shift adds, Ctrl removes.", {key('B'), false, true},
-            can_draw_selection, {arm_shape<SelectShape::lasso>, armed<SelectShape::lasso>});
+            can_draw_selection, arms(SelectShape::lasso));
   table.add("select_brush", {"Brush select", "Brush"},
             "Select by painting with a circle. The wheel changes its size, Ctrl removes, Esc ends.",
-            {key('C'), false, true}, can_draw_selection,
-            {arm_shape<SelectShape::brush>, armed<SelectShape::brush>});
+            {key('C'), false, true}, can_draw_selection, arms(SelectShape::brush));
   table
       .add("stop_selecting", {"End box, lasso or brush", "Done"}, "End box, lasso or brush selection.",
            {Key::escape}, is_armed, passing(disarm))

@@ -2,17 +2,8 @@
 
 namespace viete::scene {
 
-namespace {
-
-// Columns and rows for the number of views.
-glm::ivec2 grid_of(std::size_t count) {
-  return count == 4 ? glm::ivec2(2, 2) : glm::ivec2(static_cast<int>(count), 1);
-}
-
-}  // namespace
-
 Pane pane_of(const Split& split, std::size_t view) {
-  const glm::ivec2 grid = grid_of(split.count());
+  const glm::ivec2 grid = split.count() == 4 ? glm::ivec2(2, 2) : glm::ivec2(int(split.count()), 1);
   const int at = static_cast<int>(view);
   const glm::vec2 size = 1.0f / glm::vec2(grid);
   return {size * glm::vec2(at % grid.x, at / grid.x), size};

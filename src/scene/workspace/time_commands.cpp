@@ -4,9 +4,8 @@
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
-#include "scene/workspace/file_commands.h"
+#include "scene/workspace/command_tables.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 
@@ -19,16 +18,6 @@ constexpr Condition can_pose{
     "Open a cage, add a probe or import shapes first, and leave cage editing (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose in the list first. Add pose adds the current one."};
-constexpr Condition can_export_pose{[](const Workspace& w) { return has_chosen_pose(w) && has_cage(w); },
-                                    "Choose a pose in the list first."};
-constexpr Condition is_not_first_pose{
-    [](const Workspace& w) { return has_chosen_pose(w) && *w.chosen_pose > 0; },
-    "Choose a pose other than the first one."};
-constexpr Condition is_not_last_pose{[](const Workspace& w) {
-                                       return has_chosen_pose(w) &&
-                                              *w.chosen_pose + 1 < w.document.library.poses.size();
-                                     },
-                                     "Choose a pose other than the last one."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition has_time{[](const Workspace& w) {
@@ -74,28 +63,10 @@ void keep(Workspace& w) {
   });
 }
 
-void duplicate(Workspace& w) {
-  try_edit(w, "poses", [&] {
-    duplicate_pose(w.document, *w.chosen_pose);
-    ++*w.chosen_pose;
-  });
-}
-
 void remove(Workspace& w) {
   remove_pose(w.document, w.playback.vectors, *w.chosen_pose);
   const std::size_t left = w.document.library.poses.size();
-  if (left == 0) {
-    w.chosen_pose.reset();
-  } else {
-    w.chosen_pose = std::min(*w.chosen_pose, left - 1);
-  }
-}
-
-template <bool Down>
-void move_chosen(Workspace& w) {
-  const std::size_t pose = *w.chosen_pose;
-  move_pose(w.document, pose, Down ? pose + 2 : pose - 1);
-  w.chosen_pose = Down ? pose + 1 : pose - 1;
+  w.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.chosen_pose, left - 1));
 }
 
 // Opens the timeline, and fits all keys if it was closed.
@@ -148,10 +119,6 @@ void delete_keys(Workspace& w) {
   w.time_view.selected.clear();
 }
 
-void play_or_stop(Workspace& w) {
-  w.playback.playing ? stop_playing(w) : start_playing(w);
-}
-
 template <int Steps>
 void step(Workspace& w) {
   stop_playing(w);
@@ -183,14 +150,6 @@ void fit_range(Workspace& w) {
   w.time_view.seen = fitting(w.document.timeline);
 }
 
-void choose_easing(Workspace& w, Easing easing) {
-  set_easing(w.document, eased_keys(w), easing);
-}
-
-void choose_repeat(Workspace& w, Repeat repeat) {
-  change_play(w, [&](Playing& play) { play.repeat = repeat; });
-}
-
 }  // namespace
 
 void add_time_commands(CommandTable& table) {
@@ -200,21 +159,14 @@ void add_time_commands(CommandTable& table) {
             has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
   table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current one.",
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
-  table.add("duplicate_pose", {"Duplicate pose", "Duplicate"}, "Add a copy of the chosen pose.",
-            has_chosen_pose, duplicate);
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
-  table.add("pose_up", {"Move pose up", "Move up"}, "Move the chosen pose up in the list.", is_not_first_pose,
-            move_chosen<false>);
-  table.add("pose_down", {"Move pose down", "Move down"}, "Move the chosen pose down in the list.",
-            is_not_last_pose, move_chosen<true>);
-  table.add("export_pose", {"Export chosen pose", "Export pose"},
-            "Write the cage in the chosen pose to a mesh file.", can_export_pose, browse_to_save_named_pose);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
-            {play_or_stop, [](const Workspace& w) { return w.playback.playing; }});
+            {[](Workspace& w) { w.playback.playing ? stop_playing(w) : start_playing(w); },
+             [](const Workspace& w) { return w.playback.playing; }});
   table.add("set_key", "Set key", "Set a key for the current pose at this frame.", {key('I')}, can_pose,
             key_pose);
   table.add("set_camera_key", {"Set camera key", "Camera key"},
@@ -238,8 +190,11 @@ void add_time_commands(CommandTable& table) {
             {Key::right, false, true}, shows_time, to_end<&Playing::last>);
   table.add("fit_range", {"Set range to keys", "Range to keys"},
             "Set the playback range from the first to the last key.", has_time, fit_range);
-  add_choices<Easing>(table, "Easing", has_pose_keys, choose_easing);
-  add_choices<Repeat>(table, "After the last frame", has_model, choose_repeat);
+  add_choices<Easing>(table, "Easing", has_pose_keys,
+                      [](Workspace& w, Easing easing) { set_easing(w.document, eased_keys(w), easing); });
+  add_choices<Repeat>(table, "After the last frame", has_model, [](Workspace& w, Repeat repeat) {
+    change_play(w, [&](Playing& play) { play.repeat = repeat; });
+  });
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
             "Set a key at this frame after each edit, once there is a key.", always,
             switches(&Playback::auto_key, &Workspace::playback));

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include "base/error.h"
-#include "scene/document/edit.h"
+
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"
@@ -25,13 +24,10 @@ void toggle_frame(std::vector<int>& frames, int frame) {
   }
 }
 
-// Limits a shift of all frames to the timeline's range.
-int allowed_shift(const std::vector<int>& frames, int shift) {
-  return std::clamp(shift, Timeline::least_frame - frames.front(), Timeline::largest_frame - frames.back());
-}
-
 void drag_keys(Workspace& w, TimeView::Drag& drag, double frame) {
-  const int shift = allowed_shift(drag.frames, static_cast<int>(std::lround(frame - drag.pressed)));
+  const int shift =
+      std::clamp(static_cast<int>(std::lround(frame - drag.pressed)),
+                 Timeline::least_frame - drag.frames.front(), Timeline::largest_frame - drag.frames.back());
   if (shift == 0 && !drag.moved) return;
   std::vector<int> to;
   for (const int from : drag.frames) to.push_back(from + shift);

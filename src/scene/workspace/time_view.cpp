@@ -1,9 +1,6 @@
 #include "scene/workspace/time_view.h"
 
 #include <algorithm>
-#include <cmath>
-
-#include "base/error.h"
 
 namespace viete::scene {
 

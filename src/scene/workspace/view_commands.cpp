@@ -4,7 +4,6 @@
 
 #include "scene/document/brush.h"
 #include "scene/document/elements.h"
-#include "scene/workspace/choice_commands.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/pointer.h"
@@ -15,20 +14,15 @@ namespace viete::scene {
 namespace {
 
 // Shows the panels too if they are hidden.
-template <Column Which>
-void toggle_column_of(Workspace& w) {
-  const bool hidden = !std::exchange(w.view.panels, true);
-  if (!hidden || !(shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0))
-    toggle_column(w.preferences.layout, Which, w.viewport.window.x);
-}
-
-template <Column Which>
-bool column_shown(const Workspace& w) {
-  return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(Which) > 0;
-}
-
-void choose_shading(Workspace& w, Shading shading) {
-  w.view.shading = shading;
+Effect shows(Column column) {
+  const auto shown = [column](const Workspace& w) {
+    return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(column) > 0;
+  };
+  const auto toggle = [column, shown](Workspace& w) {
+    const bool hidden = !std::exchange(w.view.panels, true);
+    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.viewport.window.x);
+  };
+  return {toggle, shown};
 }
 
 void add_looks(CommandTable& table) {
@@ -86,7 +80,7 @@ void add_view_commands(CommandTable& table) {
   table.heading("View");
   table.add("toggle_wireframe", {"Show wireframe", "Wireframe"}, "Show the edges of the model.",
             {key('W'), false, true}, always, switches(&ViewOptions::wireframe));
-  add_choices<Shading>(table, "Shading", always, choose_shading);
+  add_choices<Shading>(table, "Shading", always, [](Workspace& w, Shading s) { w.view.shading = s; });
   table.add("next_shading", "Next shading",
             "Switch to the next shading: clay, porcelain, jade, file colours, checker, normals, stripes.",
             {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
@@ -116,11 +110,10 @@ void add_view_commands(CommandTable& table) {
             {[](Workspace& w) { w.full_screen = !w.full_screen; },
              [](const Workspace& w) { return w.full_screen; }});
   table.add("toggle_tools", {"Show tools column", "Tools column"},
-            "Show or hide the left column: model, cage, poses and tools.", always,
-            {toggle_column_of<Column::tools>, column_shown<Column::tools>});
+            "Show or hide the left column: model, cage, poses and tools.", always, shows(Column::tools));
   table.add("toggle_methods", {"Show methods column", "Methods column"},
             "Show or hide the right column: method, timings, deformer and analysis.", always,
-            {toggle_column_of<Column::methods>, column_shown<Column::methods>});
+            shows(Column::methods));
 }
 
 void add_help_commands(CommandTable& table) {
@@ -147,8 +140,6 @@ void add_help_commands(CommandTable& table) {
 
 namespace {
 
-using lab::Field;
-
 constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].shown.values != nullptr; },
                             "Choose a map first (Analysis, Map)."};
 
@@ -173,25 +164,11 @@ void pick_vertex(Workspace& w) {
   show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
 }
 
-void choose_field(Workspace& w, Field field) {
-  w.view.field = field;
-}
-
 }  // namespace
 
 void add_map_commands(CommandTable& table) {
   table.heading("Map");
-  add_choices<Field>(table, "Map", has_model, choose_field);
-  table.add("next_map", "Next map", "Show the next map on the model.", has_model,
-            [](Workspace& w) { w.view.field = next_choice(w.view.field); });
-  table.add("toggle_error_map", {"Show error map", "Error map"},
-            "Show the relative error of the exponential at each vertex as a map.", {key('E'), false, true},
-            uses_method,
-            {[](Workspace& w) {
-               const bool on = w.view.field == Field::exp_error;
-               w.view.field = on ? Field::none : Field::exp_error;
-             },
-             [](const Workspace& w) { return w.view.field == Field::exp_error; }});
+  add_choices<lab::Field>(table, "Map", has_model, [](Workspace& w, lab::Field f) { w.view.field = f; });
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
             {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
              [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});

@@ -29,6 +29,11 @@ std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   return points;
 }
 
+mesh::Bounds cube_around(const mesh::Point& center, double half) {
+  const mesh::Vec3 way{half, half, half};
+  return {center - way, center + way};
+}
+
 // The positions used by the cage's elements; unused vertices are ignored.
 std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
@@ -48,18 +53,10 @@ std::vector<mesh::Point> around_probes(const Document& document) {
   for (const auto i : document.selection.indices()) {
     const deform::Probe& probe = document.probes.all[i];
     const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
-    const mesh::Point center = probe_center(document, i);
-    for (int corner = 0; corner < 8; ++corner) {
-      mesh::Point p = center;
-      for (std::size_t k = 0; k < 3; ++k) p[k] += (corner >> k & 1) ? half : -half;
-      points.push_back(p);
-    }
+    const auto box = corners(cube_around(probe_center(document, i), half));
+    points.insert(points.end(), box.begin(), box.end());
   }
   return points;
-}
-
-const mesh::Surface& surface_of(const Document& document, const Finding& finding) {
-  return finding.subject == Subject::cage ? *document.cage_file.surface : *document.model.surface;
 }
 
 void widen(std::vector<glm::vec3>& points) {
@@ -107,22 +104,22 @@ float offer_height(const Workspace& w) {
   return std::min(height, 0.5f * w.viewport.size.y);
 }
 
-void frame_all(Workspace& workspace, bool eased) {
-  const Document& document = workspace.document;
+void frame_all(Workspace& w, bool eased) {
+  const Document& document = w.document;
   if (!document.model.surface) return;
   // A cage encloses its model: its vertices cover both.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
-  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased, offer_height(workspace));
+  w.camera.frame(in_view(document.space, points), w.viewport, eased, offer_height(w));
 }
 
-void frame_selection(Workspace& workspace, bool eased) {
-  const Document& document = workspace.document;
-  if (document.selection.empty()) return frame_all(workspace, eased);
+void frame_selection(Workspace& w, bool eased) {
+  const Document& document = w.document;
+  if (document.selection.empty()) return frame_all(w, eased);
   std::vector<mesh::Point> points;
   for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
   if (document.selection.kind() == ElementKind::probe) points = around_probes(document);
-  workspace.camera.frame(in_view(document.space, points), workspace.viewport, eased);
+  w.camera.frame(in_view(document.space, points), w.viewport, eased);
 }
 
 void frame_worst(Workspace& w) {
@@ -132,41 +129,40 @@ void frame_worst(Workspace& w) {
   if (worst >= surface.positions.size()) return;
   const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
   const double half = share * w.document.model.bounds.diagonal();
-  const mesh::Bounds box{at - mesh::Vec3{half, half, half}, at + mesh::Vec3{half, half, half}};
-  w.camera.frame(in_view(w.document.space, corners(box)), w.viewport, true);
+  w.camera.frame(in_view(w.document.space, corners(cube_around(at, half))), w.viewport, true);
 }
 
-void toggle_finding(Workspace& workspace, std::size_t index) {
-  CheckState& checks = workspace.checks;
+void toggle_finding(Workspace& w, std::size_t index) {
+  CheckState& checks = w.checks;
   const bool hide = checks.shown == index;
   checks.show(hide ? std::nullopt : std::optional(index));
-  workspace.requests.frame_finding = !hide;
+  w.requests.frame_finding = !hide;
 }
 
-void step_element(Workspace& workspace, int step) {
-  CheckState& checks = workspace.checks;
+void step_element(Workspace& w, int step) {
+  CheckState& checks = w.checks;
   if (!checks.shown) return;
   const std::size_t n = checks.findings[*checks.shown].size();
   const std::size_t first = step > 0 ? 0 : n - 1;
   checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
-  workspace.requests.frame_finding = true;
+  w.requests.frame_finding = true;
 }
 
-void frame_finding(Workspace& workspace) {
-  const CheckState& checks = workspace.checks;
+void frame_finding(Workspace& w) {
+  const CheckState& checks = w.checks;
   if (!checks.shown) return;
   constexpr std::size_t enough = 20000;
   const Finding& finding = checks.findings[*checks.shown];
-  const Document& document = workspace.document;
-  const mesh::Surface& surface = surface_of(document, finding);
+  const Document& document = w.document;
+  const bool of_cage = finding.subject == Subject::cage;
+  const mesh::Surface& surface = of_cage ? *document.cage_file.surface : *document.model.surface;
   std::vector<glm::vec3> points;
   for (const auto e : shown_elements(checks, enough)) {
     for (const auto v : vertices_of(finding, surface, e))
-      points.push_back(document.space.to_view(
-          finding.subject == Subject::cage ? document.pose.positions[v] : workspace.posed.at(surface, v)));
+      points.push_back(document.space.to_view(of_cage ? document.pose.positions[v] : w.posed.at(surface, v)));
   }
   widen(points);
-  workspace.camera.frame(points, workspace.viewport, true);
+  w.camera.frame(points, w.viewport, true);
 }
 
 void begin_widget_edit(Workspace& w) {
@@ -185,11 +181,11 @@ void cancel_widget_edit(Workspace& w) {
   if (!w.making.open) take_back(w.document, std::move(before.document));
 }
 
-void take_report(Workspace& workspace, const deform::LogReport& report) {
-  Document& document = workspace.document;
+void take_report(Workspace& w, const deform::LogReport& report) {
+  Document& document = w.document;
   document.pose.turns = report.turns;
-  workspace.pose_notes = pose_notes(report, *document.cage, document.pose);
-  workspace.pose_report = report;
+  w.pose_notes = pose_notes(report, *document.cage, document.pose);
+  w.pose_report = report;
 }
 
 namespace {

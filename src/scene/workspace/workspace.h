@@ -1,15 +1,12 @@
 // The document and its working state: camera, view options, messages, pointer interaction.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "base/background.h"
@@ -38,7 +35,6 @@
 #include "scene/workspace/question.h"
 #include "scene/workspace/split.h"
 #include "scene/workspace/time_view.h"
-#include "scene/workspace/vertex_view.h"
 
 namespace viete::scene {
 
@@ -106,8 +102,7 @@ struct Requests {
   bool show_report = false, stop_report = false;
   std::optional<std::string> manual;  ///< the chapter to show; empty: the first page
   std::optional<OpenRequest> open;
-  std::optional<std::filesystem::path> save_session, save_pose, save_named_pose, save_cage, save_model,
-      save_animation;
+  std::optional<std::filesystem::path> save_session, save_pose, save_cage, save_model, save_animation;
   std::optional<Answer> answer;  ///< to the open question
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/clock.h"
+#include "base/error.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/cage.h"
@@ -12,19 +14,15 @@
 #include "scene/document/binding_plan.h"
 #include "scene/document/checks.h"
 #include "scene/document/edit.h"
+#include "scene/workspace/playing.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
+#include "sym3/reference.h"
 #include "sym3/small_matrices.h"
 
 namespace viete::app {
 
 namespace {
-
-// True if anything besides the shape moves the model.
-bool moves_beyond_shape(const scene::Document& document) {
-  const auto is_pin = [](const deform::Probe& probe) { return probe.pin.has_value(); };
-  return document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin);
-}
 
 // Only its rotation if the map flattens, since a drag could not be inverted.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
@@ -36,14 +34,13 @@ sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
 
 }  // namespace
 
-LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
-  const scene::Document& document = workspace.document;
+LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
+  const scene::Document& document = w.document;
   const scene::Revisions& now = document.revisions();
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
   const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
-  if (new_surfaces || new_cage)
-    follow_surfaces(workspace, new_surfaces ? files_.take_bound() : std::move(made));
+  if (new_surfaces || new_cage) follow_surfaces(w, new_surfaces ? files_.take_bound() : std::move(made));
   if (new_surfaces || new_cage || new_weights) {
     binder_.cancel();
     given_up_.reset();
@@ -52,13 +49,13 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   }
   // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
   // being generated.
-  if (!deformer_ && !binder_.running() && !workspace.making_cage.running && given_up_ != now.pose &&
+  if (!deformer_ && !binder_.running() && !w.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
   // Other elements or another blend need other sums over the same weights.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  same_path_ = workspace.view.same_path;
+  same_path_ = w.view.same_path;
   if (deformer_ && deformer_->all_staged() != same_path_) {
     deformer_->set_all_staged(same_path_);
     derived_.reset();
@@ -67,8 +64,8 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& workspace, Bound made) {
   // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
   // method `fast` is used, not stitched.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
-  take_binding(workspace, false);
-  workspace.binding = binder_.state();
+  take_binding(w, false);
+  w.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
 
@@ -93,16 +90,16 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
 }
 
 // Discards everything derived from the old surfaces.
-void LiveModel::follow_surfaces(scene::Workspace& workspace, Bound bound) {
+void LiveModel::follow_surfaces(scene::Workspace& w, Bound bound) {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
   no_cage_.reset();
   around_ = {};
   given_up_.reset();
-  workspace.pose_notes.clear();
-  workspace.pose_report = {};
-  if (bound.binds(workspace.document)) install(workspace, std::move(bound));
+  w.pose_notes.clear();
+  w.pose_report = {};
+  if (bound.binds(w.document)) install(w, std::move(bound));
 }
 
 void LiveModel::start_binding(const scene::Document& document) {
@@ -112,20 +109,20 @@ void LiveModel::start_binding(const scene::Document& document) {
                                : "Preparing the model for probes");
 }
 
-void LiveModel::take_binding(scene::Workspace& workspace, bool wait) {
+void LiveModel::take_binding(scene::Workspace& w, bool wait) {
   auto result = binder_.poll(wait);
   if (!result) return;
-  if (!result->value) return stop_binding(workspace, result->problem, scene::Severity::error);
-  install(workspace, *std::move(result->value));
+  if (!result->value) return stop_binding(w, result->problem, scene::Severity::error);
+  install(w, *std::move(result->value));
 }
 
 constexpr scene::Concern of_cage{"bind", scene::Scope::cage};
 
-void LiveModel::install(scene::Workspace& workspace, Bound bound) {
-  for (const auto& warning : bound.binding->warnings) workspace.messages.warn(warning, of_cage);
-  workspace.messages.succeeded(of_cage.topic);
+void LiveModel::install(scene::Workspace& w, Bound bound) {
+  for (const auto& warning : bound.binding->warnings) w.messages.warn(warning, of_cage);
+  w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
-  renew_deformer(scheme_of(workspace.document));
+  renew_deformer(scheme_of(w.document));
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
@@ -138,9 +135,9 @@ void LiveModel::renew_deformer(const deform::Scheme& scheme) {
   unprepared_ = true;
 }
 
-void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity) {
+void LiveModel::stop_binding(scene::Workspace& w, const std::string& why, scene::Severity severity) {
   binder_.cancel();
-  scene::Document& document = workspace.document;
+  scene::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe tries again
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
@@ -148,16 +145,16 @@ void LiveModel::stop_binding(scene::Workspace& workspace, const std::string& why
     scene::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // the revision that is bound
     if (!deformer_->engine(document.method)) {
-      workspace.view.same_path = false;
+      w.view.same_path = false;
       document.put_method(sym3::Method::fast);
     }
   }
-  workspace.messages.say(severity, why, of_cage);
+  w.messages.say(severity, why, of_cage);
 }
 
-void LiveModel::finish_binding(scene::Workspace& workspace) {
-  follow(workspace);
-  take_binding(workspace, true);
+void LiveModel::finish_binding(scene::Workspace& w) {
+  follow(w);
+  take_binding(w, true);
 }
 
 bool LiveModel::deforms(const scene::Document& document) const {
@@ -169,20 +166,20 @@ bool LiveModel::is_due(const scene::Document& document) const {
          weights_ != document.revisions().weights || deforms(document);
 }
 
-bool LiveModel::deform(scene::Workspace& workspace, scene::FrameTimes& times) {
+bool LiveModel::deform(scene::Workspace& w, scene::FrameTimes& times) {
   prepared_ = false;
   if (!deformer_) return false;
-  scene::Document& document = workspace.document;
-  const auto& drag = workspace.interaction.drag;
+  scene::Document& document = w.document;
+  const auto& drag = w.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
-  const bool editing = changes_rest(workspace);
+  const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
   if (deformed) {
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
     run(document, document.pose, document.shape, times.method);
     take_carried(document);
-    if (document.has_cage()) scene::take_report(workspace, deformer_->state().report());
+    if (document.has_cage()) scene::take_report(w, deformer_->state().report());
     times.links = deformer_->times();
     derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
@@ -206,7 +203,9 @@ scene::Carried LiveModel::carried_pin(const scene::Document& document, const def
   const mesh::Surface& surface = *document.model.surface;
   if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
   scene::Carried carried;
-  if (moves_beyond_shape(document)) carried.map = map_at(document, v);
+  const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
+  if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
+    carried.map = map_at(document, v);  // not only the shape moves the model
   const mesh::Vec3 off = probe.place - scene::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
   return carried;
@@ -234,6 +233,147 @@ mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index
   if (!ran()) return document.model.surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
+}
+
+namespace {
+
+// Falls back to the document's own pose if it fails.
+scene::SharedPose other_pose(scene::Workspace& w) {
+  try {
+    return scene::pose_by_other_blending(w);
+  } catch (const base::Error&) {
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+SideModel::Made SideModel::made_of(const scene::View& side, const scene::Workspace& w) {
+  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
+  return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
+}
+
+bool SideModel::serves(const Need& need) const {
+  if (!deformer_ || deformer_->scheme() != need.scheme) return false;
+  return deformer_->all_staged() == need.staged && deformer_->engine(need.method).has_value();
+}
+
+void SideModel::forget() {
+  binder_.cancel();
+  deformer_.reset();
+  bound_ = {};
+  made_.reset(), refused_.reset();
+  drag_ = {};
+}
+
+bool SideModel::is_due(const scene::View& side, const scene::Workspace& w, const LiveModel& first) const {
+  if (!first.bound().binding || changes_rest(w)) return false;
+  const Made wanted = made_of(side, w);
+  return binder_.has_result() ||
+         (made_ != wanted && refused_ != wanted.need && !binder_.running() && first.ran());
+}
+
+bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& first, base::WorkerPool& pool,
+                       bool wait) {
+  const Bound& known = first.bound();
+  if (!known.binding) return false;
+  if (bound_.model != known.model || bound_.cage != known.cage) {
+    forget();
+    bound_ = known;
+  }
+  const Made wanted = made_of(side, w);
+  const Need& need = wanted.need;
+  if (auto result = binder_.poll(wait)) {
+    side.problem = result->problem;
+    if (result->value) {
+      bound_ = *std::move(result->value);
+      make_deformer(asked_.scheme, asked_.staged, pool);
+      made_.reset();
+    }
+    if (asked_ == need && !serves(need)) refused_ = need;  // otherwise it has changed since: binds again
+  }
+  side.binding = binder_.running();
+  const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);
+  if (!due || !first.ran()) return false;
+  const bool same_weights = bound_.binding->weighting == need.scheme.weighting;
+  if (!serves(need) && same_weights) make_deformer(need.scheme, need.staged, pool);
+  if (!serves(need)) {
+    deformer_.reset(), made_.reset();
+    asked_ = need;
+    bind_for(need, known.model, known.cage, same_weights ? bound_ : known);
+    side.binding = true;
+    return false;
+  }
+  const auto& drag = w.interaction.drag;
+  drag_.before(*deformer_, drag);
+  const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
+  const deform::Pose& pose = other ? other->cage : w.document.pose;
+  base::Stopwatch watch;
+  run(w.document, pose, other ? other->shape : w.document.shape, side.method);
+  if (!side.other_blending) drag_.after(*deformer_, drag);  // another mix may move the whole cage
+  side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
+  made_ = wanted;
+  return true;
+}
+
+bool SideViews::follow(scene::Workspace& w, const LiveModel& first, bool wait) {
+  const auto sides = w.split.sides();
+  if (sides.empty()) {
+    if (pool_) forget();
+    return false;
+  }
+  if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
+  bool any = false;
+  for (std::size_t i = 0; i < models_.size(); ++i) {
+    if (i >= sides.size())
+      models_[i].forget();
+    else
+      any |= models_[i].follow(sides[i], w, first, *pool_, wait);
+  }
+  return any;
+}
+
+void SideViews::finish(scene::Workspace& w, const LiveModel& first) {
+  while (is_due(w, first) || binding(w)) follow(w, first, true);
+}
+
+bool SideViews::measure(scene::Workspace& w) {
+  constexpr double rest_seconds = 0.3;
+  constexpr std::size_t sample = 256;
+  if (!w.split.on() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
+  bool any = false;
+  for (std::size_t i = 0; i < w.split.sides().size(); ++i) {
+    const deform::Deformer* deformer = models_[i].deformer();
+    if (!models_[i].ran() || measured_[i] == models_[i].frames()) continue;
+    measured_[i] = models_[i].frames();
+    scene::View& side = w.split.sides()[i];
+    side.fused_error = deformer->sampled_error();
+    side.exp_error.reset();
+    for (const auto& matrix : deformer->sample_matrices(sample))
+      side.exp_error =
+          std::max(side.exp_error.value_or(0), sym3::relative_error(sym3::exp(matrix, side.method), matrix));
+    any = true;
+  }
+  if (any) measured_at_ = base::wall_seconds();
+  return any;
+}
+
+// Deformers must be destroyed before their pool.
+void SideViews::forget() {
+  for (SideModel& model : models_) model.forget();
+  pool_.reset();
+}
+
+bool SideViews::is_due(const scene::Workspace& w, const LiveModel& first) const {
+  for (std::size_t i = 0; i < w.split.sides().size(); ++i)
+    if (models_[i].is_due(w.split.sides()[i], w, first)) return true;
+  return !w.split.on() && pool_;
+}
+
+bool SideViews::binding(const scene::Workspace& w) const {
+  for (std::size_t i = 0; i < w.split.sides().size(); ++i)
+    if (models_[i].binding()) return true;
+  return false;
 }
 
 }  // namespace viete::app
