@@ -98,6 +98,85 @@ class Answers(unittest.TestCase):
         self.assert_close(r, left @ right, np.float64)
         self.assert_close(u, np.swapaxes(right, -1, -2) @ (values[..., None] * right), np.float64)
 
+    def test_polar_writes_into_a_pair_of_arrays(self):
+        m = symmetric(np.float32, 150) + np.arange(9, dtype=np.float32).reshape(3, 3)
+        (r, u), other = viete.polar(m), np.empty_like(m)
+        for text, out in (("share memory", (other, m)), ("share memory", (other, other)), ("out has shape", (other, m[0]))):
+            with self.assertRaisesRegex(ValueError, text):
+                viete.polar(m, out=out)
+        self.assertIs(viete.polar(m, out=(m, other))[0], m)
+        self.assertTrue(np.array_equal(m, r) and np.array_equal(other, u))
+
+
+def affine(*shape):
+    return np.eye(4) + np.pad(np.random.default_rng(10).uniform(-0.4, 0.4, shape + (3, 4)), len(shape) * [(0, 0)] + [(0, 1), (0, 0)])
+
+
+class LogSpace(unittest.TestCase):
+    """Affine maps (M. Alexa, 2002), and log-Euclidean means (V. Arsigny et al., 2006)."""
+
+    def assert_equal(self, a, b, error=1e-12):
+        self.assertEqual((a.shape, a.dtype), (b.shape, b.dtype))
+        np.testing.assert_allclose(a, b, rtol=error, atol=error)
+
+    def test_exp_undoes_logarithms_on_any_branch(self):
+        for m in (affine(50), affine(2, 3)[..., :3, :3], affine(5).astype(np.float32)):
+            self.assertTrue(viete.affine_has_log(m).all())
+            self.assert_equal(viete.affine_exp(viete.affine_log(m)), m, tolerance(m.dtype))
+        turns = 2 * np.pi * np.array([-1, 0, 2])
+        logs = (0.5 + turns)[:, None, None] * np.array([[0, -1, 0], [1, 0, 0], [0, 0, 0]])
+        self.assert_equal(viete.affine_log(viete.affine_exp(logs[1]), near=turns[:, None] * [0, 0, 1]), logs)
+        self.assert_equal(viete.affine_interpolate(np.eye(3), viete.affine_exp(logs[1]), 0.5, near=(0, 0, 12)), viete.affine_exp(logs[2] / 2))
+
+    def test_maps_without_a_logarithm_get_a_bounded_one(self):
+        for m in (np.diag([1.0, 2.0, -1.0]), np.zeros((3, 3)), np.zeros((4, 4))):
+            self.assertFalse(viete.affine_has_log(m))
+            self.assertTrue(np.isfinite(viete.affine_log(m)).all() and np.isfinite(viete.affine_log(m, near=(0, 0, 7))).all())
+
+    def test_sums_means_and_interpolation_broadcast(self):
+        m, w, c = affine(4, 5), np.array([0.4, 0.1, 0.2, 0.2, 0.1]), affine(1)[0]
+        self.assert_equal(viete.affine_combine(m, w), viete.affine_exp(np.einsum("k,ikab->iab", w, viete.affine_log(m))))
+        self.assert_equal(viete.affine_mean(c @ m, w)[0], c @ viete.affine_mean(m, w)[0])
+        way = viete.affine_interpolate(m[0], m[1], np.linspace(0, 1, 3)[:, None])
+        for step, expected in zip(way, (m[0], viete.affine_mean(m[:2].swapaxes(0, 1))[0], m[1])):
+            self.assert_equal(step, expected)
+        a, b = positive(np.float64, 2, 7)
+        self.assert_equal(viete.interpolate(packed(a), packed(b), 0.5), packed(viete.mean(np.stack([a, b], axis=1))))
+        determinants = np.linalg.det(viete.interpolate(a[0], b[0], np.linspace(0, 1, 7)))
+        self.assert_equal(np.log(determinants), np.linspace(*np.log(np.linalg.det([a[0], b[0]])), 7))
+
+    def test_weights_and_powers_may_have_any_size(self):
+        table = {(1e308, 1e308): (0.5, 0.5), (1.5e308, 0.5e308): (0.75, 0.25), (5e-324, 1.5e-323): (0.25, 0.75), (1e308, 1e-320): (1, 0),
+                 (-1e308, -1e308): (0.5, 0.5), (-3e-320, -3e-320): (0.5, 0.5), (1.5e308, -0.5e308): (1.5, -0.5)}
+        weights, shares, maps = list(table), list(table.values()), affine(2)
+        for a in (positive(np.float64, 2), positive(np.float32, 2)):
+            sums = np.einsum("nk,kij->nij", shares, viete.log(a)).astype(a.dtype)
+            self.assert_equal(viete.mean(a, weights), viete.exp(sums), tolerance(a.dtype))
+            self.assert_equal(viete.pow(a, 1e-320), np.broadcast_to(np.eye(3, dtype=a.dtype), a.shape))
+            self.assert_equal(viete.pow(np.eye(3, dtype=a.dtype), 1e308), np.eye(3, dtype=a.dtype))
+        means, converged = viete.affine_mean(maps, weights)
+        self.assertTrue(converged.all())
+        self.assert_equal(means, viete.affine_mean(maps, shares)[0])
+        self.assert_equal(viete.affine_combine([20 * maps[0]] * 3, [1e308, 0.25, -1e308]), np.eye(4))
+
+    def test_undefined_means_are_rejected(self):
+        pair = np.stack([np.eye(3), 2 * np.eye(3)])
+        for call, error, words in [
+            (lambda: viete.mean(np.eye(3)), ValueError, "expected several"),
+            (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
+            (lambda: viete.mean(pair, [1e308, -1e308]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair[[0, 0, 1]], [0.1, 0.2, -0.3]), ValueError, "sum to 0"),
+            (lambda: viete.mean(pair, [1]), ValueError, "there are 2 matrices; weights have shape"),
+            (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32, float64 or integers"),
+            (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "t contains a number that is not finite"),
+            (lambda: viete.affine_mean(pair, [[1, 1], [0, 0]]), ValueError, "sum to 0"),
+            (lambda: viete.affine_combine(pair, [1, 2, 3]), ValueError, "weights must end in axes"),
+            (lambda: viete.affine_exp(np.zeros((3, 4))), ValueError, "maps must end in axes"),
+        ]:
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                call()
+
+
 def derivative_by_eigenvalues(f, slope, s, e):
     """Reference by divided differences, for well separated or equal eigenvalues."""
     x, v = np.linalg.eigh(s.astype(np.float64))
@@ -180,6 +259,11 @@ class Arrays(unittest.TestCase):
             **{name + "_derivative": lambda d=d: d(s, matrices) for name, (d, _, _, _) in DERIVATIVES.items()},
             **{name + "_tangent": lambda t=t: t(matrices) for name, (_, t, _, _) in DERIVATIVES.items()},
             "polar": lambda: viete.polar(matrices),
+            "mean": lambda: viete.mean(matrices),
+            "interpolate": lambda: viete.interpolate(s, s, np.broadcast_to(0.5, 10**16)),
+            "affine_log": lambda: viete.affine_log(s, near=np.broadcast_to(0.0, (10**15, 3))),
+            "affine_has_log": lambda: viete.affine_has_log(matrices),
+            "affine_mean": lambda: viete.affine_mean(matrices),
             "integers": lambda: viete.exp(np.broadcast_to(np.int8(1), (10**15, 6))),
         }.items():
             with self.subTest(name), self.assertRaises(MemoryError):
