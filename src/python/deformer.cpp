@@ -42,37 +42,31 @@ Bound bound(const py::object& vertices, const py::object& faces, const py::objec
   return Bound({std::move(deformer), single});
 }
 
-template <class T>
-py::object deform_as(Bound& bound, const py::object& cage, const py::object& out, const py::object& normals) {
-  constexpr const char* name = "Deformer.deform";
-  const py::array_t<double> pose = rows_of_3(name, cage);
-  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(bound.object.deformer.vertex_count()), 3};
-  py::array_t<T> places = output<T>(name, "out", out, shape), directions;
-  const bool wants_normals = !normals.is_none() && !normals.is(py::bool_(false));
-  if (wants_normals)
-    directions = output<T>(name, "normals", normals.is(py::bool_(true)) ? py::none() : normals, shape);
-  if (overlap(places, directions)) wrong(name, "out and normals share memory");
-  const std::span<T> to(places.mutable_data(), static_cast<std::size_t>(places.size())),
-      along(directions.mutable_data(), static_cast<std::size_t>(directions.size()));
-  bound.with([&, from = numbers_of(pose)](BoundModel& b) {
-    b.deformer.deform(from, to, along, b.keeps_turns ? &b.turns : nullptr);
-  });
-  return wants_normals ? py::object(py::make_tuple(places, directions)) : places;
-}
-
 py::object deform(Bound& bound, const py::object& cage, const py::object& out, const py::object& normals) {
-  const bool single =
-      out.is_none() ? bound.object.single : is_single("Deformer.deform", as_array("Deformer.deform", out));
-  return single ? deform_as<float>(bound, cage, out, normals) : deform_as<double>(bound, cage, out, normals);
+  constexpr const char* name = "Deformer.deform";
+  const Contiguous<double> pose = rows_of_3(name, cage);
+  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(bound.object.deformer.vertex_count()), 3};
+  const bool single = out.is_none() ? bound.object.single : is_single(name, as_array(name, out));
+  return by_type(single, [&]<class T>(T) -> py::object {
+    py::array_t<T> places = output<T>(name, "out", out, shape), directions;
+    const bool wants_normals = !normals.is_none() && !normals.is(py::bool_(false));
+    if (wants_normals)
+      directions = output<T>(name, "normals", normals.is(py::bool_(true)) ? py::none() : normals, shape);
+    if (overlap(places, directions)) wrong(name, "out and normals share memory");
+    const std::span<T> to(places.mutable_data(), static_cast<std::size_t>(places.size())),
+        along(directions.mutable_data(), static_cast<std::size_t>(directions.size()));
+    bound.with([&, from = numbers_of(pose)](BoundModel& b) {
+      b.deformer.deform(from, to, along, b.keeps_turns ? &b.turns : nullptr);
+    });
+    return wants_normals ? py::object(py::make_tuple(places, directions)) : places;
+  });
 }
 
 void set_mask(Bound& bound, const py::object& mask) {
   std::vector<float> shares;
   if (!mask.is_none()) {
-    const py::array given = as_array("Deformer.set_mask", mask);
-    is_single("Deformer.set_mask", given);
-    if (given.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
-    const Contiguous<float> array(given);
+    const auto array = numbers("Deformer.set_mask", "mask", mask, false);
+    if (array.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
     if (array.size() == 0 && bound.object.deformer.vertex_count() > 0)
       wrong("Deformer.set_mask", "the mask is empty; None lets all vertices move");
     shares.assign(array.data(), array.data() + array.size());
@@ -82,7 +76,7 @@ void set_mask(Bound& bound, const py::object& mask) {
 
 void set_shape(Bound& bound, const py::object& shape) {
   if (shape.is_none()) return bound.with([](BoundModel& b) { b.deformer.set_shape({}); });
-  const py::array_t<double> array = rows_of_3("Deformer.set_shape", shape);
+  const Contiguous<double> array = rows_of_3("Deformer.set_shape", shape);
   if (array.size() == 0) wrong("Deformer.set_shape", "the shape is empty; None restores the rest shape");
   bound.with([from = numbers_of(array)](BoundModel& b) { b.deformer.set_shape(from); });
 }

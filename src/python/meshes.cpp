@@ -6,20 +6,19 @@
 
 namespace viete::python {
 
-py::array_t<double> rows_of_3(const char* what, const py::object& object) {
-  const py::array array = as_array(what, object);
-  is_single(what, array);
+Contiguous<double> rows_of_3(const char* what, const py::object& object) {
+  const auto array = numbers(what, "an array of points", object, false);
   if (array.ndim() != 2 || array.shape(1) != 3)
     wrong(what, "points must be (n, 3); this shape is " + shape_text(array));
-  return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
+  return array;
 }
 
-std::span<const double> numbers_of(const py::array_t<double>& array) {
+std::span<const double> numbers_of(const Contiguous<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 Points points_of(const char* what, const py::object& object) {
-  const py::array_t<double> array = rows_of_3(what, object);
+  const Contiguous<double> array = rows_of_3(what, object);
   Points points(static_cast<std::size_t>(array.shape(0)));
   for (std::size_t v = 0; v < points.size(); ++v) std::copy_n(array.data() + 3 * v, 3, points[v].begin());
   return points;
@@ -54,11 +53,7 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
       throw py::type_error("viete." + std::string(what) +
                            ": faces must be integers, (m, corners), or a list of lists if they have "
                            "different numbers of corners");
-    const py::array& array = *given;
-    if (kind == 'u' && array.itemsize() == 8 && array.size() > 0 &&
-        array.attr("max")().attr("__gt__")(std::numeric_limits<std::uint32_t>::max()).cast<bool>())
-      wrong(what, "a face has an invalid vertex index: they start at 0");
-    return Integers(array);
+    return Integers(*given);  // above 2^63 they become negative
   };
   mesh.starts = {0};
   if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {

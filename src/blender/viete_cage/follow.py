@@ -169,7 +169,7 @@ def update(obj, depsgraph):
         obj.data.shape_keys.update_tag()
         if settings.problem:
             settings.problem = ""
-    except engine.Error as error:
+    except ValueError as error:
         if settings.problem != str(error):
             settings.problem = str(error)
 
