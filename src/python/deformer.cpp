@@ -13,13 +13,6 @@ namespace viete::python {
 
 namespace {
 
-// Messages may contain file names that are not UTF-8; these are decoded as Python decodes paths.
-void raise(PyObject* type, const std::string& sentence) {
-  const auto text = py::reinterpret_steal<py::object>(
-      PyUnicode_DecodeUTF8(sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
-  if (text) PyErr_SetObject(type, text.ptr());
-}
-
 struct BoundModel {
   Deformer deformer;
   bool single;  // results are float32
@@ -27,9 +20,12 @@ struct BoundModel {
   Points turns{};
 };
 using Bound = Guarded<BoundModel>;
+using Number = std::optional<double>;
 
 Bound bound(const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-            const py::object& cage_faces, const Blending& blending, int threads, const py::object& dtype) {
+            const py::object& cage_faces, const std::string& way, const std::string& weights,
+            const std::string& blend, Number radius, Number turn, Number stretch, std::optional<int> stitched,
+            Number pins, Number hold, const std::string& method, int threads, const py::object& dtype) {
   const Mesh model = mesh_of("Deformer", vertices, faces),
              cage = mesh_of("Deformer", cage_vertices, cage_faces);
   const auto type = py::dtype::from_args(dtype);
@@ -37,6 +33,7 @@ Bound bound(const py::object& vertices, const py::object& faces, const py::objec
     throw py::type_error("viete.Deformer: dtype must be float32 or float64");
   const bool single = type.itemsize() == 4;
   const py::gil_scoped_release release;
+  const Blending blending{way, weights, blend, radius, turn, stretch, stitched, pins, hold, method};
   Deformer deformer(model, cage, blending, threads);
   deformer.bind(single, heed_signals);
   return Bound({std::move(deformer), single});
@@ -96,19 +93,9 @@ void define_deformer(py::module_& m) {
       "Cannot be copied or pickled.";
   const auto none = py::none();
   py::class_<Bound>(m, "Deformer", "A model bound to a cage.")
-      .def(py::init([](const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-                       const py::object& cage_faces, const std::string& way, const std::string& weights,
-                       const std::string& blend, std::optional<double> radius, std::optional<double> turn,
-                       std::optional<double> stretch, std::optional<int> stitched, std::optional<double> pins,
-                       std::optional<double> hold, const std::string& method, int threads,
-                       const py::object& dtype) {
-             return bound(vertices, faces, cage_vertices, cage_faces,
-                          {way, weights, blend, radius, turn, stretch, stitched, pins, hold, method}, threads,
-                          dtype);
-           }),
-           py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"), py::arg("cage_faces"),
-           py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "", py::arg("blend") = "",
-           py::arg("radius") = none, py::arg("turn") = none, py::arg("stretch") = none,
+      .def(py::init(&bound), py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"),
+           py::arg("cage_faces"), py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "",
+           py::arg("blend") = "", py::arg("radius") = none, py::arg("turn") = none, py::arg("stretch") = none,
            py::arg("stitched") = none, py::arg("pins") = none, py::arg("hold") = none,
            py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64", text.c_str())
       .def(
@@ -147,7 +134,10 @@ void define_deformation(py::module_& m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& e) {
-      raise(error, e.what());
+      const std::string sentence = e.what();  // file names may not be UTF-8; Python decodes paths in this way
+      const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+          sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
+      if (text) PyErr_SetObject(error, text.ptr());
     }
   });
   define_files(m);
