@@ -21,10 +21,6 @@ def packed(full):
     return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
 
 
-def full(six):
-    return np.ascontiguousarray(six[..., [0, 1, 2, 1, 3, 4, 2, 4, 5]].reshape(six.shape[:-1] + (3, 3)))
-
-
 def symmetric(dtype, *shape):
     m = np.random.default_rng(5).uniform(-1, 1, shape + (3, 3))
     return (m + np.swapaxes(m, -1, -2)).astype(dtype)
@@ -99,9 +95,6 @@ class Answers(unittest.TestCase):
     def test_polar_writes_into_a_pair_of_arrays(self):
         m = symmetric(np.float32, 150) + np.arange(9, dtype=np.float32).reshape(3, 3)
         (r, u), other = viete.polar(m), np.empty_like(m)
-        for text, out in (("share memory", (other, m)), ("share memory", (other, other)), ("out has shape", (other, m[0]))):
-            with self.assertRaisesRegex(ValueError, text):
-                viete.polar(m, out=out)
         self.assertIs(viete.polar(m, out=(m, other))[0], m)
         self.assertTrue(np.array_equal(m, r) and np.array_equal(other, u))
 
@@ -156,23 +149,6 @@ class LogSpace(unittest.TestCase):
         self.assertTrue(converged.all())
         self.assert_equal(means, viete.affine_mean(maps, shares)[0])
         self.assert_equal(viete.affine_combine([20 * maps[0]] * 3, [1e308, 0.25, -1e308]), np.eye(4))
-
-    def test_undefined_means_are_rejected(self):
-        pair = np.stack([np.eye(3), 2 * np.eye(3)])
-        for call, error, words in [
-            (lambda: viete.mean(np.eye(3)), ValueError, "expected several"),
-            (lambda: viete.mean(pair[:0]), ValueError, "no matrices"),
-            (lambda: viete.mean(pair, [1e308, -1e308]), ValueError, "sum to 0"),
-            (lambda: viete.mean(pair[[0, 0, 1]], [0.1, 0.2, -0.3]), ValueError, "sum to 0"),
-            (lambda: viete.mean(pair, [1]), ValueError, "there are 2 matrices; weights have shape"),
-            (lambda: viete.interpolate(pair[0], pair[1], None), TypeError, "float32, float64 or integers"),
-            (lambda: viete.interpolate(pair[0], pair[1], np.inf), ValueError, "t contains a number that is not finite"),
-            (lambda: viete.affine_mean(pair, [[1, 1], [0, 0]]), ValueError, "sum to 0"),
-            (lambda: viete.affine_combine(pair, [1, 2, 3]), ValueError, "weights must end in axes"),
-            (lambda: viete.affine_exp(np.zeros((3, 4))), ValueError, "maps must end in axes"),
-        ]:
-            with self.subTest(words), self.assertRaisesRegex(error, words):
-                call()
 
 
 def derivative_by_eigenvalues(f, slope, s, e):
@@ -231,14 +207,6 @@ class Derivatives(unittest.TestCase):
         self.assertTrue(np.array_equal(out, expected))
         self.assertIs(viete.exp_derivative(s, e, out=e), e)
         self.assertTrue(np.array_equal(e, expected))
-        with self.assertRaisesRegex(ValueError, "out overlaps the matrices"):
-            viete.exp_derivative(s, s[::-1].copy(), out=s)
-
-    def test_directions_of_another_shape_are_refused(self):
-        s = symmetric(np.float64, 5)
-        for e in (packed(s), s[:4], s[None, None], np.zeros((5, 3))):
-            with self.assertRaisesRegex(ValueError, "viete.exp_derivative: directions"):
-                viete.exp_derivative(s, e)
 
 
 class Arrays(unittest.TestCase):
@@ -319,32 +287,42 @@ class Arrays(unittest.TestCase):
 
 
 class Errors(unittest.TestCase):
-    def assert_raises(self, error, text, f, *arguments, **named):
-        with self.assertRaisesRegex(error, text):
-            f(*arguments, **named)
-
-    def test_wrong_shapes_say_what_is_expected_and_what_came(self):
-        for shape in ((), (3,), (5,), (2, 3), (3, 4), (6, 1)):
-            self.assert_raises(ValueError, r"viete.exp: .*\(\.\.\., 6\).*\(", viete.exp, np.zeros(shape))
-        self.assert_raises(ValueError, "viete.polar", viete.polar, np.zeros((4, 6)))
-
-    def test_wrong_types_are_named(self):
-        self.assert_raises(TypeError, "viete.log: .*complex128", viete.log, np.zeros(6, complex))
-        self.assert_raises(TypeError, "viete.exp: .*float16", viete.exp, np.zeros(6, np.float16))
-        self.assert_raises(TypeError, "viete.exp", viete.exp, "six numbers")
-        self.assert_raises(TypeError, "viete.exp", viete.exp, None)
-
-    def test_an_out_that_does_not_fit_is_refused(self):
-        s = np.zeros((4, 6))
-        self.assert_raises(ValueError, r"out has shape \(5, 6\)", viete.exp, s, out=np.zeros((5, 6)))
-        self.assert_raises(TypeError, "out is float32", viete.exp, s, out=np.zeros((4, 6), np.float32))
-        self.assert_raises(TypeError, "out must be an array; this is a list", viete.exp, s, out=[0] * 24)
-        self.assert_raises(ValueError, "out is not contiguous", viete.exp, s, out=np.zeros((4, 12))[:, ::2])
+    def test_wrong_arguments_are_named(self):
+        s, six, pair, m = symmetric(np.float64, 5), np.zeros((4, 6)), np.stack([np.eye(3), 2 * np.eye(3)]), np.zeros((5, 3, 3))
         read_only = np.zeros((4, 6))
         read_only.flags.writeable = False
-        self.assert_raises(ValueError, "out is read-only", viete.exp, s, out=read_only)
-        both = np.zeros((5, 6))
-        self.assert_raises(ValueError, "out overlaps", viete.exp, both[:4], out=both[1:])
+        wrong_shapes = [np.zeros(shape) for shape in ((), (3,), (5,), (2, 3), (3, 4), (6, 1))]
+        for error, words, call in [
+            *[(ValueError, r"viete.exp: .*\(\.\.\., 6\).*\(", lambda a=a: viete.exp(a)) for a in wrong_shapes],
+            (ValueError, "viete.polar", lambda: viete.polar(six)),
+            (TypeError, "viete.log: .*complex128", lambda: viete.log(np.zeros(6, complex))),
+            (TypeError, "viete.exp: .*float16", lambda: viete.exp(np.zeros(6, np.float16))),
+            (TypeError, "viete.exp", lambda: viete.exp("six numbers")),
+            (TypeError, "viete.exp", lambda: viete.exp(None)),
+            (ValueError, r"out has shape \(5, 6\)", lambda: viete.exp(six, out=np.zeros((5, 6)))),
+            (TypeError, "out is float32", lambda: viete.exp(six, out=np.zeros((4, 6), np.float32))),
+            (TypeError, "out must be an array; this is a list", lambda: viete.exp(six, out=[0] * 24)),
+            (ValueError, "out is not contiguous", lambda: viete.exp(six, out=np.zeros((4, 12))[:, ::2])),
+            (ValueError, "out is read-only", lambda: viete.exp(six, out=read_only)),
+            (ValueError, "out overlaps", lambda: viete.exp(s[:4], out=s[1:])),
+            (ValueError, "u in out must not share memory", lambda: viete.polar(s, out=(m, s))),
+            (ValueError, "u in out must not share memory", lambda: viete.polar(s, out=(m, m))),
+            (ValueError, "out overlaps the matrices", lambda: viete.exp_derivative(s, s[::-1].copy(), out=s)),
+            *[(ValueError, "viete.exp_derivative: directions", lambda e=e: viete.exp_derivative(s, e))
+              for e in (packed(s), s[:4], s[None, None], np.zeros((5, 3)))],
+            (ValueError, "expected several", lambda: viete.mean(np.eye(3))),
+            (ValueError, "no matrices", lambda: viete.mean(pair[:0])),
+            (ValueError, "sum to 0", lambda: viete.mean(pair, [1e308, -1e308])),
+            (ValueError, "sum to 0", lambda: viete.mean(pair[[0, 0, 1]], [0.1, 0.2, -0.3])),
+            (ValueError, "there are 2 matrices; weights have shape", lambda: viete.mean(pair, [1])),
+            (TypeError, "float32, float64 or integers", lambda: viete.interpolate(pair[0], pair[1], None)),
+            (ValueError, "t contains a number that is not finite", lambda: viete.interpolate(pair[0], pair[1], np.inf)),
+            (ValueError, "sum to 0", lambda: viete.affine_mean(pair, [[1, 1], [0, 0]])),
+            (ValueError, "weights must end in axes", lambda: viete.affine_combine(pair, [1, 2, 3])),
+            (ValueError, "maps must end in axes", lambda: viete.affine_exp(np.zeros((3, 4)))),
+        ]:
+            with self.subTest(words), self.assertRaisesRegex(error, words):
+                call()
 
 
 class Module(unittest.TestCase):
