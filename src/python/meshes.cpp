@@ -33,17 +33,15 @@ py::array_t<double> array_of(const Points& points) {
 
 namespace {
 
-std::uint32_t corner_of(const char* what, std::int64_t corner) {
-  if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
-    wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
-  return static_cast<std::uint32_t>(corner);
-}
-
 // Adds the faces of an array (m, k), or of a list of sequences.
 void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
   using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
   const auto add = [&](const std::int64_t* corners, py::ssize_t count) {
-    for (py::ssize_t c = 0; c < count; ++c) mesh.corners.push_back(corner_of(what, corners[c]));
+    for (const std::int64_t corner : std::span(corners, static_cast<std::size_t>(count))) {
+      if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
+        wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
+      mesh.corners.push_back(static_cast<std::uint32_t>(corner));
+    }
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
   };
   const auto integers_of = [&](const py::handle& object) {
@@ -56,15 +54,13 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
     return Integers(*given);  // above 2^63 they become negative
   };
   mesh.starts = {0};
-  if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {
+  if (py::isinstance<py::buffer>(faces)) {
     const Integers all = integers_of(faces);
     if (all.ndim() != 2)
       wrong(what, "faces must be (m, corners), or a list; this shape is " + shape_text(all));
     for (py::ssize_t f = 0; f < all.shape(0); ++f) add(all.data() + f * all.shape(1), all.shape(1));
     return;
   }
-  if (!py::isinstance<py::sequence>(faces))
-    throw py::type_error("viete." + std::string(what) + ": faces must be an array or a list");
   for (const py::handle face : faces) {
     const Integers corners = integers_of(face);
     if (corners.ndim() != 1) wrong(what, "each face must be a list of vertex indices");
