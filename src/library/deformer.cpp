@@ -56,13 +56,15 @@ void check_turns(const std::vector<Point3>* turns) {
                           "pass the value of the previous call");
 }
 
-template <class T>
-void check_size(std::span<T> numbers, std::size_t vertices, const char* what) {
-  if (numbers.size() != 3 * vertices)
-    throw base::Error(
-        what,
-        "it has " + std::to_string(numbers.size()) + " numbers for " + std::to_string(vertices) + " vertices",
-        "pass three per vertex");
+void check_sizes(std::size_t positions, std::size_t normals, std::size_t vertices) {
+  if (positions != 3 * vertices || (normals != 0 && normals != positions))
+    throw base::Error("results", "the size is wrong",
+                      "pass three numbers for each of " + std::to_string(vertices) + " vertices");
+}
+
+void write(std::span<const mesh::Point> points, std::span<double> to) {
+  for (std::size_t v = 0; v < points.size(); ++v)
+    std::ranges::copy(points[v], to.begin() + static_cast<std::ptrdiff_t>(3 * v));
 }
 
 }  // namespace
@@ -166,29 +168,25 @@ const std::vector<std::string>& Deformer::notes() const {
 void Deformer::deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals,
                       std::vector<Point3>* turns) {
   const base::ForkDelay delay;
-  check_size(positions, vertex_count(), "positions");
-  if (!normals.empty()) check_size(normals, vertex_count(), "normals");
+  check_sizes(positions.size(), normals.size(), vertex_count());
   const deform::Pose pose = impl_->pose(cage, turns);
   deform::ExactModel deformed = impl_->exact().deform(pose, {}, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
   scene::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
   library::check_finite(deformed.positions, "positions", "use a pose nearer to rest");
   Impl::keep_turns(deformed.report, turns);
-  for (std::size_t v = 0; v < deformed.positions.size(); ++v)
-    std::ranges::copy(deformed.positions[v], positions.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  write(deformed.positions, positions);
   if (normals.empty()) return;
   if (!impl_->around) impl_->around = mesh::vertex_triangles(vertex_count(), impl_->model.triangles);
   std::vector<mesh::Point> all(vertex_count());
   mesh::vertex_normals(deformed.positions, impl_->model.triangles, *impl_->around, 0, all.size(), all);
-  for (std::size_t v = 0; v < all.size(); ++v)
-    std::ranges::copy(all[v], normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
+  write(all, normals);
 }
 
 void Deformer::deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals,
                       std::vector<Point3>* turns) {
   const base::ForkDelay delay;
-  check_size(positions, vertex_count(), "positions");
-  if (!normals.empty()) check_size(normals, vertex_count(), "normals");
+  check_sizes(positions.size(), normals.size(), vertex_count());
   const deform::Pose pose = impl_->pose(cage, turns);
   deform::Deformer& live = impl_->live();
   live.deform(pose, impl_->method);

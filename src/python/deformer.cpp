@@ -13,13 +13,6 @@ namespace viete::python {
 
 namespace {
 
-// Messages may contain file names that are not UTF-8; these are decoded as Python decodes paths.
-void raise(PyObject* type, const std::string& sentence) {
-  const auto text = py::reinterpret_steal<py::object>(
-      PyUnicode_DecodeUTF8(sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
-  if (text) PyErr_SetObject(type, text.ptr());
-}
-
 struct BoundModel {
   Deformer deformer;
   bool single;  // results are float32
@@ -27,9 +20,12 @@ struct BoundModel {
   Points turns{};
 };
 using Bound = Guarded<BoundModel>;
+using Number = std::optional<double>;
 
 Bound bound(const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-            const py::object& cage_faces, const Blending& blending, int threads, const py::object& dtype) {
+            const py::object& cage_faces, const std::string& way, const std::string& weights,
+            const std::string& blend, Number radius, Number turn, Number stretch, std::optional<int> stitched,
+            Number pins, Number hold, const std::string& method, int threads, const py::object& dtype) {
   const Mesh model = mesh_of("Deformer", vertices, faces),
              cage = mesh_of("Deformer", cage_vertices, cage_faces);
   const auto type = py::dtype::from_args(dtype);
@@ -37,42 +33,37 @@ Bound bound(const py::object& vertices, const py::object& faces, const py::objec
     throw py::type_error("viete.Deformer: dtype must be float32 or float64");
   const bool single = type.itemsize() == 4;
   const py::gil_scoped_release release;
+  const Blending blending{way, weights, blend, radius, turn, stretch, stitched, pins, hold, method};
   Deformer deformer(model, cage, blending, threads);
   deformer.bind(single, heed_signals);
   return Bound({std::move(deformer), single});
 }
 
-template <class T>
-py::object deform_as(Bound& bound, const py::object& cage, const py::object& out, const py::object& normals) {
-  constexpr const char* name = "Deformer.deform";
-  const py::array_t<double> pose = rows_of_3(name, cage);
-  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(bound.object.deformer.vertex_count()), 3};
-  py::array_t<T> places = output<T>(name, "out", out, shape), directions;
-  const bool wants_normals = !normals.is_none() && !normals.is(py::bool_(false));
-  if (wants_normals)
-    directions = output<T>(name, "normals", normals.is(py::bool_(true)) ? py::none() : normals, shape);
-  if (overlap(places, directions)) wrong(name, "out and normals share memory");
-  const std::span<T> to(places.mutable_data(), static_cast<std::size_t>(places.size())),
-      along(directions.mutable_data(), static_cast<std::size_t>(directions.size()));
-  bound.with([&, from = numbers_of(pose)](BoundModel& b) {
-    b.deformer.deform(from, to, along, b.keeps_turns ? &b.turns : nullptr);
-  });
-  return wants_normals ? py::object(py::make_tuple(places, directions)) : places;
-}
-
 py::object deform(Bound& bound, const py::object& cage, const py::object& out, const py::object& normals) {
-  const bool single =
-      out.is_none() ? bound.object.single : is_single("Deformer.deform", as_array("Deformer.deform", out));
-  return single ? deform_as<float>(bound, cage, out, normals) : deform_as<double>(bound, cage, out, normals);
+  constexpr const char* name = "Deformer.deform";
+  const Contiguous<double> pose = rows_of_3(name, cage);
+  const std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(bound.object.deformer.vertex_count()), 3};
+  const bool single = out.is_none() ? bound.object.single : is_single(name, as_array(name, out));
+  return by_type(single, [&]<class T>(T) -> py::object {
+    py::array_t<T> places = output<T>(name, "out", out, shape), directions;
+    const bool wants_normals = !normals.is_none() && !normals.is(py::bool_(false));
+    if (wants_normals)
+      directions = output<T>(name, "normals", normals.is(py::bool_(true)) ? py::none() : normals, shape);
+    if (overlap(places, directions)) wrong(name, "out and normals share memory");
+    const std::span<T> to(places.mutable_data(), static_cast<std::size_t>(places.size())),
+        along(directions.mutable_data(), static_cast<std::size_t>(directions.size()));
+    bound.with([&, from = numbers_of(pose)](BoundModel& b) {
+      b.deformer.deform(from, to, along, b.keeps_turns ? &b.turns : nullptr);
+    });
+    return wants_normals ? py::object(py::make_tuple(places, directions)) : places;
+  });
 }
 
 void set_mask(Bound& bound, const py::object& mask) {
   std::vector<float> shares;
   if (!mask.is_none()) {
-    const py::array given = as_array("Deformer.set_mask", mask);
-    is_single("Deformer.set_mask", given);
-    if (given.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
-    const Contiguous<float> array(given);
+    const auto array = numbers("Deformer.set_mask", "mask", mask, false);
+    if (array.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
     if (array.size() == 0 && bound.object.deformer.vertex_count() > 0)
       wrong("Deformer.set_mask", "the mask is empty; None lets all vertices move");
     shares.assign(array.data(), array.data() + array.size());
@@ -82,7 +73,7 @@ void set_mask(Bound& bound, const py::object& mask) {
 
 void set_shape(Bound& bound, const py::object& shape) {
   if (shape.is_none()) return bound.with([](BoundModel& b) { b.deformer.set_shape({}); });
-  const py::array_t<double> array = rows_of_3("Deformer.set_shape", shape);
+  const Contiguous<double> array = rows_of_3("Deformer.set_shape", shape);
   if (array.size() == 0) wrong("Deformer.set_shape", "the shape is empty; None restores the rest shape");
   bound.with([from = numbers_of(array)](BoundModel& b) { b.deformer.set_shape(from); });
 }
@@ -102,19 +93,9 @@ void define_deformer(py::module_& m) {
       "Cannot be copied or pickled.";
   const auto none = py::none();
   py::class_<Bound>(m, "Deformer", "A model bound to a cage.")
-      .def(py::init([](const py::object& vertices, const py::object& faces, const py::object& cage_vertices,
-                       const py::object& cage_faces, const std::string& way, const std::string& weights,
-                       const std::string& blend, std::optional<double> radius, std::optional<double> turn,
-                       std::optional<double> stretch, std::optional<int> stitched, std::optional<double> pins,
-                       std::optional<double> hold, const std::string& method, int threads,
-                       const py::object& dtype) {
-             return bound(vertices, faces, cage_vertices, cage_faces,
-                          {way, weights, blend, radius, turn, stretch, stitched, pins, hold, method}, threads,
-                          dtype);
-           }),
-           py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"), py::arg("cage_faces"),
-           py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "", py::arg("blend") = "",
-           py::arg("radius") = none, py::arg("turn") = none, py::arg("stretch") = none,
+      .def(py::init(&bound), py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"),
+           py::arg("cage_faces"), py::arg("way") = "smooth", py::kw_only(), py::arg("weights") = "",
+           py::arg("blend") = "", py::arg("radius") = none, py::arg("turn") = none, py::arg("stretch") = none,
            py::arg("stitched") = none, py::arg("pins") = none, py::arg("hold") = none,
            py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64", text.c_str())
       .def(
@@ -153,7 +134,10 @@ void define_deformation(py::module_& m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& e) {
-      raise(error, e.what());
+      const std::string sentence = e.what();  // file names may not be UTF-8; Python decodes paths in this way
+      const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
+          sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
+      if (text) PyErr_SetObject(error, text.ptr());
     }
   });
   define_files(m);

@@ -3,8 +3,12 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "sym3/affine.h"
 
 namespace viete::python {
 
@@ -45,8 +49,8 @@ bool overlap(const py::array& a, const py::array& b) {
 }
 
 Shape symmetric_shape(const char* function, const py::array& a) {
-  if (ends_in_3_3(a)) return {sym3::Layout::full, product(a, a.ndim() - 2)};
-  if (a.ndim() >= 1 && a.shape(a.ndim() - 1) == 6) return {sym3::Layout::packed, product(a, a.ndim() - 1)};
+  if (ends_in_3_3(a)) return {sym3::Layout::full, 2, product(a, a.ndim() - 2)};
+  if (a.ndim() >= 1 && a.shape(a.ndim() - 1) == 6) return {sym3::Layout::packed, 1, product(a, a.ndim() - 1)};
   wrong(function, "matrices must be (..., 3, 3) or (..., 6), the upper triangle by rows; this shape is " +
                       shape_text(a));
 }
@@ -71,6 +75,35 @@ std::optional<py::array> array_like(const py::handle& a) {
 py::array as_array(const char* function, const py::object& a) {
   if (auto array = array_like(a)) return *std::move(array);
   wrong_type(function, "expected an array; this is a " + text_of(py::type::of(a).attr("__name__")));
+}
+
+Contiguous<double> numbers(const char* function, const char* what, const py::object& a, bool finite) {
+  const py::array array = as_array(function, a);
+  is_single(function, array);
+  const Contiguous<double> result(array);
+  const std::span all(result.data(), static_cast<std::size_t>(result.size()));
+  if (finite && !std::ranges::all_of(all, [](double x) { return std::isfinite(x); }))
+    wrong(function, std::string(what) + " contains a number that is not finite");
+  return result;
+}
+
+Contiguous<double> shares(const char* function, const py::object& weights, py::ssize_t count) {
+  if (count == 0) wrong(function, "there are no matrices");
+  const auto size = static_cast<std::size_t>(count);
+  const Contiguous<double> given =
+      numbers(function, "weights", weights.is_none() ? py::cast(std::vector<double>(size, 1)) : weights);
+  if (given.ndim() == 0 || given.shape(given.ndim() - 1) != count)
+    wrong(function,
+          "there are " + std::to_string(count) + " matrices; weights have shape " + shape_text(given));
+  Contiguous<double> result(std::vector<py::ssize_t>(given.shape(), given.shape() + given.ndim()));
+  for (py::ssize_t row = 0; row < given.size(); row += count) {
+    const double* w = given.data() + row;
+    const auto [shift, sum] = sym3::sum_of({w, size});
+    if (sum == 0) wrong(function, "the weights sum to 0");
+    std::transform(w, w + size, result.mutable_data() + row,
+                   [shift, sum](double x) { return std::scalbn(x, -shift) / sum; });
+  }
+  return result;
 }
 
 template <class T>

@@ -18,9 +18,10 @@ template <class T>
 using Contiguous =
     py::array_t<T, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;
 
-/// The layout and number of matrices, from an array of shape (..., 6) or (..., 3, 3).
+/// The layout, own axes and number of matrices, from an array of shape (..., 6) or (..., 3, 3).
 struct Shape {
   sym3::Layout layout;
+  py::ssize_t axes;
   std::size_t count;
 };
 
@@ -35,10 +36,23 @@ Shape symmetric_shape(const char* function, const py::array& a);
 /// TypeError for other types.
 bool is_single(const char* function, const py::array& a);
 
+/// Calls f with a number of the type of the computation.
+template <class F>
+py::object by_type(bool single, const F& f) {
+  return single ? f(float{}) : f(double{});
+}
+
 /// Converts an array-like; empty if it is none. Raises MemoryError.
 std::optional<py::array> array_like(const py::handle& a);
 /// The same, but raises TypeError if it is not array-like.
 py::array as_array(const char* function, const py::object& a);
+
+/// Converts to double. Raises TypeError for other types, including None; and, if `finite`, ValueError for
+/// numbers that are not, called `what`.
+Contiguous<double> numbers(const char* function, const char* what, const py::object& a, bool finite = true);
+
+/// Weights (..., count), divided by their sum; equal ones for None. Raises ValueError if they sum to 0.
+Contiguous<double> shares(const char* function, const py::object& weights, py::ssize_t count);
 
 /// True if the arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
@@ -48,5 +62,8 @@ bool overlap(const py::array& a, const py::array& b);
 template <class T>
 py::array_t<T> output(const char* function, const char* what, const py::object& out,
                       const std::vector<py::ssize_t>& shape);
+
+/// Defines the functions of affine maps.
+void define_affine(py::module_& m);
 
 }  // namespace viete::python

@@ -6,20 +6,19 @@
 
 namespace viete::python {
 
-py::array_t<double> rows_of_3(const char* what, const py::object& object) {
-  const py::array array = as_array(what, object);
-  is_single(what, array);
+Contiguous<double> rows_of_3(const char* what, const py::object& object) {
+  const auto array = numbers(what, "an array of points", object, false);
   if (array.ndim() != 2 || array.shape(1) != 3)
     wrong(what, "points must be (n, 3); this shape is " + shape_text(array));
-  return py::array_t<double, py::array::c_style | py::array::forcecast>(array);
+  return array;
 }
 
-std::span<const double> numbers_of(const py::array_t<double>& array) {
+std::span<const double> numbers_of(const Contiguous<double>& array) {
   return {array.data(), static_cast<std::size_t>(array.size())};
 }
 
 Points points_of(const char* what, const py::object& object) {
-  const py::array_t<double> array = rows_of_3(what, object);
+  const Contiguous<double> array = rows_of_3(what, object);
   Points points(static_cast<std::size_t>(array.shape(0)));
   for (std::size_t v = 0; v < points.size(); ++v) std::copy_n(array.data() + 3 * v, 3, points[v].begin());
   return points;
@@ -34,17 +33,15 @@ py::array_t<double> array_of(const Points& points) {
 
 namespace {
 
-std::uint32_t corner_of(const char* what, std::int64_t corner) {
-  if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
-    wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
-  return static_cast<std::uint32_t>(corner);
-}
-
 // Adds the faces of an array (m, k), or of a list of sequences.
 void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
   using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
   const auto add = [&](const std::int64_t* corners, py::ssize_t count) {
-    for (py::ssize_t c = 0; c < count; ++c) mesh.corners.push_back(corner_of(what, corners[c]));
+    for (const std::int64_t corner : std::span(corners, static_cast<std::size_t>(count))) {
+      if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
+        wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
+      mesh.corners.push_back(static_cast<std::uint32_t>(corner));
+    }
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
   };
   const auto integers_of = [&](const py::handle& object) {
@@ -54,22 +51,16 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
       throw py::type_error("viete." + std::string(what) +
                            ": faces must be integers, (m, corners), or a list of lists if they have "
                            "different numbers of corners");
-    const py::array& array = *given;
-    if (kind == 'u' && array.itemsize() == 8 && array.size() > 0 &&
-        array.attr("max")().attr("__gt__")(std::numeric_limits<std::uint32_t>::max()).cast<bool>())
-      wrong(what, "a face has an invalid vertex index: they start at 0");
-    return Integers(array);
+    return Integers(*given);  // above 2^63 they become negative
   };
   mesh.starts = {0};
-  if (py::isinstance<py::array>(faces) || py::isinstance<py::buffer>(faces)) {
+  if (py::isinstance<py::buffer>(faces)) {
     const Integers all = integers_of(faces);
     if (all.ndim() != 2)
       wrong(what, "faces must be (m, corners), or a list; this shape is " + shape_text(all));
     for (py::ssize_t f = 0; f < all.shape(0); ++f) add(all.data() + f * all.shape(1), all.shape(1));
     return;
   }
-  if (!py::isinstance<py::sequence>(faces))
-    throw py::type_error("viete." + std::string(what) + ": faces must be an array or a list");
   for (const py::handle face : faces) {
     const Integers corners = integers_of(face);
     if (corners.ndim() != 1) wrong(what, "each face must be a list of vertex indices");

@@ -27,8 +27,8 @@ using Points = std::vector<Point3>;
 
 /// Converts an (n, 3) array of any real type, order and strides to contiguous doubles. Raises TypeError or
 /// ValueError that names the function.
-py::array_t<double> rows_of_3(const char* function, const py::object& object);
-std::span<const double> numbers_of(const py::array_t<double>& array);
+Contiguous<double> rows_of_3(const char* function, const py::object& object);
+std::span<const double> numbers_of(const Contiguous<double>& array);
 Points points_of(const char* function, const py::object& object);
 py::array_t<double> array_of(const Points& points);
 

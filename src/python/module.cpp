@@ -1,7 +1,10 @@
 // The Python module `viete`: functions on numpy arrays of matrices.
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "python/matrices.h"
@@ -17,12 +20,6 @@
 namespace viete::python {
 
 namespace {
-
-// Calls f with a number of the type of the computation.
-template <class F>
-py::object by_type(bool single, const F& f) {
-  return single ? f(float{}) : f(double{});
-}
 
 /// The result array: `out`, or a new array if it is None, of the shape and type of `in`.
 template <class T>
@@ -90,8 +87,7 @@ py::object tangent(const char* name, const py::object& a, const F& f) {
   return by_type(is_single(name, array), [&]<class T>(T) -> py::object {
     const Contiguous<T> in(array);
     const Shape shape = symmetric_shape(name, in);
-    const py::ssize_t own_axes = shape.layout == sym3::Layout::full ? 2 : 1;
-    std::vector<py::ssize_t> axes(in.shape(), in.shape() + in.ndim() - own_axes);
+    std::vector<py::ssize_t> axes(in.shape(), in.shape() + in.ndim() - shape.axes);
     axes.insert(axes.end(), {6, 6});
     py::array_t<T> result(axes);
     const sym3::SymView<const T> matrices(shape.layout, in.data());
@@ -102,13 +98,15 @@ py::object tangent(const char* name, const py::object& a, const F& f) {
   });
 }
 
-py::object polar(const py::object& m) {
+py::object polar(const py::object& m, const std::optional<std::pair<py::object, py::object>>& out) {
   const py::array array = as_array("polar", m);
   return by_type(is_single("polar", array), [&]<class T>(T) -> py::object {
     const Contiguous<T> in(array);
     if (symmetric_shape("polar", in).layout != sym3::Layout::full)
       wrong("polar", "matrices must be (..., 3, 3); this shape is " + shape_text(in));
-    py::array_t<T> r = result_of<T>("polar", py::none(), in), u = result_of<T>("polar", py::none(), in);
+    py::array_t<T> r = result_of<T>("polar", out ? out->first : py::none(), in),
+                   u = result_of<T>("polar", out ? out->second : py::none(), in);
+    if (overlap(u, in) || overlap(u, r)) wrong("polar", "u in out must not share memory with m or r");
     const sym3::MatView<const T> from(sym3::Layout::packed, in.data());
     const sym3::MatView<T> rotations(sym3::Layout::packed, r.mutable_data());
     const sym3::SymView<T> stretches(sym3::Layout::full, u.mutable_data());
@@ -118,6 +116,33 @@ py::object polar(const py::object& m) {
     }
     return py::make_tuple(r, u);
   });
+}
+
+py::object log_of(const char* name, const py::object& a) {
+  return apply(name, a, py::none(), [](const auto&... v) { sym3::log(v...); });
+}
+
+/// The exponential of base + sum w L: weights (..., k) with logs (..., k, 3, 3) or (..., k, 6); or without k.
+py::object exp_of_sum(const char* name, const py::object& base, const char* axes, const py::object& weights,
+                      const py::array& logs) {
+  const std::string own = symmetric_shape(name, logs).axes == 2 ? "ij" : "i";
+  const py::str text = "...{0},...{0}{1}->...{1}";
+  const py::object sum = py::module_::import("numpy").attr("einsum")(text.format(axes, own), weights, logs);
+  return apply(name, (base + sum).attr("astype")(logs.dtype()), py::none(),
+               [](const auto&... v) { sym3::exp(v...); });
+}
+
+// Source: V. Arsigny et al., Log-Euclidean metrics for fast and simple calculus on diffusion tensors, 2006.
+py::object mean(const py::object& a, const py::object& weights) {
+  const py::array logs = log_of("mean", a);
+  const py::ssize_t axis = logs.ndim() - symmetric_shape("mean", logs).axes - 1;
+  if (axis < 0) wrong("mean", "expected several matrices; this shape is " + shape_text(logs));
+  return exp_of_sum("mean", py::int_(0), "k", shares("mean", weights, logs.shape(axis)), logs);
+}
+
+py::object interpolate(const py::object& a, const py::object& b, const py::object& t) {
+  const py::object from = log_of("interpolate", a), to = log_of("interpolate", b);
+  return exp_of_sum("interpolate", from, "", numbers("interpolate", "t", t), to - from);
 }
 
 constexpr const char* shapes =
@@ -196,10 +221,19 @@ PYBIND11_MODULE(viete, m) {
   define_tangent(m, "sqrt_tangent", [](const auto&... v) { sym3::sqrt_tangent(v...); });
   define_tangent<double>(
       m, "pow_tangent", [](const auto&... v) { sym3::pow_tangent(v...); }, p);
-  m.def("polar", polar, py::arg("m"),
+  m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
         "The polar decomposition m = r u of each matrix: r the nearest rotation, for any sign of the "
         "determinant, and u symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64 (integers are "
-        "computed as float64).\nReleases the GIL.");
+        "computed as float64).\nout: a pair (r, u) of arrays of the same shape and type for the results; r "
+        "may be m itself.\nReleases the GIL.");
+  m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
+        "The log-Euclidean mean, exp(mean(log a)), of (..., k, 3, 3) or (..., k, 6), positive definite.\n\n"
+        "weights: (k,) or (..., k), divided by their sum; None: equal weights. Unlike the plain mean it does "
+        "not swell: its determinant is the geometric mean of the determinants.");
+  m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
+        "Interpolates positive definite matrices in log space: exp((1 - t) log a + t log b).\n\n"
+        "t: a number, or an array with one for each matrix; shapes broadcast as in numpy.");
+  define_affine(m);
 #ifdef VIETE_HAS_DEFORMER
   define_deformation(m);
 #endif

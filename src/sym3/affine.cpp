@@ -114,4 +114,34 @@ Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double
   return a * exp_affine(added({}, t, log_affine(from(a, b), near)));
 }
 
+WeightSum sum_of(std::span<const double> weights) {
+  const int shift = exponent_of(weights);
+  double sum = 0, size = 0;
+  for (const double w : weights) sum += std::scalbn(w, -shift), size += std::abs(std::scalbn(w, -shift));
+  const bool is_rounding = std::abs(sum) <= 0x1p-53 * static_cast<double>(weights.size()) * size;
+  return {shift, is_rounding ? 0 : sum};
+}
+
+AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
+  constexpr int most_steps = 200;
+  constexpr double near_the_end = 1e-6;  // below it the residual decreases until it is rounding
+  const auto [shift, total] = sum_of(weights);
+  const auto [least, most] = std::ranges::minmax_element(weights);
+  AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};
+  double turned = HUGE_VAL, moved = HUGE_VAL;
+  bool turned_enough = false, moved_enough = false;
+  for (int steps = 0; !m.converged && steps < most_steps && total != 0; ++steps) {
+    const auto log_of = [&](std::size_t i) { return log_affine(from(m.map, maps[i])); };
+    const AffineLog step = added({}, 1 / total, scaled_sum(weights, shift, log_of));
+    const double turns = norm(step.linear), moves = norm(step.translation);
+    if (!std::isfinite(turns + moves)) break;
+    turned_enough |= turns < near_the_end && turns >= turned;
+    moved_enough |= turns < near_the_end && moves >= moved;
+    m.converged = turned_enough && moved_enough;
+    m.map = m.map * exp_affine(step);
+    turned = turns, moved = moves;
+  }
+  return m;
+}
+
 }  // namespace viete::sym3

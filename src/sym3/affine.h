@@ -1,4 +1,4 @@
-// Logarithm, exponential, weighted sums and interpolation of affine maps.
+// Logarithm, exponential, weighted sums, interpolation and means of affine maps.
 //
 // M. Alexa, Linear combination of transformations (2002): maps are added and scaled through their logarithms.
 // A linear map (3x3) is an affine map without translation, and stays so exactly. Precision and range of log
@@ -8,8 +8,8 @@
 // Thread-safe; no allocation, no throw.
 //
 // combine() does not depend on the order of maps and commutes with inversion and conjugation: inverse maps
-// give the inverse, and maps C A C^-1 give C combine() C^-1, whatever the coordinates. interpolate() is also
-// bi-invariant: maps C A D and C B D give C interpolate() D, and inverse maps give the inverse.
+// give the inverse, and maps C A C^-1 give C combine() C^-1, whatever the coordinates. interpolate() and
+// mean() are also bi-invariant: maps C A D give C mean() D, and inverse maps give the inverse.
 #pragma once
 
 #include <span>
@@ -55,8 +55,8 @@ Vec3<double> turn_of(const AffineLog& log);
 /// sum w L. logs.size() == weights.size(); weights may have any sum.
 AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights);
 
-/// exp(sum w log A), principal logarithms. One weight per map. If weights sum to 1 this is a mean; otherwise
-/// a scaled one: combine({A}, {0.5}) is the square root. To choose branches, add logs.
+/// exp(sum w log A), principal logarithms. One weight per map. If weights sum to 1 this approximates
+/// mean(); otherwise a scaled mean: combine({A}, {0.5}) is the square root. To choose branches, add logs.
 Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 
 /// A exp(t log(A^-1 B)): exactly A at t = 0, B at t = 1, with constant rate; any t. Does not reach B if A^-1
@@ -64,5 +64,24 @@ Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 Affine interpolate(const Affine& a, const Affine& b, double t);
 /// As above, with the branch of log(A^-1 B) nearest to a rotation vector: any number of turns.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
+
+/// The sum of weights times 2^-shift, which neither overflows nor underflows; 0 if it is 0 up to rounding.
+struct WeightSum {
+  int shift;
+  double sum;
+};
+WeightSum sum_of(std::span<const double> weights);
+
+struct AffineMean {
+  Affine map;
+  bool converged;
+};
+
+/// The map with sum w log(mean^-1 A) = 0 (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups,
+/// 2006), by at most 200 steps mean exp(sum w log(mean^-1 A)) from the map with the largest weight. Weights
+/// are divided by their sum; one per map, at least one. `converged` is false, and the map is the last
+/// iterate, if steps do not converge (possible for maps half a turn apart), a map has no inverse, or the
+/// weights sum to 0 up to rounding.
+AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

@@ -141,6 +141,54 @@ TEST_CASE("linear_maps_stay_linear") {
   const sym3::Vec3<double> zero{};
   CHECK(sym3::combine(maps, weights).translation == zero);
   CHECK(sym3::interpolate(maps[0], maps[1], 0.4).translation == zero);
+  CHECK(sym3::mean(maps, weights).map.translation == zero);
+}
+
+TEST_CASE("the_mean_commutes_with_composition_and_inversion") {
+  Random random(25);
+  for (int i = 0; i < 60; ++i) {
+    const auto maps = some_maps(random, 4, 1);
+    const Affine a = any_map(random), b = any_map(random);
+    const auto mean = sym3::mean(maps, weights), moved = sym3::mean(times_all(a, maps, b), weights),
+               back = sym3::mean(inverses(maps), weights);
+    CHECK((mean.converged && moved.converged && back.converged));
+    CHECK(difference(moved.map, a * mean.map * b) < 1e-12);
+    CHECK(difference(back.map, sym3::inverse(mean.map)) < 1e-12);
+    const Affine middle = sym3::mean(std::span(maps).first(2), std::vector{3.0, 1.0}).map;
+    CHECK(difference(middle, sym3::interpolate(maps[0], maps[1], 0.25)) < 1e-13);
+  }
+}
+
+TEST_CASE("a_mean_divides_weights_of_any_size_by_their_sum") {
+  Random random(27);
+  const auto maps = some_maps(random, 4, 1);
+  struct Case {
+    std::vector<double> weights, shares;
+  };
+  for (const auto& [given, shares] : {Case{{1e308, 1e308, 1e308, 1e308}, {0.25, 0.25, 0.25, 0.25}},
+                                      {{5e-324, 5e-324, 1e-323, 0}, {0.25, 0.25, 0.5, 0}},
+                                      {{1e308, 1e-320, 1, -1e-320}, {1, 0, 0, 0}},
+                                      {{1e308, 1e308, -1e308, 0}, {1, 1, -1, 0}},
+                                      {{-1e308, -1e308, 0, 0}, {0.5, 0.5, 0, 0}},
+                                      {{-3e-320, -3e-320, 0, 0}, {0.5, 0.5, 0, 0}}}) {
+    const auto mean = sym3::mean(maps, given);
+    CAPTURE(given);
+    CHECK(mean.converged);
+    CHECK(difference(mean.map, sym3::mean(maps, shares).map) < 1e-13);
+  }
+}
+
+TEST_CASE("an_undefined_mean_does_not_converge") {
+  const std::vector<Affine> maps{about_z(0.1), about_z(0.2, {1, 0, 0}), about_z(0.3)};
+  for (const auto& undefined : std::vector<std::vector<double>>{{0, 0, 0},
+                                                                {0.1, 0.2, -0.3},
+                                                                {1e308, -1e308, 0},
+                                                                {1e-320, -2e-320, 1e-320},
+                                                                {HUGE_VAL, 1, 1},
+                                                                {NAN, 1, 1}})
+    CHECK(!sym3::mean(maps, undefined).converged);
+  const Affine flat{{1, 0, 0, 0, 1, 0, 0, 0, 0}, {}};
+  CHECK(!sym3::mean(std::vector{flat, Affine{}}, std::vector{2.0, 1.0}).converged);
 }
 
 TEST_CASE("terms_of_a_sum_that_overflow_cancel") {

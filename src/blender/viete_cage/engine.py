@@ -12,8 +12,8 @@ except ImportError:  # built for another Python version, or not installed
     viete = None
 
 
-class Error(Exception):
-    """The message says what is wrong and what to do."""
+class Error(ValueError):
+    """The message says what is wrong and what to do, as in the errors of the module."""
 
 
 def how():
@@ -38,21 +38,11 @@ def corners_of(mesh):
     return [corners[s:s + n] for s, n in zip(starts, totals)]
 
 
-class ByModule:
-    def __init__(self, vertices, faces, cage, cage_faces, way, stitched, mask):
-        try:
-            self.deformer = viete.Deformer(vertices, faces, cage, cage_faces, way, stitched=3 if stitched else None, dtype="float32")
-            self.deformer.keeps_turns = True
-            if mask is not None:
-                self.deformer.set_mask(mask)
-        except ValueError as error:
-            raise Error(str(error)) from error
-
-    def deform(self, pose, out):
-        try:
-            self.deformer.deform(pose, out=out)
-        except ValueError as error:
-            raise Error(str(error)) from error
+def by_module(vertices, faces, cage, cage_faces, way, stitched, mask):
+    deformer = viete.Deformer(vertices, faces, cage, cage_faces, way, stitched=3 if stitched else None, dtype="float32")
+    deformer.keeps_turns = True
+    deformer.set_mask(mask)
+    return deformer
 
 
 class ByProgram:
@@ -109,17 +99,14 @@ def write_obj(file, vertices, faces):
 
 def make(*arguments):
     how()
-    return (ByModule if viete else ByProgram)(*arguments)
+    return (by_module if viete else ByProgram)(*arguments)
 
 
 def make_cage(vertices, faces, triangles):
     """Vertices and faces of a cage around the mesh."""
     how()
     if viete:
-        try:
-            return viete.make_cage(vertices, faces, triangles)
-        except ValueError as error:
-            raise Error(str(error)) from error
+        return viete.make_cage(vertices, faces, triangles)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         write_obj(folder / "model.obj", vertices, faces)

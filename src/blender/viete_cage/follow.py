@@ -13,7 +13,7 @@ REST, STAMP = "viete_rest", "viete_content"
 
 MOST_KEPT = 16  # unused deformers to keep; each uses memory or a child process
 
-deformers = {}  # by content hash: equal bindings share one
+deformers = {}  # by hash of model, cage, deformer type and mask
 current = {}    # deformer of each object
 followed = {}   # cage pose last applied to each object
 busy = False
@@ -60,19 +60,14 @@ def mask_of(obj):
     return shares
 
 
-def deformer_of(obj):
-    """The object's deformer, cached until its model or mask may have changed."""
-    if obj.name not in current:
-        current[obj.name] = find_deformer(obj)
-    return current[obj.name]
-
-
 def bytes_of(faces):
     return (faces.shape, faces.tobytes()) if isinstance(faces, np.ndarray) else tuple(f.tobytes() for f in faces)
 
 
-def find_deformer(obj):
-    """Creates the deformer on demand, once per combination of model, cage, deformer type and mask."""
+def deformer_of(obj):
+    """The object's deformer, cached until its model or mask may have changed; equal bindings share one."""
+    if obj.name in current:
+        return current[obj.name]
     settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
     cage_rest = np.frombuffer(obj[REST], np.float64).reshape(-1, 3)
     faces, cage_faces = engine.corners_of(obj.data), engine.corners_of(settings.cage.data)
@@ -83,20 +78,20 @@ def find_deformer(obj):
             if deformers[old] not in current.values():
                 del deformers[old]
         deformers[content] = engine.make(rest, faces, cage_rest, cage_faces, settings.way, settings.stitched, mask)
+    current[obj.name] = deformers[content]
     return deformers[content]
 
 
 def check(obj):
     """Raises Error if the object cannot be bound."""
-    cage = obj.viete.cage
-    if not cage:
-        raise engine.Error("Choose a cage first")
-    if cage == obj:
-        raise engine.Error("An object cannot be its own cage; choose another mesh")
-    if obj.data.users > 1:
-        raise engine.Error("Other objects share this mesh; make it a single user first (Object, Relations)")
-    if obj.mode == "EDIT":
-        raise engine.Error("Leave edit mode first")
+    for is_wrong, problem in (
+        (not obj.viete.cage, "Choose a cage first"),
+        (obj.viete.cage == obj, "An object cannot be its own cage; choose another mesh"),
+        (obj.data.users > 1, "Other objects share this mesh; make it a single user first (Object, Relations)"),
+        (obj.mode == "EDIT", "Leave edit mode first"),
+    ):
+        if is_wrong:
+            raise engine.Error(problem)
 
 
 def let_go(obj):
@@ -160,6 +155,7 @@ def update(obj, depsgraph):
         let_go(obj)
     if not settings.cage or not key or obj.mode == "EDIT":
         return
+    problem = ""
     try:
         now = pose_of(obj, depsgraph).tobytes()
         if followed.get(obj.name) == now:
@@ -167,11 +163,10 @@ def update(obj, depsgraph):
         followed[obj.name] = now
         write(key, deformed(obj, depsgraph))
         obj.data.shape_keys.update_tag()
-        if settings.problem:
-            settings.problem = ""
-    except engine.Error as error:
-        if settings.problem != str(error):
-            settings.problem = str(error)
+    except ValueError as error:
+        problem = str(error)
+    if settings.problem != problem:
+        settings.problem = problem
 
 
 @persistent

@@ -16,7 +16,7 @@ class OnMesh(bpy.types.Operator):
     def execute(self, context):
         try:
             self.act(context, context.object)
-        except engine.Error as error:
+        except ValueError as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
         return {"FINISHED"}
