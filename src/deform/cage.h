@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "mesh/half_edges.h"
 #include "mesh/repair.h"
 #include "mesh/surface.h"
@@ -66,8 +67,13 @@ struct Cage {
 Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
                     std::span<const mesh::Point> positions);
 
-/// Throws base::Error if the surface has no triangle with area, is closed but squashed flat, or has a fin (an
-/// edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
+/// The surface has an edge with an odd number of triangles above one, all with area.
+struct FinError : base::Error {
+  using base::Error::Error;
+};
+
+/// Throws base::Error if the surface has no triangle with area or is closed but squashed flat, and FinError.
+/// Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at corners of the box, and no elements. With no_motion() it

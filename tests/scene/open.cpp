@@ -391,8 +391,8 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
          {std::vector{files.model, files / "fin.obj"}, {files / "fin.obj"}}) {
       const What what = paths.size() == 2 ? What::model : What::cage;
       const Document current = open_document(files.model, {});
-      CHECK_THROWS_AS(open_files({what, paths}, current), FinError);
-      const Opened opened = open_files({what, paths, {}, {}, Fins::removed}, current);
+      CHECK_THROWS_AS(open_files({what, paths}, current), deform::FinError);
+      const Opened opened = open_files({what, paths, {}, {}, true}, current);
       CHECK(opened.document->cage->surface.positions == plain.positions);
       CHECK(opened.document->cage->surface.triangles == plain.triangles);
       CHECK(opened.document->cage->closed);
@@ -402,8 +402,8 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
           std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
     }
   }
-  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, Fins::removed}, {})
-            .document->cage_file.path == files.cage);
+  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, true}, {}).document->cage_file.path ==
+        files.cage);
 }
 
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
