@@ -407,23 +407,6 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   CHECK(differing(without, d.picture()) > 20000);
 }
 
-TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
-  Hand d;
-  d.run("command_palette");
-  d.type("undo");
-  d.click(d.place_of("palette/undo"), 1);
-  d.frame(2);
-  REQUIRE(d.workspace().interaction.setting_key == "undo");
-  d.press_key('U', true);
-  CHECK(d.workspace().interaction.setting_key.empty());
-  const auto v = d.free_vertex();
-  d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
-  d.press_key('Z', true);
-  CHECK(d.moved().size() == 1);
-  d.press_key('U', true);
-  CHECK(d.moved().empty());
-}
-
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
   Hand d;
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
