@@ -12,7 +12,6 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/format_table.h"
-#include "mesh/formats/read.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
 

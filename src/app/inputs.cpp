@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/command_line.h"
-#include "app/help.h"
 #include "app/options.h"
 #include "app/terminal_progress.h"
 #include "base/error.h"

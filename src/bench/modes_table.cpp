@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "base/text.h"
 #include "bench/modes.h"
 #include "bench/table.h"
 

@@ -200,19 +200,6 @@ std::string listed(const std::vector<std::size_t>& elements) {
   return elements.size() > 5 ? text + ", ..." : text;
 }
 
-}  // namespace
-
-Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
-                    std::span<const mesh::Point> positions) {
-  const auto first = surface.polygon_starts[polygon], end = surface.polygon_starts[polygon + 1];
-  const Vec3& from = positions[surface.corners[first]];
-  Vec3 sum{0, 0, 0};
-  for (auto i = first; i < end; ++i) sum = sum + (positions[surface.corners[i]] - from);
-  return from + (1.0 / (end - first)) * sum;
-}
-
-namespace {
-
 void add_elements(Cage& cage) {
   std::vector<std::size_t> found;
   for (std::size_t e = 0; e < cage.surface.triangles.size(); ++e) {

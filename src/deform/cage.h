@@ -63,10 +63,6 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Mean of the polygon's corners.
-Vec3 polygon_center(const mesh::Surface& surface, std::uint32_t polygon,
-                    std::span<const mesh::Point> positions);
-
 /// The surface has an edge with an odd number of triangles above one, all with area.
 struct FinError : base::Error {
   using base::Error::Error;

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/probes.h"
 #include "scene/document/shape_mix.h"
 
 namespace viete::scene {

@@ -11,7 +11,6 @@
 #include "mesh/formats/source.h"
 #include "mesh/formats/write.h"
 #include "mesh/surface.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/checks.h"
 #include "scene/document/up_axis.h"
 

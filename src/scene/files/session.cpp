@@ -13,7 +13,6 @@
 #include "mesh/surface.h"
 #include "mesh/triangulation.h"
 #include "scene/document/brush.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/probes.h"

@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/text.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"

@@ -7,7 +7,6 @@
 #include "deform/pose_io.h"
 #include "mesh/formats/write.h"
 #include "scene/document/brush.h"
-#include "scene/document/cage_editing.h"
 #include "scene/document/pose_edit.h"
 #include "scene/files/animation_import.h"
 #include "scene/files/output.h"

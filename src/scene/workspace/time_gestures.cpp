@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include "base/error.h"
-#include "scene/document/edit.h"
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
-
 namespace viete::scene {
 
 FrameWindow fitting(const Timeline& timeline) {
