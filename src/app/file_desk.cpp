@@ -156,6 +156,10 @@ void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
   if (answer == scene::Answer::cancel) return give_up(w);
   if (kind == Kind::locate_model) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_model);
   if (kind == Kind::locate_cage) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_cage);
+  if (kind == Kind::fins) {
+    w.requests.open = std::exchange(w.unopened, std::nullopt);
+    return;
+  }
   if (kind == Kind::discard) return discard(w);
   if (kind == Kind::replace) {
     if (answer == scene::Answer::save) return scene::browse_to_save_session(w);

@@ -1,5 +1,7 @@
 #include "app/loader.h"
 
+#include <utility>
+
 #include "deform/binding.h"
 #include "scene/document/binding_plan.h"
 
@@ -23,14 +25,28 @@ scene::Document without_history(const scene::Document& document) {
   return copy;
 }
 
+// The same request without the fins of this cage, which may be one of the dropped files.
+scene::OpenRequest without_fins(scene::OpenRequest request, const std::string& cage) {
+  using What = scene::OpenRequest::What;
+  request.without_fins = true;
+  if (request.what != What::dropped) return request;
+  if (request.files.front() == cage) std::swap(request.files.front(), request.files.back());
+  request.what = request.files.size() == 1 ? What::cage : What::model;
+  return request;
+}
+
 Loaded load(const scene::OpenRequest& request, const scene::Document& current, base::StepProgress& progress) {
   Loaded loaded;
   try {
     loaded.opened = scene::open_files(request, current, &progress);
   } catch (const scene::SessionFileError& error) {
     loaded.question = scene::ask_to_locate(error.key, error.problem());
+    loaded.request = request;
+  } catch (const deform::FinError& error) {
+    loaded.question = scene::ask_to_remove_fins(error.place() + ": " + error.problem());
+    loaded.request = without_fins(request, error.place());
   }
-  if (loaded.question) return loaded.request = request, loaded;
+  if (loaded.question) return loaded;
   const scene::Opened& opened = loaded.opened;
   scene::check_drawable(opened);
   if (!opened.document) return loaded;

@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "base/text.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
 #include "bench/halfway.h"

@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "base/text.h"
 #include "bench/modes.h"
 #include "bench/table.h"
 

@@ -38,6 +38,9 @@ Edited dissolve_vertices(const mesh::Surface& cage, std::span<const std::uint32_
 /// Merges the two polygons at each edge.
 Edited dissolve_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
 Edited remove_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
+/// Removes patches of polygons, open ones first, then the smallest, until no edge has an odd number of
+/// triangles above one.
+mesh::Surface without_fins(mesh::Surface cage);
 /// Moves the polygons along the mean of their normals by `distance`; quads join them to the rest.
 Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygons, double distance);
 /// Subdivides without changing the shape: a triangle into four, any other polygon into one quad per corner;

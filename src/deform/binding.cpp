@@ -4,10 +4,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "base/error.h"
 #include "deform/cage_state.h"
 #include "deform/maps.h"
-#include "mesh/normals.h"
 
 namespace viete::deform {
 

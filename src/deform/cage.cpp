@@ -248,11 +248,11 @@ void refuse_fins(const DualGraph& graph) {
   if (graph.fins.empty()) return;
   const auto& [a, b] = graph.fins.front();
   const auto others = graph.fins.size() - 1;
-  throw base::Error("",
-                    "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
-                        std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
-                        " (vertices numbered from 0); inside and outside are undefined there",
-                    "remove the faces that stick out");
+  throw FinError("",
+                 "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
+                     std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
+                     " (vertices numbered from 0); inside and outside are undefined there",
+                 "remove the faces that stick out");
 }
 
 void connect(Cage& cage) {

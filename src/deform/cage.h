@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "mesh/half_edges.h"
 #include "mesh/repair.h"
 #include "mesh/surface.h"
@@ -62,8 +63,13 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Throws base::Error if the surface has no triangle with area, is closed but squashed flat, or has a fin (an
-/// edge with three triangles). Open, flat, inside-out and touching cages work, with a warning.
+/// The surface has an edge with an odd number of triangles above one, all with area.
+struct FinError : base::Error {
+  using base::Error::Error;
+};
+
+/// Throws base::Error if the surface has no triangle with area or is closed but squashed flat, and FinError.
+/// Open, flat, inside-out and touching cages work, with a warning.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at corners of the box, and no elements. With no_motion() it

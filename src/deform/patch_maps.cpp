@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "deform/branches.h"
 #include "deform/maps.h"
 #include "mesh/normals.h"
 #include "sym3/eigenvalues.h"

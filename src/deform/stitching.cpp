@@ -7,7 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "base/clock.h"
 #include "base/error.h"
 #include "deform/laplacian.h"
 #include "deform/leaves.h"
@@ -19,7 +18,6 @@
 #include "mesh/repair.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
-#include "sym3/polar.h"
 
 namespace viete::deform {
 

@@ -416,10 +416,6 @@ std::size_t TiledBinding::listed_weights() const {
   return sum;
 }
 
-double TiledBinding::mean_rows() const {
-  return static_cast<double>(weights.size()) / static_cast<double>(leaves.slot_count());
-}
-
 TiledBinding::Sizes TiledBinding::lay_out_factors() {
   std::size_t size = 0, pivots = 0;
   for (std::size_t leaf = 0; leaf < factored.size(); ++leaf) {

@@ -80,8 +80,6 @@ struct TiledBinding {
   }
   /// Total number of weights with lists.
   std::size_t listed_weights() const;
-  /// Mean number of handles per vertex: all handles, or the length of its leaf's list.
-  double mean_rows() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   /// The stored weights of the vertex in a slot, including compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;

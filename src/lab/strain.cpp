@@ -7,9 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "mesh/summary.h"
 #include "mesh/triangle.h"
-#include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/rotation.h"
 #include "sym3/small_matrices.h"

@@ -100,7 +100,6 @@ struct EglApi {
 class EglContext final : public OffscreenContext {
 public:
   EglContext() {
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);  // Mesa reads it while initialising a display
     open_display();
     create_context();
     if (api_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, context_) == EGL_FALSE)
@@ -115,11 +114,24 @@ public:
 
 private:
   void open_display() {
-    const auto open =
+    const auto display =
         reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(api_.get_proc_address("eglGetPlatformDisplayEXT"));
-    if (open) display_ = open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display_ == EGL_NO_DISPLAY || api_.initialize(display_, nullptr, nullptr) == EGL_FALSE)
-      throw Error("EGL", "offers no display without a surface");
+    const auto query =
+        reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(api_.get_proc_address("eglQueryDevicesEXT"));
+    const auto open = [&](EGLenum platform, void* native) {
+      display_ = display ? display(platform, native, nullptr) : EGL_NO_DISPLAY;
+      return display_ != EGL_NO_DISPLAY && api_.initialize(display_, nullptr, nullptr) == EGL_TRUE;
+    };
+    std::array<EGLDeviceEXT, 64> devices{};
+    EGLint count = 0;
+    for (const char* software : {"1", "0"}) {
+      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads it while initialising a display
+      if (open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)) return;
+      if (query) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
+      for (EGLint i = 0; i < count; ++i)
+        if (open(EGL_PLATFORM_DEVICE_EXT, devices[i])) return;
+    }
+    throw Error("EGL", "offers no display without a surface");
   }
 
   void create_context() {

@@ -14,9 +14,9 @@ class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (sets LIBGL_ALWAYS_SOFTWARE=1 for the
-  /// process), so that pictures are the same on every machine. Throws base::Error with the reason of each
-  /// failed attempt.
+  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (sets LIBGL_ALWAYS_SOFTWARE for the
+  /// process), so that pictures are the same on every machine, then EGL with any driver. Throws base::Error
+  /// with the reason of each failed attempt.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
   virtual ~OffscreenContext() = default;

@@ -6,7 +6,6 @@
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/drag_guides.h"
 #include "scene/hand/gizmo.h"
-#include "scene/hand/picking.h"
 #include "scene/hand/transform.h"
 #include "scene/workspace/pointer.h"
 #include "ui/overlay_painter.h"

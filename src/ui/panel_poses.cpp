@@ -50,7 +50,7 @@ void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& sha
       for (const auto i : t) list.PrimWriteIdx(static_cast<ImDrawIdx>(list._VtxCurrentIdx + i));
     for (const ImVec2& p : points) list.PrimWriteVtx(p, ImGui::GetFontTexUvWhitePixel(), color);
   }
-  if (shape.ink == scene::Ink::lit) return;
+  if (!shape.outlined) return;
   const ImU32 edge = faded(darkened(ui.colors.model, 0.5f), 0.45f);
   list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
 }

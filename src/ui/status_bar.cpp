@@ -32,6 +32,14 @@ std::string shape_words(const scene::TransformDrag& drag) {
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
+// Logs of rotations depend on the frame of reference: see the manual, blending.
+bool rotates_posed_cage(const scene::Workspace& w) {
+  const scene::Document& d = w.document;
+  return w.tool == scene::Tool::rotate && d.has_cage() && d.selection.kind() != scene::ElementKind::probe &&
+         d.scheme.exponential() && d.pose.positions != d.cage->surface.positions &&
+         scene::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
+}
+
 }  // namespace
 
 std::string mouse_text(const scene::Workspace& w) {
@@ -59,6 +67,9 @@ std::string mouse_text(const scene::Workspace& w) {
            "or right drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
+  if (w.interaction.handle && rotates_posed_cage(w))
+    return scene::handle_name(w.tool, *w.interaction.handle) +
+           ":  drag;  can slightly change the model's shape: orbit the camera to see another side";
   if (w.interaction.handle)
     return scene::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";

@@ -7,7 +7,6 @@
 
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
-#include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"

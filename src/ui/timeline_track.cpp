@@ -3,7 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "scene/workspace/menus.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/time_gestures.h"
 #include "scene/workspace/time_view.h"

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "scene/workspace/command.h"
-#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"

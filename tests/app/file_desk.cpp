@@ -366,6 +366,26 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
   }
 }
 
+TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
+  Desk d;
+  const auto cage = d.files / "fin.obj";
+  test::put_file(cage, test::file_bytes(d.files.cage) + "v 0 3 3\nf 7 8 9\n");
+  d.open({cage, d.files.model}, What::dropped);
+  REQUIRE(d.asks(QuestionKind::fins));
+  d.answer(scene::Answer::cancel);
+  CHECK_FALSE(d.workspace.document.model.surface);
+  d.open({d.files.model});
+  for (const auto& [what, paths] :
+       {std::pair{What::dropped, std::vector{cage, d.files.model}}, {What::cage, {cage}}}) {
+    d.open(paths, what);
+    d.answer(scene::Answer::save);
+    d.desk->finish_loading(d.workspace);
+    REQUIRE(d.workspace.document.has_cage());
+    CHECK(d.workspace.document.cage->surface.positions.size() == 8);
+    CHECK(d.last_message().find("removed 1 protruding face of fin.obj") != std::string::npos);
+  }
+}
+
 TEST_CASE("an_export_overwrites_no_open_file") {
   Desk d;
   test::put_file(d.files / "model.mtl", "newmtl skin\nmap_Kd skin_0003.png\n");

@@ -324,17 +324,6 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   CHECK(test::difference(without, d.picture(), 0) > plane);
 }
 
-TEST_CASE("a_right_click_in_the_palette_changes_a_key") {
-  Hand d;
-  d.run("command_palette");
-  d.type("undo");
-  d.click(d.place_of("palette/undo"), 1);
-  d.frame(2);
-  REQUIRE(d.workspace().interaction.setting_key == "undo");
-  d.press_key('U', true);
-  CHECK(d.workspace().interaction.setting_key.empty());
-}
-
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
   Hand d;
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)

@@ -337,6 +337,42 @@ TEST_CASE("located_files_take_the_place_of_those_that_a_session_names") {
   }
 }
 
+TEST_CASE("a_cage_opens_without_its_fin_on_request") {
+  const test::CubeFiles files;
+  const mesh::Surface plain = test::cube(1.5);
+  const auto with = [&](std::vector<mesh::Point> points, const std::vector<mesh::Triangle>& more) {
+    std::vector<mesh::Triangle> triangles = plain.triangles;
+    triangles.insert(triangles.end(), more.begin(), more.end());
+    points.insert(points.begin(), plain.positions.begin(), plain.positions.end());
+    return mesh::from_triangles(std::move(points), triangles);
+  };
+  const std::pair<mesh::Surface, std::size_t> cages[] = {
+      {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a protruding triangle
+      {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
+      {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
+      {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle
+  };
+  for (const auto& [cage, fins] : cages) {
+    mesh::write(files / "fin.obj", cage);
+    for (const std::vector<fs::path>& paths :
+         {std::vector{files.model, files / "fin.obj"}, {files / "fin.obj"}}) {
+      const What what = paths.size() == 2 ? What::model : What::cage;
+      const Document current = open_document(files.model, {});
+      CHECK_THROWS_AS(open_files({what, paths}, current), deform::FinError);
+      const Opened opened = open_files({what, paths, {}, {}, true}, current);
+      CHECK(opened.document->cage->surface.positions == plain.positions);
+      CHECK(opened.document->cage->surface.triangles == plain.triangles);
+      CHECK(opened.document->cage->closed);
+      CHECK(opened.document->cage_file.path.empty());
+      CHECK(test::mentions(
+          opened.warnings.at(0),
+          std::to_string(fins) + (fins == 1 ? " protruding face of" : " protruding faces of")));
+    }
+  }
+  CHECK(open_files({What::model, {files.model, files.cage}, {}, {}, true}, {}).document->cage_file.path ==
+        files.cage);
+}
+
 TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_where_they_are") {
   test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/process.h"
+#include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/files.h"
 #include "scene/files/session.h"
@@ -55,6 +56,37 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
   CHECK(recovery_files[1].folder.empty());
   CHECK(recovery_files[2].name == "model.obj");
   for (const std::size_t i : {0u, 2u}) CHECK(recovery_files[i].folder == fs::canonical(files.path()));
+}
+
+TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
+  const test::CubeFiles files;
+  const fs::path folder = files / "recovery", kept = folder / "999999999-1.viete";
+  fs::create_directories(folder);
+  Workspace w = test::opened({files.model, files.cage});
+  const auto move = [&] {
+    deform::Pose pose = w.document.pose;
+    pose.positions[0][0] += 0.25;
+    set_pose(w.document, pose);
+  };
+  const auto offered = [&] {
+    test::put_file(kept, session_text(session_of(w), kept, false));
+    const bool any = !find_recovery_files(folder).empty();
+    CHECK(fs::exists(kept) == any);
+    return any;
+  };
+  CHECK_FALSE(offered());  // at rest, like the cage's file
+  move();
+  CHECK(offered());
+  REQUIRE(save_session(w, files / "a.viete"));
+  w.camera.orbit({30, 0});
+  w.view.wireframe = true;
+  CHECK_FALSE(offered());  // changing the view is no edit
+  move();
+  CHECK(offered());
+  undo(w.document);
+  CHECK_FALSE(offered());
+  fs::remove(files / "a.viete");
+  CHECK(offered());  // its session is gone
 }
 
 TEST_CASE("times_are_told_with_their_day") {

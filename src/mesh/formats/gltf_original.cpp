@@ -6,7 +6,6 @@
 
 #include "base/atomic_file.h"
 #include "base/encoding.h"
-#include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/gltf_morphs.h"
 

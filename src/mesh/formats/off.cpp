@@ -8,7 +8,6 @@
 #include <span>
 #include <utility>
 
-#include "base/error.h"
 #include "base/text.h"
 #include "mesh/formats/conversion.h"
 #include "mesh/formats/file_vectors.h"

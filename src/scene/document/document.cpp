@@ -109,6 +109,8 @@ void check_deformable(const Document& document) {
 void set_cage(Document& document, OpenedSurface cage) {
   try {
     document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
+  } catch (const deform::FinError& error) {
+    throw deform::FinError(place_of(cage), error.problem(), error.advice());
   } catch (const base::Error& error) {
     throw base::Error(place_of(cage), error.problem(), error.advice());
   }

@@ -104,7 +104,7 @@ Document document_of(OpenedSurface model);
 void check_drawable(const Document& document);
 /// As above for deforming in double: up to 1e60 and down to 1e-60.
 void check_deformable(const Document& document);
-/// Throws base::Error if the cage is not valid.
+/// Throws base::Error if the cage is not valid, or deform::FinError.
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and, unless the path is empty, a cage into a new document. Throws base::Error; the caller's

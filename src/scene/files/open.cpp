@@ -6,15 +6,14 @@
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
+#include "cages/edit.h"
 #include "deform/pose_io.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/point_cache.h"
 #include "mesh/winding_number.h"
 #include "scene/document/animation.h"
 #include "scene/document/cage_making.h"
-#include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/record.h"
 #include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
@@ -79,10 +78,22 @@ void take_warnings(Opened& opened) {
   take_cage_warnings(opened);
 }
 
-Opened open_model(const std::vector<fs::path>& files, base::Progress* progress) {
+OpenedSurface cage_without_fins(OpenedSurface cage) {
+  mesh::Surface rest = cages::without_fins(*cage.surface);
+  const std::size_t removed = cage.surface->polygon_count() - rest.polygon_count();
+  if (removed == 0) return cage;
+  OpenedSurface made = generated_surface(std::move(rest), name_of(cage) + ", without its fins");
+  made.warnings = std::move(cage.warnings);
+  made.warnings.push_back("removed " + base::counted(removed, "protruding face") + " of " + name_of(cage) +
+                          "; save the cage to keep this change");
+  return made;
+}
+
+Opened open_model(const std::vector<fs::path>& files, bool without_fins, base::Progress* progress) {
   const auto named = [&](std::size_t i) { return i < files.size() ? files[i] : fs::path(); };
   Opened opened;
-  opened.document = open_document(named(0), named(1), progress);
+  opened.document = open_document(named(0), without_fins ? "" : named(1), progress);
+  if (without_fins) set_cage(*opened.document, cage_without_fins(open_surface(named(1))));
   take_warnings(opened);
   if (named(2).empty()) return opened;
   if (!opened.document->has_cage()) {
@@ -104,11 +115,12 @@ Opened open_cage(OpenedSurface cage, const Document& current) {
   return opened;
 }
 
-Opened open_cage(const fs::path& file, const Document& current, base::Progress* progress) {
+Opened open_cage(const fs::path& file, const Document& current, bool without_fins, base::Progress* progress) {
   if (!current.model.surface) {
     throw base::Error(file.string(), "a cage needs a model, and none is open", "open the model first");
   }
-  return open_cage(open_surface(file, progress), current);
+  OpenedSurface cage = open_surface(file, progress);
+  return open_cage(without_fins ? cage_without_fins(std::move(cage)) : std::move(cage), current);
 }
 
 Opened open_pose(const fs::path& file, const Document& current) {
@@ -431,13 +443,13 @@ Opened read(const OpenRequest& request, const Document& current, base::Progress*
   if (names_session(request))
     return open_session(first, request.what == What::recovery, request.located, progress);
   switch (request.what) {
-    case What::cage: return open_cage(first, current, progress);
+    case What::cage: return open_cage(first, current, request.without_fins, progress);
     case What::pose: return open_pose(first, current);
     case What::poses: return open_poses(files, current, progress);
     case What::animation: return open_animation(first, current, progress);
     case What::shapes: return open_shapes(files, current, progress);
     case What::dropped: return open_dropped(files, current, progress);
-    default: return open_model(files, progress);
+    default: return open_model(files, request.without_fins, progress);
   }
 }
 

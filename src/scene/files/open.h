@@ -44,6 +44,7 @@ struct OpenRequest {
   std::vector<std::filesystem::path> files;
   RequestedSettings settings{};  ///< for a model; unset values come from the open document or the session
   LocatedFiles located{};        ///< for a session
+  bool without_fins = false;     ///< for a cage; not for dropped files or a session
 };
 
 /// The result of reading files, ready to be applied to a workspace.
@@ -69,7 +70,7 @@ struct Opened {
 
 /// Reads the requested files. `current`, the open document, supplies the model of a requested cage and the
 /// cage of a requested pose, and is never changed. progress may be null. Throws base::Error (for sessions
-/// also SessionFileError) and base::Cancelled. Thread-safe.
+/// also SessionFileError, for cages deform::FinError) and base::Cancelled. Thread-safe.
 ///
 /// Dropped files are identified by content and number. One file: a session; a point cache, as keys or, if it
 /// fits the model, as shapes; a pose, if it has the vertex count and faces of the open cage; a shape, if it

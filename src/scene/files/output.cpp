@@ -7,7 +7,6 @@
 #include "mesh/formats/foreign_content.h"
 #include "mesh/formats/format_table.h"
 #include "mesh/formats/source.h"
-#include "mesh/formats/write.h"
 #include "scene/document/document.h"
 
 namespace viete::scene {

@@ -21,6 +21,38 @@ std::string process_of(const fs::path& file) {
 
 constexpr const char* restored_ending = "_restored";
 
+// The edited parts of a session, without its view.
+Session work_of(const Session& session) {
+  Session work;
+  work.model.path = session.model.path;
+  work.cage_file.path = session.cage_file.path, work.cage_file.surface = session.cage_file.surface;
+  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
+  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
+  work.shape = session.shape, work.pose = session.pose;
+  return work;
+}
+
+// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
+Session on_disk(const Session& kept) {
+  if (!kept.origin.empty()) return work_of(read_session(kept.origin));
+  Session rest;
+  rest.model.path = kept.model.path, rest.cage_file.path = kept.cage_file.path;
+  if (!kept.pose.positions.empty())
+    rest.pose.positions = open_surface(kept.cage_file.path).surface->positions;
+  rest.pose.turns.resize(kept.pose.turns.size());
+  return rest;
+}
+
+bool equals_files(const fs::path& file) {
+  try {
+    const Session kept = read_session(file);
+    if (kept.origin.empty() && kept.cage_file.path.empty()) return false;
+    return session_text(work_of(kept), file, false) == session_text(on_disk(kept), file, false);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 }  // namespace
 
 fs::path recovery_file(const fs::path& folder) {
@@ -68,6 +100,10 @@ std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
     if (is_session(file) && !base::process_runs(process_of(file)))
       all.push_back(describe_recovery_file(file));
   }
+  std::error_code ignored;
+  std::erase_if(all, [&](const RecoveryFile& leftover) {
+    return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
+  });
   std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });

@@ -30,7 +30,8 @@ std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Newest first; only those of ended programs. Empty if the folder does not exist.
+/// Newest first; only those of ended programs. Deletes those whose edits equal their session, or the cage at
+/// rest, on disk. Empty if the folder does not exist.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// The local time in words: "May 03, 14:32".

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "scene/document/elements.h"
-#include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 
 namespace viete::scene {

@@ -8,7 +8,6 @@
 #include "deform/branches.h"
 #include "deform/cage_state.h"
 #include "deform/maps.h"
-#include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/range.h"
 #include "scene/document/record.h"

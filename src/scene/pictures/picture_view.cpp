@@ -85,7 +85,7 @@ std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface
   std::vector<PictureShape> shapes;
   for (const auto& [near, p] : found) {
     const Corners corners = corners_of(model, p);
-    PictureShape& shape = shapes.emplace_back(PictureShape{Ink::model});
+    PictureShape& shape = shapes.emplace_back();
     for (const auto v : corners) shape.points.push_back(view.at(at[v]));
     std::ranges::reverse(shape.points);
     const auto last = model.polygon_starts[p + 1] - 1;

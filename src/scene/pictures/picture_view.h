@@ -10,15 +10,9 @@
 
 namespace viete::scene {
 
-/// The content of a shape, which determines its colour.
-enum class Ink {
-  model,  ///< a face of the model
-  lit     ///< the same without an outline
-};
-
-/// An area, convex and clockwise on screen.
+/// A face of the model, convex and clockwise on screen.
 struct PictureShape {
-  Ink ink;
+  bool outlined = true;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
   float tone = 1;                   ///< brightness
   std::vector<mesh::Triangle>

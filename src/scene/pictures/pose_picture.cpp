@@ -105,7 +105,7 @@ private:
     constexpr float point = 1.0f / pixels_per_point;
     const float x0 = point * static_cast<float>(begin), x1 = point * static_cast<float>(end);
     const float y0 = point * static_cast<float>(y), y1 = y0 + point;
-    return {Ink::lit, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, tone, {{0, 1, 2}, {0, 2, 3}}};
+    return {false, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, tone, {{0, 1, 2}, {0, 2, 3}}};
   }
 
   int width_, height_;

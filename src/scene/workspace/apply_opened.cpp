@@ -5,12 +5,10 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "scene/document/camera.h"
-#include "scene/document/edit.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
-#include "scene/workspace/playback.h"
 #include "scene/workspace/playing.h"
 #include "scene/workspace/saving.h"
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "scene/document/edit.h"
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"

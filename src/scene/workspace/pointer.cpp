@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "scene/document/edit.h"
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"

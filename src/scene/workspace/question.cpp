@@ -39,6 +39,11 @@ Question ask_to_locate(std::string_view key, const std::string& problem) {
           "The file may have been moved or renamed. Locate it to open the session:", problem};
 }
 
+Question ask_to_remove_fins(const std::string& problem) {
+  return {Asked::fins, "Open the cage without its fins?",
+          "Fins, faces that stick out, can be removed on opening. The file does not change.", problem};
+}
+
 Question ask_before_discarding(std::size_t count) {
   return {Asked::discard, "Delete the recovered edits?",
           (count == 1 ? "They are" : "All " + std::to_string(count) + " are") +
@@ -59,6 +64,7 @@ const char* label(Asked kind, Answer answer) {
     case Asked::replace: return saves ? "Save as" : "Save anyway";
     case Asked::locate_model:
     case Asked::locate_cage: return "Locate file...";
+    case Asked::fins: return "Remove fins";
     case Asked::discard: break;
   }
   return "Delete";

@@ -17,6 +17,7 @@ struct Question {
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
+    fins,          ///< the cage to open has fins
     discard        ///< deleting recovered edits
   };
   Kind kind = Kind::close;
@@ -34,6 +35,7 @@ Question ask_after_failed_save(const std::string& work, Question::Kind kind, con
 
 /// key: "model" or "cage".
 Question ask_to_locate(std::string_view key, const std::string& problem);
+Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);
 
 /// Other kinds of questions use only the first two.

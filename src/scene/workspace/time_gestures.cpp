@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-
+#include "base/error.h"
 #include "scene/document/time_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/playing.h"

@@ -1,6 +1,7 @@
 #include "scene/workspace/time_view.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace viete::scene {
 

@@ -5,7 +5,6 @@
 #include "deform/scheme.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
-#include "scene/document/probes.h"
 #include "scene/document/selection_sets.h"
 
 namespace viete::scene {
