@@ -13,12 +13,11 @@
 #include "scene/document/animation.h"
 #include "scene/document/cage_making.h"
 #include "scene/document/edit.h"
+#include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
 #include "scene/document/up_axis.h"
 #include "scene/files/animation_import.h"
-#include "scene/files/morph_import.h"
 #include "scene/files/output.h"
 #include "scene/files/shape_import.h"
 
