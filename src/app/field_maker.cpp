@@ -7,7 +7,7 @@
 #include "deform/exact.h"
 #include "deform/example_posing.h"
 #include "deform/vertex_sample.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/elements.h"
 
 namespace viete::app {
 

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
 #include "scene/workspace/pointer.h"
 #include "scene/workspace/split.h"
 

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/document/selection_sets.h"
+#include "scene/document/elements.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/drag_guides.h"
 #include "scene/hand/gizmo.h"

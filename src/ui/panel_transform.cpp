@@ -4,7 +4,6 @@
 #include <string>
 
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
 #include "scene/hand/placing.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"

@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "scene/document/edit.h"
+#include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
-#include "scene/document/selection_sets.h"
 #include "scene/files.h"
 #include "scene/posed_cube.h"
 #include "scene/workspace/apply_opened.h"

@@ -9,8 +9,8 @@
 
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
+#include "scene/document/elements.h"
 #include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
 #include "scene/posed_cube.h"
 #include "scene/workspace/saving.h"
 #include "support/commands.h"

@@ -1,6 +1,5 @@
 // Selection edits; hidden elements; selection sets, through cage edits and sessions.
 #include "scene/document/selection.h"
-#include "scene/document/selection_sets.h"
 
 #include <doctest/doctest.h>
 

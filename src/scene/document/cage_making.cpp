@@ -3,9 +3,9 @@
 #include <utility>
 
 #include "mesh/formats/format_table.h"
+#include "scene/document/elements.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
 
 namespace viete::scene {
 

@@ -15,7 +15,7 @@
 #include "mesh/formats/source.h"
 #include "scene/document/pose_edit.h"
 #include "scene/document/time_edit.h"
-#include "scene/files/morph_import.h"
+#include "scene/files/shape_import.h"
 
 namespace viete::scene {
 

@@ -6,7 +6,6 @@
 #include "cages/subject.h"
 #include "mesh/union_find.h"
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
 #include "scene/document/space.h"
 #include "scene/hand/cursor_projection.h"
 

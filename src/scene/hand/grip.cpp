@@ -6,7 +6,7 @@
 
 #include "mesh/adjacency.h"
 #include "mesh/point_tree.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/elements.h"
 
 namespace viete::scene {
 

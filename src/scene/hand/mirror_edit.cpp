@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "scene/document/elements.h"
 #include "scene/document/record.h"
-#include "scene/document/selection_sets.h"
 #include "scene/hand/anchor.h"
 
 namespace viete::scene {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/probes.h"
 
 namespace viete::scene {
 

@@ -7,7 +7,6 @@
 #include "scene/document/cage_editing.h"
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"
 #include "scene/workspace/workspace.h"

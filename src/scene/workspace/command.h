@@ -1,4 +1,4 @@
-// A command: a user action with a name. commands.cpp assembles the table of all commands.
+// A command: a user action with a name. menus.cpp assembles the table of all commands.
 #pragma once
 
 #include <concepts>

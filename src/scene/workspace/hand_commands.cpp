@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <type_traits>
 
+#include "scene/document/edit.h"
+#include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
 #include "scene/hand/mirror_edit.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/command_tables.h"

@@ -6,7 +6,6 @@
 
 #include "scene/document/elements.h"
 #include "scene/document/probes.h"
-#include "scene/document/selection_sets.h"
 #include "scene/hand/cursor_projection.h"
 #include "scene/hand/shaping.h"
 

@@ -5,7 +5,6 @@
 
 #include "scene/document/edit.h"
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
 #include "scene/workspace/command_conditions.h"
 #include "scene/workspace/pointer.h"
 

@@ -5,7 +5,7 @@
 #include "deform/scheme.h"
 #include "scene/document/checks.h"
 #include "scene/document/elements.h"
-#include "scene/document/selection_sets.h"
+#include "scene/document/probes.h"
 
 namespace viete::scene {
 
