@@ -475,8 +475,7 @@ void check_poses(const DocumentState& state, const deform::Cage* cage, const mes
         pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
       refuse(file, key, what + " is of another cage or model");
   };
-  for (const NamedPose& named : state.library.poses)
-    check("poses", mesh::in_quotes(named.name), named.pose);
+  for (const NamedPose& named : state.library.poses) check("poses", mesh::in_quotes(named.name), named.pose);
   if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
   for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
     for (const PoseKey& key : *keys)
