@@ -38,11 +38,6 @@ sym3::Sym3<T> diagonal(T x, T y, T z) {
   return {x, 0, 0, y, 0, z};
 }
 
-template <class T>
-sym3::Sym3<T> negated(const sym3::Sym3<T>& s) {
-  return {-s.xx, -s.xy, -s.xz, -s.yy, -s.yz, -s.zz};
-}
-
 /// `count` matrices of six numbers each.
 template <class T>
 void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
