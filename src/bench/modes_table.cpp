@@ -8,6 +8,7 @@
 #include "base/text.h"
 #include "bench/modes.h"
 #include "bench/table.h"
+#include "sym3/kernel.h"
 
 namespace viete::bench {
 
