@@ -7,6 +7,7 @@
 
 #include "bench/modes.h"
 #include "bench/table.h"
+#include "sym3/kernel.h"
 
 namespace viete::bench {
 

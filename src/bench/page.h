@@ -3,12 +3,21 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "bench/figures.h"
+#include "bench/table.h"
 
 namespace viete::bench {
+
+/// Elements of a page that is also XML: every value escaped, every element closed. A paragraph of this class,
+/// or without one if it is empty; a table, which scrolls on narrow pages; a drawing with its title, which is
+/// also its accessible name.
+std::string paragraph(std::string_view text, std::string_view kind = "");
+std::string html(const Table& table);
+std::string figure(std::string_view title, std::string_view svg);
 
 /// A section of the page: text, drawings, numbers and the commands that repeat them.
 struct Section {

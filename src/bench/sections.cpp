@@ -7,7 +7,6 @@
 #include "bench/exp.h"
 #include "bench/figures.h"
 #include "bench/halfway.h"
-#include "bench/html.h"
 #include "bench/page.h"
 #include "bench/plot.h"
 #include "sym3/exp.h"
@@ -380,14 +379,6 @@ Table deformers_table(const Modes& modes) {
   return table;
 }
 
-Table meaning_of_deformers(const Modes& modes) {
-  Table table{{"deformer", "what it does"}, {}, {"what it does"}};
-  for (const Mode* m : modes)
-    if (const auto way = deform::way_of(m->scheme))
-      table.rows.push_back({label_of(*m), std::string(deform::entry(*way).sentence)});
-  return table;
-}
-
 std::string deformers_seen(const Modes& modes) {
   const auto smooth = std::ranges::find_if(modes, [](const Mode* m) { return is_default(*m); });
   if (smooth == modes.end()) return "";
@@ -428,8 +419,7 @@ Section deformers_section(const Figures& figures) {
               "angle between triangles (discrete shells). Both are medians relative to mean value "
               "coordinates. Volume: relative to rest. Gap: mean distance of the surface from the motion "
               "of the nearby cage, in % of the diagonal.",
-          "note") +
-      details("Description of the deformers", html(meaning_of_deformers(modes)));
+          "note");
   return section;
 }
 
