@@ -33,7 +33,8 @@ bool drop(Workspace& w, std::vector<fs::path> files) {
 }
 
 bool said(const Workspace& w, const std::string& part) {
-  return std::ranges::any_of(w.messages.all(), [&](const Message& m) { return test::mentions(m.text, part); });
+  return std::ranges::any_of(w.messages.all(),
+                             [&](const Message& m) { return test::mentions(m.text, part); });
 }
 
 }  // namespace
