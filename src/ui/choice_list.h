@@ -1,6 +1,7 @@
 // Lists of commands that choose a value, with tooltips.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -46,7 +47,7 @@ std::optional<Value> entry_list(const Context& ui, const std::string& name, std:
     else
       return e.name;
   };
-  const Entry& shown = entry(now);
+  const Entry& shown = *std::ranges::find(table, now, &Entry::value);
   std::optional<Value> chosen;
   if (!begin_list(ui, name, label(shown).data(), std::string(shown.sentence))) return chosen;
   for (const Entry& e : table)

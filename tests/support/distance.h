@@ -1,4 +1,4 @@
-// How far apart two lists of places are.
+// The largest difference between two lists of numbers or places.
 #pragma once
 
 #include <algorithm>
@@ -14,6 +14,16 @@ inline double largest_distance(std::span<const base::Vec3> a, std::span<const ba
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
     const double d = norm(a[i] - b[i]);
+    largest = d <= largest ? largest : d;
+  }
+  return largest;
+}
+
+/// NaN stays; the lists must have the same size.
+inline double largest_difference(std::span<const double> a, std::span<const double> b) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double d = std::abs(a[i] - b[i]);
     largest = d <= largest ? largest : d;
   }
   return largest;
