@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.h"
 #include "bench/modes.h"
 #include "bench/table.h"
 #include "sym3/kernel.h"
