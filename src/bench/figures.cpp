@@ -7,7 +7,6 @@
 
 #include "bench/exp.h"
 #include "bench/frame.h"
-#include "bench/halfway.h"
 #include "bench/models.h"
 #include "bench/modes.h"
 
@@ -72,7 +71,7 @@ nlohmann::json to_json(const Figures& f) {
           {"deformation", to_json(f.deformation)},
           {"frames", to_json(f.frames)},
           {"ways", to_json(f.ways, f.poses)},
-          {"shapes", f.shapes}};
+          {"shapes", f.shapes.rows}};
 }
 
 std::string shell_word(const std::filesystem::path& path) {

@@ -12,6 +12,7 @@
 #include "bench/accuracy.h"
 #include "bench/exp.h"
 #include "bench/frame.h"
+#include "bench/halfway.h"
 #include "bench/modes.h"
 
 namespace viete::bench {
@@ -42,8 +43,8 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
   std::vector<FrameTime> frames;       ///< frames in generated cages, by number of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;    ///< named deformers
-  nlohmann::json shapes;  ///< see measure_halfway()
+  ModeComparison ways;  ///< named deformers
+  Halfway shapes;
 };
 
 /// Sequential, so that measurements do not disturb each other. Throws base::Error, base::Cancelled.

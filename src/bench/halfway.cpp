@@ -8,6 +8,7 @@
 #include "bench/models.h"
 #include "deform/shape_space.h"
 #include "mesh/formats/read.h"
+#include "mesh/normals.h"
 #include "scene/files/shape_import.h"
 
 namespace viete::bench {
@@ -47,6 +48,26 @@ private:
   deform::LogSpace::Work work_;
 };
 
+ShapePicture picture_of(const std::string& name, const mesh::Surface& rest, const Points& positions) {
+  constexpr std::size_t most_dots = 3000;
+  constexpr double aside = 0.5, above = 0.6;  // radians
+  const mesh::Point right{std::cos(aside), 0, -std::sin(aside)},
+      toward{std::sin(aside) * std::cos(above), std::sin(above), std::cos(aside) * std::cos(above)};
+  const mesh::Point up = mesh::cross(toward, right), middle = mesh::bounds(positions).center();
+  const double diagonal = mesh::bounds(rest.positions).diagonal();
+  Points normals(positions.size());
+  mesh::vertex_normals(positions, rest.triangles, mesh::vertex_triangles(positions.size(), rest.triangles), 0,
+                       positions.size(), normals);
+  ShapePicture picture{name, {}};
+  const std::size_t step = std::max<std::size_t>(1, positions.size() / (2 * most_dots));
+  for (std::size_t v = 0; v < positions.size(); v += step) {
+    const mesh::Point p = positions[v] - middle;
+    if (mesh::dot(normals[v], toward) > 0)
+      picture.dots.push_back({mesh::dot(p, right) / diagonal, mesh::dot(p, up) / diagonal});
+  }
+  return picture;
+}
+
 }  // namespace
 
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
@@ -73,14 +94,14 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
   return model;
 }
 
-nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
+Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress) {
   constexpr std::size_t moments = 21;
   base::WorkerPool pool(1);
   const deform::ShapeSpace space(model.rest, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(model.rest);
   const RestModel rest(model.rest);
   const Points& from = rest.positions();
-  nlohmann::json rows = nlohmann::json::array();
+  Halfway halfway;
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const Points& to = model.shapes[i];
     const double smaller = std::min(1.0, rest.volume(to));
@@ -91,16 +112,28 @@ nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progr
       return nlohmann::json{{"edges", edge_error(edges, from, to, half)}, {"volume", volume(half)}};
     };
     Between between(space, to);
-    nlohmann::json log = measured(between.in_log_space(0.5)), line = measured(between.straight(0.5));
+    const Points in_log_space = between.in_log_space(0.5), straight = between.straight(0.5);
+    nlohmann::json log = measured(in_log_space), line = measured(straight);
     for (std::size_t m = 0; m < moments; ++m) {
       const double share = static_cast<double>(m) / static_cast<double>(moments - 1);
       log["volumes"].push_back(volume(between.in_log_space(share)));
       line["volumes"].push_back(volume(between.straight(share)));
       progress.report((static_cast<double>(i) + share) / static_cast<double>(model.shapes.size()));
     }
-    rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
+    halfway.rows.push_back({{"name", model.names[i]}, {"log_space", log}, {"straight", line}});
+    const auto volume_of = [&](std::size_t row) { return double(halfway.rows[row]["straight"]["volume"]); };
+    if (i > 0 && !(volume_of(i) < volume_of(halfway.most_lost))) continue;
+    halfway.most_lost = i;
+    halfway.pictures = {picture_of("at rest", model.rest, from),
+                        picture_of("halfway, linear", model.rest, straight),
+                        picture_of("halfway, log space", model.rest, in_log_space),
+                        picture_of(name_of_shape(halfway.rows[i]), model.rest, to)};
   }
-  return rows;
+  return halfway;
+}
+
+std::string name_of_shape(const nlohmann::json& row) {
+  return without_prefix(row["name"], "shape_");
 }
 
 }  // namespace viete::bench

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/progress.h"
+#include "bench/plot.h"
 #include "mesh/half_edges.h"
 #include "mesh/surface.h"
 
@@ -29,9 +30,26 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// Halfway from rest to each shape, in log space and linearly: a row for each shape, with deviations of edges
-/// and volume from those of both ends. The volume is relative to the smaller end's, NaN for a model that
-/// encloses none; "volumes": at 21 evenly spaced moments from rest to the shape. Throws base::Cancelled.
-nlohmann::json measure_halfway(const ShapesOfModel& model, base::Progress& progress);
+/// Vertices on the visible side of a model, from above and from the side, back faces removed: centred at 0,
+/// y up, in diagonals of the model at rest.
+struct ShapePicture {
+  std::string name;
+  std::vector<SvgPoint> dots;
+};
+
+/// Halfway from rest to each shape, in log space and linearly.
+struct Halfway {
+  /// Deviations of edges and volume from those of both ends, per shape. The volume is relative to the smaller
+  /// end's, NaN for a model that encloses none; "volumes": at 21 evenly spaced moments from rest to the
+  /// shape.
+  nlohmann::json rows;
+  std::size_t most_lost = 0;           ///< row of the shape with the largest volume loss on straight lines
+  std::vector<ShapePicture> pictures;  ///< from rest to that shape
+};
+/// Needs at least one shape. Throws base::Cancelled.
+Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);
+
+/// Shape name from its file: "shape_coiled.pc2" is coiled.
+std::string name_of_shape(const nlohmann::json& row);
 
 }  // namespace viete::bench

@@ -20,7 +20,10 @@
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/pose_io.h"
+#include "mesh/edge_paths.h"
 #include "mesh/normals.h"
+#include "mesh/point_tree.h"
+#include "mesh/repair.h"
 #include "mesh/triangle.h"
 
 namespace viete::bench {
@@ -135,9 +138,39 @@ double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::sp
   return sum / cage.diagonal;
 }
 
+std::vector<mesh::Edge> near_pairs(const mesh::Surface& model) {
+  constexpr double nearby = 0.01, touching = 0.001;  // relative to the diagonal
+  constexpr std::size_t most = 20000;
+  const mesh::Surface welded = mesh::welded(model);
+  const auto& p = welded.positions;
+  const double diagonal = mesh::used_bounds(welded).diagonal();
+  const std::vector<std::uint32_t> used = used_vertices(welded);
+  const mesh::EdgePaths paths(welded);
+  const mesh::PointTree tree(p, used);
+  std::vector<mesh::Edge> pairs;
+  for (std::size_t i = 0; i < used.size(); i += (used.size() + most - 1) / most) {
+    const std::uint32_t a = used[i];
+    tree.for_within(p[a], nearby * diagonal, [&](std::uint32_t b) {
+      const bool touches = a != b && norm(p[a] - p[b]) <= touching * diagonal;
+      if (paths.part(a) != paths.part(b) || (touches && !paths.joined(a, b, nearby * diagonal)))
+        pairs.push_back({a, b});
+    });
+  }
+  return pairs;
+}
+
+double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
+            std::span<const Point> positions) {
+  double largest = 0;
+  for (const auto& [a, b] : pairs) {
+    const double change = std::abs(norm(positions[a] - positions[b]) - norm(rest[a] - rest[b]));
+    largest = std::isnan(largest) || change <= largest ? largest : change;  // keeps NaN
+  }
+  return largest / mesh::bounds(rest).diagonal();
+}
+
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 // Limit for energies per area and bending; smaller values are rounding.
 constexpr double next_to_none = 1e-10;
 
@@ -147,6 +180,7 @@ public:
   ModeRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
            std::span<const NamedPose> poses, sym3::Method method)
       : surface_(model), cage_(std::move(cage)), poses_(poses), method_(method), model_(model) {
+    near_pairs_ = near_pairs(model);
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
@@ -253,8 +287,9 @@ private:
 
   ShapeQuality quality(const deform::Pose& pose, std::span<const mesh::Point> positions) const {
     const auto [energy, collapsed] = model_.distortion(positions);
-    return {energy,  collapsed, model_.bending(positions), model_.volume(positions), gap_of(pose, positions),
-            nothing, nothing};
+    const double torn = bench::torn(near_pairs_, model_.positions(), positions);
+    return {energy, collapsed, model_.bending(positions), model_.volume(positions), gap_of(pose, positions),
+            torn};
   }
 
   const mesh::Surface& surface_;
@@ -262,6 +297,7 @@ private:
   std::span<const NamedPose> poses_;
   sym3::Method method_;
   RestModel model_;
+  std::vector<mesh::Edge> near_pairs_;
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
   std::shared_ptr<const deform::Binding> staged_;
@@ -309,7 +345,7 @@ void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) 
 }
 
 double ratio(double value, double of) {
-  return of > next_to_none ? value / of : nothing;
+  return of > next_to_none ? value / of : NAN;
 }
 
 void compare_with_mean_values(std::vector<Mode>& modes) {
@@ -322,6 +358,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
       ShapeQuality& q = mode.qualities[p];
       q.energy_ratio = ratio(q.energy, theirs[p].energy);
       q.bending_ratio = ratio(q.bending, theirs[p].bending);
+      q.torn_ratio = ratio(q.torn, theirs[p].torn);
     }
   }
 }

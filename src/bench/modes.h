@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -17,6 +18,7 @@
 #include "bench/models.h"
 #include "deform/cage.h"
 #include "deform/scheme.h"
+#include "mesh/half_edges.h"
 #include "mesh/surface.h"
 #include "sym3/exp.h"
 #include "sym3/rotation.h"
@@ -35,8 +37,9 @@ struct ShapeQuality {
   double bending = 0;         ///< RestModel::bending()
   double volume = 1;          ///< relative to rest; NaN if the model encloses none
   double gap = 0;             ///< see bench::gap()
+  double torn = 0;            ///< see bench::torn()
   /// Relative to mean value coordinates in the same run; NaN if those are nearly 0 or not measured.
-  double energy_ratio = 0, bending_ratio = 0;
+  double energy_ratio = NAN, bending_ratio = NAN, torn_ratio = NAN;
 };
 
 /// Results of one scheme.
@@ -98,6 +101,14 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 /// diagonals of the cage at rest.
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
+
+/// Pairs of vertices within 1 % of the model's diagonal that belong to different parts (vertices at the same
+/// place count as one), or within 0.1 % if no path of edges shorter than 1 % joins them. The model must have
+/// a triangle; of large models, 20,000 vertices spread over the file are compared with all others.
+std::vector<mesh::Edge> near_pairs(const mesh::Surface& model);
+/// The largest change of distance of these pairs, in diagonals of the model at rest; 0 without pairs.
+double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest,
+            std::span<const mesh::Point> positions);
 
 struct ModeSettings {
   std::size_t rounds = 11;

@@ -26,6 +26,7 @@ constexpr const char* modes_legend =
     value coordinates
   bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
   gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
+  torn: largest change of distance of vertices that are close at rest but not joined by edges, in diagonals
 )";
 
 /// A measure of a shape: its column in the table of a pose, and its key in JSON.
@@ -40,7 +41,9 @@ constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4
                                 {"x mvc", "energy_to_mean_value", &ShapeQuality::energy_ratio, "%.3f"},
                                 {"bending", "bending", &ShapeQuality::bending, "%.3g"},
                                 {"x mvc", "bending_to_mean_value", &ShapeQuality::bending_ratio, "%.3f"},
-                                {"gap", "gap", &ShapeQuality::gap, "%.4f"}};
+                                {"gap", "gap", &ShapeQuality::gap, "%.4f"},
+                                {"torn", "torn", &ShapeQuality::torn, "%.2e"},
+                                {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
 
 /// A column of the summary of all poses.
 struct Summary {
@@ -56,7 +59,9 @@ constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::l
                                  {"worst", &ShapeQuality::energy_ratio, &OverPoses::most, "%.3f"},
                                  {"bending", &ShapeQuality::bending_ratio, &OverPoses::middle, "%.3f"},
                                  {"worst", &ShapeQuality::bending_ratio, &OverPoses::most, "%.3f"},
-                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"}};
+                                 {"gap", &ShapeQuality::gap, &OverPoses::middle, "%.4f"},
+                                 {"torn", &ShapeQuality::torn, &OverPoses::most, "%.2e"},
+                                 {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
 
 std::string cell(double value, const char* format) {
   char text[32] = "-";
@@ -165,7 +170,7 @@ void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
     });
   if (poses.size() > 1)
     print_modes("all " + std::to_string(poses.size()) +
-                    " poses; energy and bending x mvc: median and worst; gap: median",
+                    " poses; energy and bending x mvc: median and worst; gap: median; torn: worst",
                 columns_of(summaries), compared.modes, [](const Mode& mode) {
                   std::vector<std::string> cells;
                   for (const Summary& s : summaries)

@@ -104,10 +104,15 @@ p.note{font-size:.875rem}
 a{color:var(--ours);text-underline-offset:.15em;text-decoration-thickness:1px}
 nav ol{list-style:none;padding:0;margin:2rem 0 0;display:flex;flex-wrap:wrap;gap:.25rem 1.5rem;font-size:.9375rem}
 section{padding:3.5rem 0 0}
+dl.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(11.5rem,1fr));gap:1.5rem 2rem;margin:2.5rem 0 0}
+dl.tiles div{display:flex;flex-direction:column-reverse;justify-content:flex-end;border-top:2px solid var(--ours);padding-top:.6rem}
+dl.tiles dt{font-size:.875rem;line-height:1.4;color:var(--faint)}
+dl.tiles dd{margin:0;font-size:1.875rem;line-height:1.2;font-weight:650;letter-spacing:-.02em;font-variant-numeric:tabular-nums}
 .plots{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,24rem),1fr));gap:2rem 3rem;margin:1.75rem 0}
 figure{margin:0;max-width:30rem}
 figcaption{font-size:.875rem;font-weight:600;margin:0 0 .75rem}
 svg{display:block;width:100%;height:auto;font-family:inherit;font-variant-numeric:tabular-nums;overflow:visible}
+.plots.small{grid-template-columns:repeat(auto-fit,minmax(9rem,1fr));gap:1.5rem 2rem}
 .wide{overflow-x:auto;margin:1.5rem 0}
 table{border-collapse:collapse;font-size:.875rem;line-height:1.4;font-variant-numeric:tabular-nums}
 th,td{padding:.4rem 1.5rem .4rem 0;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}
@@ -126,25 +131,36 @@ footer{padding-top:3.5rem;padding-bottom:4rem}
 @media(max-width:30rem){header{padding-top:2rem}h1{font-size:1.75rem}section{padding-top:2.5rem}th,td{padding-right:1rem}}
 @media print{body{font-size:10pt}header{padding-top:0}nav,details.raw{display:none}section{padding-top:1.5rem}
 .plots{grid-template-columns:1fr 1fr;gap:1rem 2rem}.wide{overflow:visible}figure,.wide,h2,h3,p.seen{break-inside:avoid}
-h2,h3,p.origin,p.seen{break-after:avoid}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
+h2,h3,p.origin,p.seen{break-after:avoid}dl.tiles{grid-template-columns:repeat(4,1fr);gap:1rem}details .wide{break-inside:auto}pre{background:none;padding:0;white-space:pre-wrap}a{color:inherit;text-decoration:none}
 *{-webkit-print-color-adjust:exact;print-color-adjust:exact}}
+@media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--paper:#14181d;--ink:#e3e7ec;--faint:#9aa5b1;--rule:#2b333c;--wash:#1b2127;--ours:#56b4e9}}
 )";
 
+// Colours of the plots, with their replacements in the dark theme.
+constexpr const char* dark_colors[][2] = {
+    {"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"}, {"#e4e8ec", "#2b333c"},
+    {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"}, {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"},
+    {"#009e73", "#3fc79a"}, {"#b3589a", "#d98cc4"}, {"#3a3f9e", "#9499f0"}};
+
 std::string head(const std::string& title) {
+  std::string style = std::string(page_style) + "@media screen and (prefers-color-scheme:dark){";
+  for (const auto& [light, dark] : dark_colors)
+    for (const std::string property : {"fill", "stroke"})
+      style += "svg [" + property + "=\"" + light + "\"]{" + property + ":" + dark + "}";
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
          "<meta name=\"generator\" content=\"viete report\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + page_style +
-         "</style>\n</head>\n";
+         escaped(title) + "</title>\n<link rel=\"icon\" href=\"data:,\"/>\n<style>" + style +
+         "}\n</style>\n</head>\n";
 }
 
-std::string header(const Made& made, const std::vector<Section>& sections) {
+std::string header(const Figures& figures, const Made& made, const std::vector<Section>& sections) {
   std::string text =
       "<header>\n<h1>Matrix exponentials and deformation</h1>\n" +
       paragraph("Measured by Viete on " + made.processor + ", " + made.date +
                 ": the three figures of the paper, and five of our own. The times of one table are measured "
                 "in turns, so ratios are more reliable than absolute times.") +
-      "<nav aria-label=\"Contents\"><ol>\n";
+      summary_of(figures) + "<nav aria-label=\"Contents\"><ol>\n";
   for (const Section& s : sections)
     text += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
   return text + "<li><a href=\"#made\">How it was measured</a></li>\n</ol></nav>\n</header>\n";
@@ -187,7 +203,7 @@ nlohmann::json report_json(const Figures& figures, const Made& made) {
 std::string report_page(const Figures& figures, const Made& made) {
   const std::vector<Section> sections = sections_of(figures);
   std::string text =
-      head("Viete: a report of " + made.date) + "<body>\n" + header(made, sections) + "<main>\n";
+      head("Viete: a report of " + made.date) + "<body>\n" + header(figures, made, sections) + "<main>\n";
   for (const Section& section : sections) text += html(section);
   return text + "</main>\n" + footer(made, report_json(figures, made)) + "</body>\n</html>\n";
 }

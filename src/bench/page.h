@@ -30,6 +30,9 @@ struct Section {
 /// The paper's three figures and its claims, then ours.
 std::vector<Section> sections_of(const Figures& figures);
 
+/// The main results as tiles: values with their descriptions.
+std::string summary_of(const Figures& figures);
+
 /// When and where the figures were measured.
 struct Made {
   std::string date, processor;  ///< "2026-11-26 11:18 UTC"; with its number of threads

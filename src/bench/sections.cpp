@@ -6,7 +6,6 @@
 #include "base/text.h"
 #include "bench/exp.h"
 #include "bench/figures.h"
-#include "bench/halfway.h"
 #include "bench/page.h"
 #include "bench/plot.h"
 #include "sym3/exp.h"
@@ -34,17 +33,18 @@ const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method met
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Largest error over all gaps of two and three eigenvalues, of the method with this label.
-double worst_of_clusters(const std::vector<AccuracyTable>& tables, const std::string& method) {
+// Largest error over all gaps of two and three eigenvalues, in double.
+std::string worst_error(const Figures& figures, Method method) {
   const auto methods = exp_methods();
-  const auto at = std::ranges::find(methods, method, [](const ExpMethod& m) { return std::string(m.name); });
+  const auto at = std::ranges::find(methods, sym3::label(method),
+                                    [](const ExpMethod& m) { return std::string_view(m.name); });
   double worst = 0;
-  for (const AccuracyTable& table : tables) {
+  for (const AccuracyTable& table : figures.accuracy) {
     if (table.by != "gap") continue;
     for (const auto& row : table.rows)
       worst = std::max(worst, row.cells[static_cast<std::size_t>(at - methods.begin())].worst);
   }
-  return worst;
+  return error_text(worst);
 }
 
 // Volume loss of a row of measure_halfway(): "27 %", "nothing".
@@ -53,23 +53,8 @@ std::string lost_volume(const nlohmann::json& way) {
   return lost < 0.5 ? "nothing" : percent(lost);
 }
 
-// The row of the shape with the largest volume loss on straight lines; null if there is none.
-const nlohmann::json* most_lost(const nlohmann::json& halfway) {
-  // The row of the shape with the largest volume loss on straight lines; null if there is none.
-  const nlohmann::json* most = nullptr;
-  for (const auto& row : halfway) {
-    if (!most || double(row["straight"]["volume"]) < double((*most)["straight"]["volume"])) most = &row;
-  }
-  return most;
-}
-
-// Shape name from its file: "shape_coiled.pc2" is coiled.
-std::string name_of_shape(const nlohmann::json& row) {
-  return without_prefix(row["name"], "shape_");
-}
-
-std::string plots(const std::string& figures) {
-  return "<div class=\"plots\">" + figures + "</div>\n";
+std::string plots(const std::string& figures, const std::string& kind = "plots") {
+  return "<div class=\"" + kind + "\">" + figures + "</div>\n";
 }
 
 std::string details(const std::string& title, const std::string& body) {
@@ -247,9 +232,7 @@ std::string error_tables(const std::string& precision, const std::vector<Accurac
 }
 
 Section accuracy_section(const Figures& figures) {
-  const auto worst = [&](Method m) {
-    return error_text(worst_of_clusters(figures.accuracy, std::string(sym3::label(m))));
-  };
+  const auto worst = [&](Method m) { return worst_error(figures, m); };
   const std::string count = "viete bench accuracy" + count_option(figures.sizes.samples);
   return {
       "errors",
@@ -351,6 +334,11 @@ double frame(const Mode& mode) {
 
 using Modes = std::vector<const Mode*>;
 
+const Mode& least(const Modes& modes, double (*value)(const Mode&)) {
+  return **std::ranges::min_element(
+      modes, {}, [&](const Mode* m) { return std::isnan(value(*m)) ? HUGE_VAL : value(*m); });
+}
+
 bool is_default(const Mode& mode) {
   return deform::way_of(mode.scheme) == deform::Way::smooth;
 }
@@ -366,24 +354,43 @@ std::string deformers_plot(const char* title, const Modes& modes, double (*value
 }
 
 Table deformers_table(const Modes& modes) {
-  Table table{{"deformer", "energy", "at worst", "bending", "volume", "gap", "frame, ms", "binding, ms"}, {}};
+  Table table{
+      {"deformer", "energy", "at worst", "bending", "volume", "gap", "torn", "frame, ms", "binding, ms"}, {}};
   for (const Mode* m : modes) {
     const auto energies = over_poses(*m, &ShapeQuality::energy_ratio),
                volumes = over_poses(*m, &ShapeQuality::volume);
     table.rows.push_back(
         {label_of(*m), number(energies.middle), number(energies.most), number(bending(*m)),
          std::isnan(volumes.least) ? "" : percent(100 * volumes.least) + " to " + percent(100 * volumes.most),
-         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle), few_digits(m->frame_ms),
+         few_digits(100 * over_poses(*m, &ShapeQuality::gap).middle),
+         few_digits(100 * over_poses(*m, &ShapeQuality::torn).most), few_digits(m->frame_ms),
          std::to_string(std::lround(m->bind_ms))});
   }
   return table;
 }
 
-std::string deformers_seen(const Modes& modes) {
-  const auto smooth = std::ranges::find_if(modes, [](const Mode* m) { return is_default(*m); });
-  if (smooth == modes.end()) return "";
-  return "Smooth, the default, distorts " + number(energy(**smooth)) +
-         " times as much as mean value coordinates, at " + base::milliseconds(frame(**smooth)) +
+std::string descriptions(const Modes& modes) {
+  Table table{{"deformer", "what it does"}, {}, {"what it does"}};
+  for (const Mode* m : modes)
+    if (const auto way = deform::way_of(m->scheme))
+      table.rows.push_back({label_of(*m), std::string(deform::entry(*way).sentence)});
+  return details("Description of the deformers", html(table));
+}
+
+std::string deformers_seen(const Modes& modes, std::size_t poses) {
+  const auto distorts = [](const Mode& mode, const std::string& how = "") {
+    return number(energy(mode)) + " times as much as mean value coordinates" + how + ", at " +
+           base::milliseconds(frame(mode)) + " per frame. ";
+  };
+  const Mode &undistorted = least(modes, energy), &unbent = least(modes, bending),
+             &fast = least(modes, frame);
+  std::string text =
+      label_of(undistorted) + " distorts least: " +
+      distorts(undistorted, poses > 1 ? " (median of " + std::to_string(poses) + " poses)" : "");
+  text += (&undistorted == &unbent ? "It also" : label_of(unbent)) + " bends least. ";
+  for (const Mode* m : modes)
+    if (m != &undistorted && is_default(*m)) text += "Smooth, the default, distorts " + distorts(*m);
+  return text + "The fastest is " + label_of(fast) + ", at " + base::milliseconds(frame(fast)) +
          " per frame.";
 }
 
@@ -403,7 +410,7 @@ Section deformers_section(const Figures& figures) {
   for (const NamedPose& pose : figures.poses) poses += (poses.empty() ? "" : ", ") + pose.name;
   section.body = problems;
   if (modes.empty()) return section;
-  section.seen = deformers_seen(modes);
+  section.seen = deformers_seen(modes, figures.poses.size());
   section.why =
       "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
       "value "
@@ -418,8 +425,10 @@ Section deformers_section(const Figures& figures) {
               ". Energy: symmetric Dirichlet energy of the triangles. Bending: energy of the changes of "
               "angle between triangles (discrete shells). Both are medians relative to mean value "
               "coordinates. Volume: relative to rest. Gap: mean distance of the surface from the motion "
-              "of the nearby cage, in % of the diagonal.",
-          "note");
+              "of the nearby cage. Torn: largest change of distance between vertices that are close at rest "
+              "but not joined by edges. Gap and torn are in % of the diagonal.",
+          "note") +
+      descriptions(modes);
   return section;
 }
 
@@ -440,13 +449,30 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
+// Draws all at the same scale.
+std::string drawn(std::vector<ShapePicture> pictures) {
+  constexpr double width = 200, height = 170, margin = 6;
+  double scale = 1e9;
+  for (const auto& picture : pictures)
+    for (const auto& [x, y] : picture.dots)
+      scale = std::min({scale, (width / 2 - margin) / std::abs(x), (height / 2 - margin) / std::abs(y)});
+  std::string text;
+  for (auto& [name, dots] : pictures) {
+    for (SvgPoint& p : dots) p = {width / 2 + scale * p.x, height / 2 - scale * p.y};
+    Svg svg(width, height);
+    svg.dots(dots, "#1f2933", 0.9);
+    text += figure(name, svg.document());
+  }
+  return plots(text, "plots small");
+}
+
 Section shapes_section(const Figures& figures) {
   Section section{"shapes", "Ours", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
   Plot edges;
   edges.unit = " %", edges.compared = false;
   std::string curves;
-  for (const auto& row : figures.shapes) {
+  for (const auto& row : figures.shapes.rows) {
     const std::string name = name_of_shape(row);
     curves += figure("volume on the way to " + name, draw_curves(volumes_of(row)));
     for (const auto& [how, key, color] : interpolations)
@@ -457,18 +483,18 @@ Section shapes_section(const Figures& figures) {
         table.rows.back().push_back(percent(100 * double(row[key][what])));
   }
   section.body =
+      drawn(figures.shapes.pictures) +
       plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
       paragraph(
           "Volume: relative to the smaller end. Edges: root mean square deviation of the lengths, in "
           "logarithms, from the geometric mean of both ends. Shapes of the bundled dragon.",
           "note");
-  if (const auto* most = most_lost(figures.shapes)) {
-    const auto &straight = (*most)["straight"], &logs = (*most)["log_space"];
-    section.seen = "Halfway to " + name_of_shape(*most) + ", linear interpolation loses " +
-                   lost_volume(straight) + " of the volume, and edge lengths deviate by " +
-                   percent(100 * double(straight["edges"])) + ". Log space loses " + lost_volume(logs) +
-                   ", and edge lengths deviate by " + percent(100 * double(logs["edges"])) + ".";
-  }
+  const auto& most = figures.shapes.rows[figures.shapes.most_lost];
+  const auto &straight = most["straight"], &logs = most["log_space"];
+  section.seen = "Halfway to " + name_of_shape(most) + ", linear interpolation loses " +
+                 lost_volume(straight) + " of the volume, and edge lengths deviate by " +
+                 percent(100 * double(straight["edges"])) + ". Log space loses " + lost_volume(logs) +
+                 ", and edge lengths deviate by " + percent(100 * double(logs["edges"])) + ".";
   section.why =
       "Linear interpolation moves each point along a straight line. If a part rotates by 180\u00b0, its "
       "points "
@@ -477,7 +503,33 @@ Section shapes_section(const Figures& figures) {
   return section;
 }
 
+// A value with its description.
+std::string tile(const std::string& value, const std::string& what) {
+  return "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
+}
+
 }  // namespace
+
+std::string summary_of(const Figures& figures) {
+  const auto& most = figures.shapes.rows[figures.shapes.most_lost];
+  std::string tiles =
+      tile(few_digits(ns_of(figures.exp, Method::diag) / ns_of(figures.exp, Method::fast)) + "\u00d7",
+           "exponentials by Fast compared with Diag, double precision, from memory") +
+      tile(worst_error(figures, Method::fast),
+           "largest relative error of Fast where eigenvalues are close; Improved SD: " +
+               worst_error(figures, Method::improved_sd));
+  const FrameTime* plain = frame_of(figures.frames, frame_names::reference, usual_faces);
+  const FrameTime* ours = frame_of(figures.frames, frame_names::compressed, usual_faces);
+  if (plain && ours)
+    tiles += tile(base::milliseconds(ours->cpu_ms),
+                  "a frame of " + base::with_thousands(ours->vertices) + " vertices in a cage of " +
+                      std::to_string(usual_faces) +
+                      " triangles; published method: " + base::milliseconds(plain->cpu_ms));
+  tiles += tile(lost_volume(most["straight"]),
+                "of the volume is lost halfway to " + name_of_shape(most) +
+                    " by linear interpolation; in log space: " + lost_volume(most["log_space"]));
+  return "<dl class=\"tiles\">\n" + tiles + "</dl>\n";
+}
 
 std::vector<Section> sections_of(const Figures& figures) {
   return {eigenvalues_section(figures), exponentials_section(figures), deformation_section(figures),

@@ -91,6 +91,25 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
 }
 
+TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
+  // Two triangles 0.005 apart, in a model whose diagonal is nearly 1.
+  const double side = std::sqrt(0.5);
+  const std::vector<mesh::Point> rest = {{0, 0, 0},     {side, 0, 0},     {0, side, 0},
+                                         {0, 0, 0.005}, {side, 0, 0.005}, {0, side, 0.005}};
+  const auto pairs = near_pairs(mesh::from_triangles(rest, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK(pairs.size() == 6);  // in both directions
+  auto posed = test::mapped(rest, [](const mesh::Point& p) { return mesh::Point{p[1] + 3, -p[0], p[2]}; });
+  CHECK(torn(pairs, rest, posed) < 1e-12);
+  posed[5][2] += 0.1;
+  CHECK(torn(pairs, rest, posed) == doctest::Approx(0.1).epsilon(1e-3));
+  posed[5][2] = NAN;
+  CHECK(std::isnan(torn(pairs, rest, posed)));
+  CHECK(near_pairs(mesh::from_triangles(rest, {{0, 1, 2}})).empty());
+  // A crack of 0.0005: its edges are joined only by a long way around.
+  const std::vector<mesh::Point> cracked = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0.0005, 0, 0}};
+  CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
+}
+
 namespace {
 
 std::shared_ptr<const deform::Cage> tube_cage() {

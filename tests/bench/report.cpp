@@ -81,6 +81,14 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   CHECK(tall["straight"]["volumes"].size() == 21);
   CHECK(double(tall["straight"]["volumes"][20]) == doctest::Approx(2));
   CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
+  for (const char* part : {"prefers-color-scheme:dark", "<dl class=\"tiles\">", " distorts least: ",
+                           "<figcaption>halfway, log space</figcaption>", "Description of the deformers"})
+    CHECK_MESSAGE(test::mentions(page, part), part);
+  const std::regex painted("(fill|stroke)=\"(#[0-9a-f]+)\"");
+  for (std::sregex_iterator color(above.begin(), above.end(), painted), end; color != end; ++color) {
+    const std::string dark = "svg [" + color->str(1) + "=\"" + color->str(2) + "\"]{";
+    CHECK_MESSAGE(test::mentions(above, dark), dark);
+  }
 }
 
 TEST_CASE("logarithmic_plots_skip_values_that_are_not_positive") {
