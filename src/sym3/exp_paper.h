@@ -18,4 +18,8 @@ Sym3<T> exp_improved_sd(const Sym3<T>& s);
 template <class T>
 Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
 
+/// Number of eigenvalues that the paper's threshold separates, 1 to 3. `s` must be finite.
+int distinct_by_qr(const Sym3<double>& s);
+int distinct_by_viete(const Sym3<double>& s, bool as_printed);
+
 }  // namespace viete::sym3

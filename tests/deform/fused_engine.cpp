@@ -107,7 +107,7 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
     CHECK(fused.positions() == alike.positions());
     const Bound near = with_radius(0.3);
     Fused dense(near, 1, kernel, 0, Storage::dense), lists(near, 1, kernel, 0, Storage::lists);
-    for (Fused* f : {&dense, &lists}) f->frame.deform(pose);
+    for (Fused* f : {&dense, &lists}) f->frame.deform(near.pose(shear()));
     CHECK(lists.positions() == dense.positions());
   }
 }

@@ -97,6 +97,31 @@ TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
       holds(test::read_text(fewer, "stl").warnings.at(0), "50 bytes after the 31 triangles that the header"));
 }
 
+TEST_CASE("stl_attributes_after_triangles_are_skipped_and_kept") {
+  const Surface s = test::sphere(1);
+  const std::string plain = binary_stl(s, "attributes");
+  for (const std::vector<std::uint16_t>& sizes :
+       {std::vector<std::uint16_t>{0, 2, 4}, {7}, {0, 0, 0, 0, 300}, {65535}}) {
+    std::string bytes = plain.substr(0, 84);
+    for (std::size_t t = 0; t < s.triangles.size(); ++t) {
+      const std::uint16_t size = sizes[t % sizes.size()];
+      bytes += plain.substr(84 + 50 * t, 48);
+      test::append(bytes, size);
+      bytes.append(size, '\x5a');
+    }
+    const ReadResult r = test::read_kept(bytes, "stl");
+    CHECK(r.surface.positions.size() == s.positions.size());
+    CHECK(r.surface.triangles.size() == s.triangles.size());
+    CHECK(holds(r.warnings.at(0), "attributes of triangles"));
+    CHECK(test::written_again(r, r.surface.positions) == bytes);
+    const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
+    CHECK(moved.size() == bytes.size());
+    CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
+    CHECK(
+        holds(test::refusal(bytes.substr(0, bytes.size() - 3), "stl"), "the header announces 32 triangles"));
+  }
+}
+
 TEST_CASE("stl_undefined_normals_of_moved_triangles_are_computed") {
   const std::vector<Point> moved = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
   for (const char* normal : {"0 0 -inf", "nan nan nan", "1e999 0 0", "-nan(ind) 0 1"}) {

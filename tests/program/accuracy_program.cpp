@@ -45,8 +45,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   d.settle();
   const Shown plain = shown(d, empty);
 
-  d.press_key(scene::key('E'), false, true);
-  CHECK(d.workspace().view.field == lab::Field::exp_error);
+  d.workspace().view.field = lab::Field::exp_error;
   d.settle();
   const Shown exact = shown(d, empty);
   const auto& map = d.workspace().split.views[0].shown.stats;
@@ -66,7 +65,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   const double rough_red = rough.red / rough.pixels, exact_red = exact.red / exact.pixels;
   CHECK(rough_red > 1.1 * exact_red);
 
-  d.press_key(scene::key('E'), false, true);
+  d.workspace().view.field = lab::Field::none;
   d.click("method_fast");
   d.move({700, 20});
   d.settle();

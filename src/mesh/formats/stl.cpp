@@ -52,24 +52,56 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// The number of triangles of a binary file. Throws base::Error if the file length contradicts it.
-std::size_t triangle_count(const Source& source) {
+// The triangles of a binary file. The count of attribute bytes may be that of attributes which follow.
+struct Layout {
+  std::size_t count = 0, end = 0;
+  std::vector<std::size_t> starts = {};  // only if attributes follow
+
+  std::size_t offset(std::size_t triangle) const {
+    return starts.empty() ? head_bytes + triangle_bytes * triangle : starts[triangle];
+  }
+};
+
+// False if there are no attributes within the file.
+bool follow_attributes(std::string_view bytes, Layout& layout) {
+  std::vector<std::size_t> starts;
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (bytes.size() - at < triangle_bytes) return false;
+    starts.push_back(at);
+    at += triangle_bytes;
+    const std::uint16_t more = number_of_bytes<std::uint16_t>(bytes.data() + at - 2);
+    if (bytes.size() - at < more) return false;
+    at += more;
+  }
+  if (at == layout.end) return false;
+  layout.end = at;
+  layout.starts = std::move(starts);
+  return true;
+}
+
+// Throws base::Error if the file length contradicts the triangle count.
+Layout layout_of(const Source& source) {
   const auto refuse = [&](const std::string& problem) {
     throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
   };
   const std::string_view bytes = source.bytes;
   if (bytes.size() < head_bytes)
     refuse("a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
-  const std::size_t count = announced(bytes), room = bytes.size() - head_bytes;
-  const std::string header = "the header announces " + std::to_string(count) + " triangles";
-  if (count > room / triangle_bytes)
+  Layout layout{.count = announced(bytes)};
+  const std::size_t room = bytes.size() - head_bytes;
+  const std::string header = "the header announces " + std::to_string(layout.count) + " triangles";
+  if (layout.count > room / triangle_bytes)
     refuse(header + ", the file has room for " + std::to_string(room / triangle_bytes));
-  if (count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
-  for (std::size_t t = 0; t < count && count * triangle_bytes != room; ++t) {
-    if (!makes_sense(bytes.data() + head_bytes + triangle_bytes * t))
-      refuse(header + ", but the file size does not match them");
+  if (layout.count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
+  layout.end = head_bytes + layout.count * triangle_bytes;
+  if (layout.end == bytes.size() || follow_attributes(bytes, layout)) return layout;
+  for (std::size_t t = 0; t < layout.count; ++t) {
+    if (!makes_sense(bytes.data() + layout.offset(t)))
+      refuse(header +
+             ", but the file size matches them neither without nor with the attributes that they count");
   }
-  return count;
+  return layout;
 }
 
 // Joins equal corners.
@@ -101,13 +133,14 @@ VectorFile vectors_of_facets(bool text) {
 }
 
 ReadResult read_binary(const Source& source) {
-  const std::size_t triangles = triangle_count(source);
+  const auto layout = std::make_shared<const Layout>(layout_of(source));
+  const std::size_t triangles = layout->count;
   SurfaceBuilder builder(source);
   const std::string_view head = source.bytes.substr(0, 80);
   builder.comment(TextWriter::one_line(std::string(head.substr(0, head.find('\0')))));
   CornerJoiner corners(builder);
   for (std::size_t t = 0; t < triangles; ++t) {
-    const char* const at = source.bytes.data() + head_bytes + triangle_bytes * t + 12;
+    const char* const at = source.bytes.data() + layout->offset(t) + 12;
     for (int c = 0; c < 3; ++c) {
       Point p{};
       for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
@@ -120,7 +153,8 @@ ReadResult read_binary(const Source& source) {
     builder.end_polygon();
     if (t % 8192 == 0) source.report(static_cast<double>(t) / static_cast<double>(triangles));
   }
-  const std::size_t behind = source.bytes.size() - head_bytes - triangle_bytes * triangles;
+  if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
+  const std::size_t behind = source.bytes.size() - layout->end;
   if (behind > 0) {
     builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
                  std::to_string(triangles) + " triangles that the header announces");
@@ -131,9 +165,8 @@ ReadResult read_binary(const Source& source) {
     const bool normals = vectors.kind == FileVectors::Kind::normals;
     vectors.types.fill(NumberType::float32);
     vectors.count = normals ? triangles : 3 * triangles;
-    vectors.places = [normals](std::size_t row) {
-      const std::size_t triangle = normals ? row : row / 3, part = normals ? 0 : 1 + row % 3;
-      const std::size_t at = head_bytes + triangle_bytes * triangle + 12 * part;
+    vectors.places = [layout, normals](std::size_t row) {
+      const std::size_t at = normals ? layout->offset(row) : layout->offset(row / 3) + 12 + 12 * (row % 3);
       return FileVectors::Places{at, at + 4, at + 8};
     };
   }
@@ -209,15 +242,18 @@ private:
   bool in_facet_ = false, ended_ = false;
 };
 
-// True if the file size matches the count, or if the first triangles are plausible.
+// True if the file size matches the count, or if the first triangles are plausible with their attributes.
 bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (beginning.size() < head_bytes) return false;
   const std::size_t count = announced(beginning);
   const std::uint64_t least = head_bytes + triangle_bytes * count;
   if (count == 0 || least >= file_size) return least == file_size;
-  for (std::size_t at = head_bytes; at + triangle_bytes <= std::min<std::size_t>(least, beginning.size());
-       at += triangle_bytes)
+  std::size_t at = head_bytes;
+  for (std::size_t t = 0; t < count && at + triangle_bytes <= beginning.size(); ++t) {
     if (!makes_sense(beginning.data() + at)) return false;
+    at += triangle_bytes;
+    at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
+  }
   return true;
 }
 
