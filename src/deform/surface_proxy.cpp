@@ -11,9 +11,8 @@
 
 #include "deform/cage_state.h"
 #include "deform/point_weights.h"
-#include "deform/surface_weights.h"
-#include "mesh/point_tree.h"
 #include "mesh/point_index.h"
+#include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
 

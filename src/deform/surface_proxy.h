@@ -10,15 +10,10 @@
 #include "base/worker_pool.h"
 #include "deform/cage.h"
 #include "deform/scheme.h"
+#include "deform/surface_weights.h"
 #include "mesh/surface.h"
 
 namespace viete::deform {
-
-/// Approximate number of vertices of a proxy.
-inline constexpr std::size_t proxy_vertices = 40'000;
-/// Weights along the surface of models with more vertices are solved on a proxy. For smaller models a proxy
-/// saves little time.
-inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
 /// A coarser surface whose vertices are clusters of neighbouring vertices of a model.
 ///

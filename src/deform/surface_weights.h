@@ -20,6 +20,12 @@
 
 namespace viete::deform {
 
+/// Approximate number of vertices of a proxy.
+inline constexpr std::size_t proxy_vertices = 40'000;
+/// Weights along the surface of models with more vertices are solved on a proxy. For smaller models a proxy
+/// saves little time.
+inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
+
 /// The vertex that each handle owns: the nearest corner of the model's triangles; ties: the lowest index.
 /// Handles without weight (see handle_shape()) own none.
 struct OwnedVertices {

@@ -29,8 +29,9 @@ void panel_display(const Context& ui) {
   }
   command_toggle(ui, "toggle_coarse_motion");
   const auto shading = static_cast<std::size_t>(ui.workspace.view.shading);
-  command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade", "shading_file"}, shading);
-  command_choice(ui, {"shading_checker", "shading_normals", "shading_zebra"}, shading - 4);
+  command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade"}, shading);
+  command_choice(ui, {"shading_file", "shading_checker"}, shading - 3);
+  command_choice(ui, {"shading_normals", "shading_zebra"}, shading - 5);
 }
 
 void panel_map(const Context& ui) {

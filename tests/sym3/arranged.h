@@ -101,7 +101,9 @@ public:
 private:
   T& entry(int k, std::size_t i) {
     if (layout_ == sym3::Layout::planes) return data_[k * stride_ + i];
-    return layout_ == sym3::Layout::packed ? data_[N * i + k] : data_[9 * i + in_full[k]];
+    if constexpr (N == 6)
+      if (layout_ == sym3::Layout::full) return data_[9 * i + in_full[k]];
+    return data_[N * i + k];
   }
 
   sym3::Layout layout_;
