@@ -70,7 +70,7 @@ std::string empty_space_words(const scene::Keymap& keymap) {
 
 namespace {
 
-constexpr float list_width = 620, keys_width = 150, back_width = 64, mouse_width = 220;
+constexpr float list_width = 620, keys_width = 170, back_width = 64, mouse_width = 220;
 
 // The preset without user changes.
 scene::Keymap plain_preset(const scene::Keymap& keymap) {
