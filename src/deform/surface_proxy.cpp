@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <unordered_map>
+#include <utility>
 
 #include "deform/cage_state.h"
 #include "deform/point_weights.h"
@@ -23,6 +23,8 @@ namespace {
 using mesh::none;
 
 constexpr int most_halvings = 5;
+// Enough for all clusters within reach of any vertex of a cluster, so that neighbours use the same ones.
+constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
 constexpr double fit_reach = 1.9;    // in mean distances to the neighbours
 // Regularises fits to few clusters, relative to the diagonal of the normal equations.
@@ -252,15 +254,17 @@ void SurfaceProxy::find_neighbours() {
     if (!ring[c].empty()) radii_[c] *= fit_reach / static_cast<double>(ring[c].size());
     if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
   }
-  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> seen(p.size(), none);
   nearby_.clear(), starts_ = {0};
   for (std::uint32_t c = 0; c < p.size(); ++c) {
-    found = ring[c];
-    for (const auto other : ring[c]) found.insert(found.end(), ring[other].begin(), ring[other].end());
-    sort_unique(found);
-    std::erase(found, c);
-    nearby_.push_back(c);
-    nearby_.insert(nearby_.end(), found.begin(), found.end());
+    nearby_.push_back(c), seen[c] = c;
+    std::size_t at = starts_.back();
+    for (int step = 0; step < rings; ++step) {
+      for (const std::size_t end = nearby_.size(); at < end; ++at) {
+        for (const auto other : ring[nearby_[at]])
+          if (std::exchange(seen[other], c) != c) nearby_.push_back(other);
+      }
+    }
     starts_.push_back(static_cast<std::uint32_t>(nearby_.size()));
   }
 }

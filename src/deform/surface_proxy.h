@@ -57,7 +57,7 @@ private:
   mesh::Surface surface_;
   std::vector<Vec3> normals_;                   // one per cluster, unit length or 0
   std::vector<double> radii_;                   // radius of influence per cluster
-  std::vector<std::uint32_t> nearby_, starts_;  // clusters within two rings, itself first
+  std::vector<std::uint32_t> nearby_, starts_;  // clusters within four rings, itself first
 };
 
 /// Weights along the surface of a large model, stored per cluster of its proxy.
