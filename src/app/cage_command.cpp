@@ -73,8 +73,8 @@ void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
   for (const std::string& name : idle) {
     if (command.get_option(name)->count() == 0) continue;
-    throw CLI::ValidationError(name,
-                               "has no effect with --kind " + std::string(cages::entry(wish.kind).name));
+    const auto& kind = cages::all_kinds()[static_cast<std::size_t>(wish.kind)];
+    throw CLI::ValidationError(name, "has no effect with --kind " + std::string(kind.name));
   }
 }
 

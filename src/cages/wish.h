@@ -65,9 +65,6 @@ inline std::span<const Entry<Symmetry>> all_symmetries() {
   };
   return symmetries;
 }
-inline const Entry<Kind>& entry(Kind kind) {
-  return all_kinds()[static_cast<std::size_t>(kind)];
-}
 
 struct Made {
   mesh::Surface surface;

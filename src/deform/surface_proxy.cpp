@@ -103,9 +103,8 @@ public:
       if (a == b && b == c) continue;
       const bool corner = a != b && b != c && c != a;
       auto& pairs = corner ? cornered : met;
-      for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}}) {
+      for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}})
         if (i != j) pairs.push_back(std::uint64_t{std::min(i, j)} << 32 | std::max(i, j));
-      }
       if (corner) has_triangle[a] = has_triangle[b] = has_triangle[c] = true;
     }
     sort_unique(met), sort_unique(cornered);
@@ -214,9 +213,8 @@ void SurfaceProxy::place_clusters() {
   const auto open = on_open_edges(triangles_, of_vertex_.size());
   std::vector<std::uint32_t> members(n, 0);
   std::vector<bool> has_open(n, false);
-  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v)
     if (of_vertex_[v] != none && open[v]) has_open[of_vertex_[v]] = true;
-  }
   for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
     const auto c = of_vertex_[v];
     if (c == none || (has_open[c] && !open[v])) continue;
@@ -273,14 +271,12 @@ void SurfaceProxy::find_neighbours() {
 void SurfaceProxy::move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool) {
   const std::size_t n = surface_.positions.size();
   std::vector<std::uint32_t> starts(n + 1, 0), members(of_vertex_.size());
-  for (const auto c : of_vertex_) {
+  for (const auto c : of_vertex_)
     if (c != none) ++starts[c + 1];
-  }
   std::partial_sum(starts.begin(), starts.end(), starts.begin());
   auto end = starts;
-  for (std::uint32_t v = 0; v < of_vertex_.size(); ++v) {
+  for (std::uint32_t v = 0; v < of_vertex_.size(); ++v)
     if (of_vertex_[v] != none) members[end[of_vertex_[v]]++] = v;
-  }
   const auto& x = cage.surface.positions;
   const OwnedVertices owned = owned_vertices(surface_, cage, elements, pool);
   for (std::size_t h = 0; h < owned.of_handle.size(); ++h) {
@@ -305,9 +301,8 @@ void SurfaceProxy::adopt_loose_vertices() {
   std::vector<std::uint32_t> all(surface_.positions.size());
   std::iota(all.begin(), all.end(), 0u);
   const mesh::PointTree tree(surface_.positions, std::move(all));
-  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v)
     if (of_vertex_[v] == none) of_vertex_[v] = tree.nearest(model_.positions[v]);
-  }
 }
 
 void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
@@ -324,10 +319,8 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
     terms.push_back({c, left * left * left});
     normal = normal + terms.back().factor * normals_[c];
   }
-  if (terms.size() < 3) {
-    terms.assign(1, {own, 1});
-    return;
-  }
+  const auto take_own = [&] { terms.assign(1, {own, 1}); };
+  if (terms.size() < 3) return take_own();
   // Axes of the tangent plane, scaled by the reach of the vertex's cluster.
   const std::size_t least = static_cast<std::size_t>(
       std::ranges::min_element(normal, {}, [](double x) { return std::abs(x); }) - normal.begin());
@@ -335,10 +328,7 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
   axis[least] = 1;
   Vec3 u = cross(normal, axis);
   const double length = norm(u);
-  if (!(length > 0)) {
-    terms.assign(1, {own, 1});
-    return;
-  }
+  if (!(length > 0)) return take_own();
   u = (1 / (length * radii_[own])) * u;
   const Vec3 v = (1 / norm(normal)) * cross(normal, u);
   Eigen::Matrix<double, 6, 6> m = Eigen::Matrix<double, 6, 6>::Zero();
@@ -352,10 +342,7 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
     terms[i].factor *= facing;
     m.selfadjointView<Eigen::Lower>().rankUpdate(basis[i], terms[i].factor);
   }
-  if (!(m(0, 0) > 0)) {
-    terms.assign(1, {own, 1});
-    return;
-  }
+  if (!(m(0, 0) > 0)) return take_own();
   for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
   const Vector6 fit = m.selfadjointView<Eigen::Lower>().ldlt().solve(Vector6::Unit(0));
   for (std::size_t i = 0; i < terms.size(); ++i) terms[i].factor *= fit.dot(basis[i]);

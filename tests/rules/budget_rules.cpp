@@ -18,27 +18,28 @@ namespace fs = std::filesystem;
 
 using Budget = std::map<std::string, std::size_t>;
 
+// deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
-    {"app", 8115},        {"base", 2019},          {"bench", 6082},           {"blender", 630},
-    {"cages", 4032},      {"deform", 13112},       {"deform/sparse", 1250},   {"lab", 835},
-    {"library", 1120},    {"mesh", 3061},          {"mesh/formats", 8940},    {"platform", 1095},
-    {"python", 1943},     {"render", 2229},        {"scene/document", 6042},  {"scene/files", 4566},
-    {"scene/hand", 2798}, {"scene/pictures", 734}, {"scene/workspace", 6409}, {"sym3", 6582},
-    {"ui", 7260},
+    {"app", 7215},        {"base", 1983},          {"bench", 5072},           {"blender", 592},
+    {"cages", 3559},      {"deform", 13109},       {"deform/sparse", 1248},   {"lab", 621},
+    {"library", 926},     {"mesh", 2852},          {"mesh/formats", 8366},    {"platform", 975},
+    {"python", 1332},     {"render", 2171},        {"scene/document", 5103},  {"scene/files", 3808},
+    {"scene/hand", 2549}, {"scene/pictures", 351}, {"scene/workspace", 5598}, {"sym3", 6429},
+    {"ui", 6137},
 };
-constexpr std::size_t all_lines_of_src = 88'854;
+constexpr std::size_t all_lines_of_src = 79'996;
 
-// support has helpers that were in scene, mesh and deform, each of them twice.
+// support has helpers that stood twice in scene, mesh and deform.
 const Budget lines_of_tests = {
-    {"app", 1657},    {"assets", 366},   {"base", 941},      {"bench", 748},   {"blender", 432},
-    {"cages", 1317},  {"consumer", 530}, {"deform", 8805},   {"fuzz", 365},    {"lab", 316},
-    {"mesh", 5692},   {"platform", 358}, {"program", 10391}, {"python", 994},  {"releases", 184},
-    {"render", 1272}, {"rules", 977},    {"scene", 11314},   {"support", 803}, {"sym3", 4014},
+    {"app", 1102},   {"assets", 244},   {"base", 799},     {"bench", 612},   {"blender", 426},
+    {"cages", 965},  {"consumer", 507}, {"deform", 7002},  {"fuzz", 341},    {"lab", 285},
+    {"mesh", 5198},  {"platform", 295}, {"program", 7029}, {"python", 762},  {"releases", 113},
+    {"render", 958}, {"rules", 703},    {"scene", 9391},   {"support", 824}, {"sym3", 3683},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 51'489;
+constexpr std::size_t all_lines_of_tests = 41'252;
 
-constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 15'187;
+constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'901;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
