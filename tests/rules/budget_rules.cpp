@@ -34,10 +34,10 @@ const Budget lines_of_tests = {
     {"app", 1102},   {"assets", 244},   {"base", 799},     {"bench", 612},   {"blender", 426},
     {"cages", 965},  {"consumer", 507}, {"deform", 7002},  {"fuzz", 341},    {"lab", 285},
     {"mesh", 5198},  {"platform", 295}, {"program", 7029}, {"python", 762},  {"releases", 113},
-    {"render", 958}, {"rules", 703},    {"scene", 9391},   {"support", 824}, {"sym3", 3683},
+    {"render", 958}, {"rules", 704},    {"scene", 9391},   {"support", 824}, {"sym3", 3683},
     {"ui", 13},
 };
-constexpr std::size_t all_lines_of_tests = 41'252;
+constexpr std::size_t all_lines_of_tests = 41'253;
 
 constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'901;
 
