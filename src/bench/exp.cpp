@@ -74,8 +74,8 @@ std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t 
 }
 
 template <class T>
-LayoutResult measure_layout(const std::vector<Sym3<T>>& matrices, Layout layout, std::size_t count,
-                            base::Progress& progress) {
+LayoutResult time_layout(const std::vector<Sym3<T>>& matrices, Layout layout, std::size_t count,
+                         base::Progress& progress) {
   MatrixArray<T> in(layout, count), result(layout, count);
   in.fill(matrices), result.fill(matrices);
   std::vector<Sym3<T>> out(window);
@@ -107,7 +107,7 @@ void measure(ExpBench& bench, base::Progress& progress) {
     for (const std::size_t size : sizes) {
       const auto step = static_cast<double>(bench.layouts.size());
       progress.section(step / steps, (step + 1) / steps);
-      bench.layouts.push_back(measure_layout(matrices, layout, size, progress));
+      bench.layouts.push_back(time_layout(matrices, layout, size, progress));
     }
     if (layout == Layout::packed) bench.methods = bench.layouts.back().times;
   }
@@ -131,8 +131,8 @@ std::string shown_name(const std::string& name) {
 }  // namespace
 
 LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress) {
-  return in_float ? measure_layout(ensembles::paper_ensemble<float>(distinct), layout, count, progress)
-                  : measure_layout(ensembles::paper_ensemble<double>(distinct), layout, count, progress);
+  return in_float ? time_layout(ensembles::paper_ensemble<float>(distinct), layout, count, progress)
+                  : time_layout(ensembles::paper_ensemble<double>(distinct), layout, count, progress);
 }
 
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress) {

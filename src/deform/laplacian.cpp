@@ -70,7 +70,7 @@ namespace {
 constexpr double least_excess = 1e-5;    // excess of two sides of a triangle over the third, in mean edges
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
 constexpr std::size_t most_flips = 100;  // per half-edge; only a safety limit
-constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+using mesh::none;
 
 // Area from sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
