@@ -137,7 +137,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
-  // Also for what is opened instead, if this cannot be.
+  // The settings also apply to another document, if this one cannot be opened.
   if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
