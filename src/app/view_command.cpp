@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct WindowOptions {
   Inputs inputs{Use::window};
   float scale = 0;  ///< device pixels per logical pixel; 0: the display's scale
-  int frames = 0;   ///< stop after so many frames; 0: never
+  int frames = 0;   ///< stop after this number of frames; 0: never
 };
 
 ViewerOptions viewer_options(const platform::Window& window) {

@@ -287,8 +287,8 @@ double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// The branch nearest to a rotation; for none the principal one. Nothing if there is no logarithm, or if
-// rounding would decide the branch.
+// The branch nearest to the rotation `turn`; for 0 the principal branch. nullopt if there is no logarithm, or
+// if rounding would decide the branch.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
   constexpr double close_angle = 0.2;  // larger than for eigenvalues that are close together
   const Deviator v = deviator(m, 0);
