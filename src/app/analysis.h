@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   scene::MethodTimes times;
-  /// The binding, including staged weights if they are small enough to compute without being requested.
+  /// The binding; includes staged weights if they are small enough to compute without a request.
   std::shared_ptr<const deform::Binding> binding;
 };
 
@@ -26,7 +26,7 @@ struct MethodTimings {
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
 /// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
-/// errors against the 106-bit reference; NaN if one is.
+/// errors against the 106-bit reference; NaN if the error of one matrix is NaN.
 scene::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// Restarts each measurement when its input changes, and stores the result in the workspace. Call from one

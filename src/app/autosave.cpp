@@ -136,7 +136,7 @@ void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
   }
 }
 
-// The recovery file of the previous document, as far as written.
+// Keeps the previous document's recovery file, as last written, under another name.
 bool Autosave::move_aside(scene::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;

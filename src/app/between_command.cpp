@@ -70,7 +70,7 @@ Way open_way(const BetweenOptions& options, const scene::FrameSteps* frames = nu
   return way;
 }
 
-// Shapes evenly spaced over so many frames.
+// A timeline with the shapes as evenly spaced keys.
 scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
   const std::size_t steps = way.shapes.size() - 1;
   scene::Timeline timeline;

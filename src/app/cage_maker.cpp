@@ -64,7 +64,7 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
       if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", scene::Scope::model});
       wants_full_ &= result->value.has_value();
     }
-    // A running preview finishes first: otherwise continuous changes would never show one.
+    // Lets a running preview finish: otherwise continuous changes of a slider would never show a preview.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || scene::can_replace_generated(w.document, w.making);

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Separates progress lines, "37 %", from messages.
+// The output of a child: progress from lines such as "37 %", and the other lines.
 struct Said {
   double done = 0;
   std::vector<std::string> sentences;

@@ -42,7 +42,7 @@ public:
   void add(scene::Export what, std::vector<std::string> shown_notes = {});
   void add(scene::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
-  /// Cancels the running export, which ends soon; waiting ones follow.
+  /// Cancels the running export, which ends soon; then the next waiting export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   scene::WorkState state() const;

@@ -22,7 +22,7 @@ struct FieldSubject {
   scene::PosedModel posed, first;  ///< the model as drawn in this view and in the first view; empty: at rest
 };
 
-/// Follows the frames of a model while its fields are shown; free otherwise. Call from one thread.
+/// Follows the frames of a model while its fields are shown; costs nothing otherwise. Call from one thread.
 class FieldMaker {
 public:
   /// Call after a frame is deformed: delivers the newest values to this view and starts the next ones.

@@ -27,8 +27,8 @@ struct ModelLooks {
 };
 
 /// normals: of the vertices at rest. Decodes images and reads external image files; a damaged image is
-/// skipped. Triangles are flat shaded if their group is flat in the file, or its normals are perpendicular to
-/// them. Thread-safe.
+/// skipped. Triangles are flat shaded if their group is flat in the file, or if the file's normals are
+/// perpendicular to them. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 

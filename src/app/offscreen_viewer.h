@@ -63,9 +63,8 @@ struct PictureRun {
 };
 
 /// Renders the viewer's document, following its timeline and camera keys. Each file is written completely or
-/// not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(), if the
-/// numbers have no gaps. Throws
-/// base::Error and base::Cancelled.
+/// not at all. Returns notes for the user, one line each: the last one is ffmpeg_command(), if the numbers
+/// have no gaps. Throws base::Error and base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 

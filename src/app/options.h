@@ -46,7 +46,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
 
 /// --force, for commands that write files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-/// The option's value; errors offer it, except in a child process of the window.
+/// The value of --force; errors suggest the option, except in a child process of the window.
 scene::Force force_of(bool given);
 
 /// --method WORD.

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct WindowOptions {
   Inputs inputs{Use::window};
   float scale = 0;  ///< device pixels per logical pixel; 0: the display's scale
-  int frames = 0;   ///< stop after so many frames; 0: never
+  int frames = 0;   ///< stop after this number of frames; 0: never
 };
 
 ViewerOptions viewer_options(const platform::Window& window) {
@@ -137,7 +137,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   scene::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
-  // Also for what is opened instead, if this cannot be.
+  // The settings also apply to another document, if this one cannot be opened.
   if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);

@@ -24,7 +24,7 @@ namespace viete::app {
 
 namespace {
 
-// Only its rotation if the map flattens, since a drag could not be inverted.
+// The map, or only its rotation if the map flattens: a drag could not be inverted.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   constexpr double flattest = 0.05;
   const auto [rotation, stretch] = sym3::polar(map);
@@ -47,7 +47,7 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
     const bool served = deformer_ && document.has_cage();
     if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
   }
-  // Binds once something can move the model: without a cage that is the first probe. Waits while a cage is
+  // Binds once a cage or, without a cage, the first probe can move the model. Waits while a cage is
   // being generated.
   if (!deformer_ && !binder_.running() && !w.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
@@ -69,7 +69,7 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
   return {new_surfaces, new_cage};
 }
 
-// The cage, or its substitute, and the scheme.
+// The cage, or its substitute if there is none.
 std::shared_ptr<const deform::Cage> LiveModel::cage_of(const scene::Document& document) {
   if (document.has_cage()) return document.cage;
   if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
@@ -205,7 +205,7 @@ scene::Carried LiveModel::carried_pin(const scene::Document& document, const def
   scene::Carried carried;
   const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
   if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
-    carried.map = map_at(document, v);  // not only the shape moves the model
+    carried.map = map_at(document, v);  // the cage or a probe moves the model too
   const mesh::Vec3 off = probe.place - scene::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
   return carried;
@@ -290,7 +290,7 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
       make_deformer(asked_.scheme, asked_.staged, pool);
       made_.reset();
     }
-    if (asked_ == need && !serves(need)) refused_ = need;  // otherwise it has changed since: binds again
+    if (asked_ == need && !serves(need)) refused_ = need;  // if the need has changed since, binds again
   }
   side.binding = binder_.running();
   const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);

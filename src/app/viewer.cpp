@@ -58,7 +58,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // then it is not offered
+  } catch (const std::exception&) {  // without it the example is not offered
   }
   place_viewport();
 }

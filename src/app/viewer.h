@@ -61,7 +61,7 @@ public:
   bool wants_frame() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
-  /// The number of times the view was drawn, and its last fineness; panels change without it.
+  /// How often the view was drawn, and its last fineness. Redrawing panels does not redraw the view.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
   /// Redraws the last frame without cached pictures.

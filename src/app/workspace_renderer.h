@@ -25,7 +25,7 @@ struct ViewDrawing {
     glm::vec2 low{0, 0}, high{1, 1};  ///< corners as fractions of the window from its upper left
     glm::dmat4 view{1}, projection{1};
     render::SurfaceStyle surface;
-    bool cage = true;  ///< at the position in this view's pose
+    bool cage = true;  ///< false: not drawn, since this view's pose differs
 
     friend bool operator==(const Part&, const Part&) = default;
   };
@@ -163,16 +163,16 @@ enum class Fineness { coarse, plain, smooth };
 class ViewCache {
 public:
   struct Samples {
-    int plain = 0, smooth = 0;  ///< samples; 0 none; smooth: no refinement
+    int plain = 0, smooth = 0;  ///< samples; 0: no multisampling; smooth 0: no refinement
   };
   ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
-  /// Draws unless it already shows that drawing at this fineness. Returns true if it drew.
+  /// Draws, unless the picture already shows this drawing at this fineness. Returns true if it drew.
   bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
   const render::Framebuffer& picture() const { return picture_; }
 
-  /// The number of times it was drawn.
+  /// The number of pictures drawn.
   unsigned long count() const { return count_; }
   Fineness fineness() const { return fineness_; }
   Fineness finest() const { return samples_.smooth > 0 ? Fineness::smooth : Fineness::plain; }

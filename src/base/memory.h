@@ -52,7 +52,7 @@ std::optional<double> free_memory();
 struct MemoryNeed {
   double bytes;
   std::string taker;   ///< start of the message: "1000 matrices take"
-  std::string advice;  ///< "give a smaller number"
+  std::string advice;  ///< what to do: "give a smaller number"
   std::string place;
 };
 

@@ -29,7 +29,7 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
 /// One model in one cage, and every method of binding.
 class BindRuns {
 public:
-  /// Plain loops need much memory: only for models of usual size.
+  /// Plain loops need much memory: omit them for very large models.
   BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)

@@ -1,4 +1,4 @@
-// Measures the figures of a report one after the other: the paper's three and ours.
+// Measures all figures of a report, those of the paper and additional ones, one after the other.
 #pragma once
 
 #include <cstddef>

@@ -114,7 +114,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// Processor time; with several threads that of the slowest.
+// Measures processor time; with several threads the time of the slowest.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();

@@ -39,9 +39,9 @@ struct ShapePicture {
 
 /// Halfway from rest to each shape, in log space and linearly.
 struct Halfway {
-  /// Deviations of edges and volume from those of both ends, per shape. The volume is relative to the smaller
-  /// end's, NaN for a model that encloses none; "volumes": at 21 evenly spaced moments from rest to the
-  /// shape.
+  /// Per shape, halfway: "edges", see edge_error(); "volume", relative to the smaller of the volumes at rest
+  /// and in the shape, NaN for a model that encloses none. "volumes": the same at 21 evenly spaced moments
+  /// from rest to the shape.
   nlohmann::json rows;
   std::size_t most_lost = 0;           ///< row of the shape with the largest volume loss on straight lines
   std::vector<ShapePicture> pictures;  ///< from rest to that shape

@@ -62,8 +62,8 @@ struct ModeComparison {
   std::vector<std::string> warnings{};  ///< warnings of the bindings, without duplicates
 };
 
-/// A map of space that poses the cage as a whole: x -> linear (x - middle) + middle + shift, middle being
-/// that of the cage's box, shift in its diagonals.
+/// A map of space that poses the cage as a whole: x -> linear (x - middle) + middle + shift. middle: the
+/// middle of the cage's box; shift: in diagonals of the box.
 struct WholePose {
   const char* name;
   sym3::Mat3<double> linear;

@@ -121,8 +121,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Empty if no sound cage of that size was found. If the size is too small for the model's shape, a coarse
-  // grid and a preview quickly show whether a gap is wide enough.
+  // Tries one gap; empty if no sound cage results. A gap wider than requested is first tested quickly, by a
+  // preview on a coarse grid.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);

@@ -57,7 +57,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Rechecks the vertices that were outside until none is; then all, because the motion may expose others.
+  // Rechecks the outside vertices until all of them are inside; then all, as the motion may expose others.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

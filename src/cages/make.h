@@ -20,13 +20,13 @@ Made make_box(const mesh::Surface& model, const Wish& wish);
 /// Gives the same cages as the function make(). Not thread-safe.
 class Maker {
 public:
-  /// Quick: all work is left to the first make(). Throws base::Error if the model is a single point or has
-  /// none.
+  /// Quick: the first make() does the work. Throws base::Error if the model is a single point or has no
+  /// points.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
   /// A closed, oriented manifold without self-intersection that encloses every triangle of the model, or
-  /// every point where it has none, at about the wished distance. Same bits for any pool. Any length scale
-  /// from 1e-60 to 1e60. What is wished beyond its range counts as the end of the range. progress may be
-  /// null; throws base::Cancelled, after which the next wish may be made.
+  /// every point of a model without triangles, at about the requested distance. Same bits for any pool. Any
+  /// length scale from 1e-60 to 1e60. Values of the wish are clamped to their ranges. progress may be null;
+  /// throws base::Cancelled, after which make() may be called again.
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 private:

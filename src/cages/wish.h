@@ -16,8 +16,8 @@ namespace viete::cages {
 
 enum class Kind { automatic, box };
 
-/// Plane of symmetry: that of the model, if any; none; or perpendicular to an axis through the centre of the
-/// model's box.
+/// Plane of symmetry. automatic: the model's plane, if it has one; x, y, z: perpendicular to this axis,
+/// through the centre of the model's box.
 enum class Symmetry { automatic, none, x, y, z };
 
 /// A preview simplifies the last triangles less carefully and checks the margin on a coarse grid only: about

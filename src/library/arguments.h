@@ -26,7 +26,7 @@ inline constexpr double most_deformable = 1e60;
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Throws base::Error unless these are so many points within most_deformable.
+/// Throws base::Error unless there are `vertices` points, all within most_deformable.
 std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what);
 /// The same for three numbers per vertex.
 std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,

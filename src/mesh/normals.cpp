@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// Rotation of vectors not used by any triangle with area: that of the nearest triangle with area, or, without
-// any, that of triangles of the nearest points.
+// Rotates vectors that no triangle with area uses: as the nearest triangle with area or, in a model without
+// any, as triangles of the nearest points.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {

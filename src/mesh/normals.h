@@ -27,18 +27,18 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 /// Undefined directions get the surface's normal. Results are unit vectors; normals around which nothing
 /// moved keep their bits.
 ///
-/// Normals used by no triangle with area (of points, lines and degenerate faces) rotate as the nearest
-/// triangle does; without triangles, as triangles of the six nearest points do. vertex_of_normal: the vertex
-/// of each normal; used only for normals without a corner.
+/// A normal that only points, lines or degenerate faces use rotates with the nearest triangle; in a model
+/// without triangles, with triangles of the six nearest points. vertex_of_normal: the vertex of each normal;
+/// used only for normals without a corner.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,
                                    std::span<const std::uint32_t> vertex_of_normal = {});
 
-/// The numbers 0, 1, 2, ... of all vertices: the vertex_of_normal of one normal per vertex.
+/// The numbers 0, 1, 2, ... of all vertices: vertex_of_normal for a file with one normal per vertex.
 std::vector<std::uint32_t> every_vertex(const Surface& surface);
 
-/// The same for tangents, which move with the surface.
+/// As deformed_normals(), for tangents, which move with the surface.
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent,

@@ -86,7 +86,7 @@ private:
   bool agree_ = true;
 };
 
-// The corners from the lowest on, in the lexicographically lower direction; true if that reverses them.
+// The corners from the lowest on, in the lexicographically lower direction; true if that is their own.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));

@@ -96,7 +96,7 @@ public:
     size_ = kept;
   }
 
-  // A product of two is a head and a tail; multiplies each by the third factor.
+  // Adds x y z exactly: x y is the sum of a head and a tail, each of which is multiplied by z.
   void add_product(double x, double y, double z) {
     const double head = x * y, tail = std::fma(x, y, -head);
     for (const double part : {tail, head}) {

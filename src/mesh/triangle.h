@@ -64,7 +64,7 @@ bool intersect(const Corners& s, const Corners& t);
 /// True if the segment passes through the triangle: its ends lie strictly on opposite sides.
 bool crosses(const Point& p, const Point& q, const Corners& t);
 
-/// intersect() for any triangles: one without a plane acts as its edges; two such never cut.
+/// As intersect(), for any triangles: one without a plane acts as its edges; two without a plane never cut.
 bool cut(const Corners& s, const Corners& t);
 
 /// 0 if they cut each other. Works for any triangles: one without area acts as its longest edge, or as a

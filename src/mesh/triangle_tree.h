@@ -23,7 +23,7 @@ public:
                base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
   struct Nearest {
-    /// The maximum of the type if no triangle is near enough.
+    /// The largest std::uint32_t if no triangle is near enough.
     std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
     double squared_distance = std::numeric_limits<double>::infinity();
   };

@@ -235,7 +235,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // At its tip a notch may fill the whole ear; otherwise it is clipped better later.
+    // A notch that touches the ear's tip may fill the whole ear; if not, clipping the ear later is better.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }

@@ -7,7 +7,7 @@
 //   surface.draw(view, theme, surface_style);      // the model, lit
 //   shadow.draw(view, theme, shadow_style);        // of the model on the ground
 //   grid.draw(view, theme, grid_style);            // ground grid, behind and below the model
-//   faces.draw(view, face_style);                  // tinted; hide what is drawn behind them later
+//   faces.draw(view, face_style);                  // tinted; they hide later layers behind them
 //   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
 //   discs.draw(view, disc_style);
 //   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound

@@ -137,7 +137,7 @@ struct PowSlopes {
     return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
   }
 
-  /// of_log: that of log. With t = p log(x / y): y^p (e^t - 1) / t times p of_log, or directly if t is large.
+  /// of_log: for log. With t = p log(x / y): y^p (e^t - 1) / t times p of_log, or directly if t is large.
   HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
     constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
     const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);

@@ -140,8 +140,8 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  hn::Mask<D> ok;        ///< lanes in which `parts` are those of S
-  ExpParts<V> parts;     ///< in other lanes those of A times halvings.scale
+  hn::Mask<D> ok;        ///< lanes in which `parts` belong to S
+  ExpParts<V> parts;     ///< in other lanes: of A times halvings.scale
   Halvings<V> halvings;  ///< none where `ok`
 };
 

@@ -100,7 +100,7 @@ bool same(T a, T b) {
   return std::fabs(a - b) < T(same_eigenvalue);
 }
 
-/// The switch of section 2.2.
+/// The form for one, two or three distinct eigenvalues (section 2.2).
 template <class T>
 Spectral<T> spectral_form(const std::array<T, 3>& l) {
   const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);

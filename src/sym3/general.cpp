@@ -20,7 +20,7 @@ constexpr double flattest = 1e-12;               // stretch over the largest one
 constexpr double kept_up_to = 2, left_from = 4;  // in multiples of |X| + |Y|
 constexpr double least_clear = 1e-7;             // below it X + Y replaces log M, with an error of this size
 constexpr double squared_to =
-    100;  // size of a log: a squaring costs up to two digits where the condition has one
+    100;  // size of a log; beyond it squarings lose up to two digits per digit of the condition
 
 Mat3<double> nine_nan() {
   Mat3<double> m;
@@ -287,8 +287,8 @@ double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// The branch nearest to a rotation; for none the principal one. Nothing if there is no logarithm, or if
-// rounding would decide the branch.
+// The branch nearest to the rotation `turn`; for 0 the principal branch. nullopt if there is no logarithm, or
+// if rounding would decide the branch.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
   constexpr double close_angle = 0.2;  // larger than for eigenvalues that are close together
   const Deviator v = deviator(m, 0);
@@ -422,7 +422,7 @@ struct Answer {
   bool is_log;
 };
 
-// Logs this short belong to maps that rotate by less than 122 degrees and are not flat.
+// A log with a norm below 3 belongs to a map that rotates by less than 122 degrees and is not flat.
 Answer principal_log(const Mat3<double>& m) {
   constexpr double is_short = 3;
   const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];

@@ -1,7 +1,7 @@
 // Selects the instruction sets of the kernels; include before any header of Highway. Internal.
 #pragma once
 
-// "scalar" is the fallback with every compiler, as in GCC 12; newer variants of AVX-512 do not help here.
+// Makes "scalar" the fallback with every compiler, not only GCC 12; newer AVX-512 variants do not help here.
 // Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
 #define HWY_BROKEN_EMU128 1
 #include <hwy/detect_targets.h>

@@ -12,7 +12,7 @@ struct KernelTable;
 struct Kernel {
   std::string_view name;
   bool fused;                ///< multiply-add rounds once; all such kernels give the same bits
-  long long highway_target;  ///< HWY_AVX3 and so on, for fused loops of other libraries
+  long long highway_target;  ///< Highway's target, such as HWY_AVX3, for fused loops of other libraries
   const KernelTable* table;  ///< internal
 };
 

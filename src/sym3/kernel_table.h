@@ -31,8 +31,8 @@ struct PolarFunction {
                const Range& range);
 };
 
-/// One matrix and one direction, six numbers each, to six. Many matrices: n views of directions, and n of
-/// results. p: the exponent of pow.
+/// `one`: a matrix and a direction, six numbers each, give six numbers. `many`: n views of directions and n
+/// views of results. p: the exponent of pow.
 template <class T>
 struct DerivativeFunction {
   void (*one)(const T* s, const T* direction, T* out, Of f, double p);

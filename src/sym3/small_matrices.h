@@ -78,7 +78,7 @@ inline Mat3<double> full(const Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
 }
 
-/// With product(cross_matrix(w), x) = w x x.
+/// The antisymmetric matrix of w: its product with x is the cross product w x x.
 inline Mat3<double> cross_matrix(const Vec3<double>& w) {
   return {0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0};
 }

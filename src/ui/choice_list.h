@@ -13,9 +13,9 @@
 namespace viete::ui {
 
 struct ChoiceListWords {
-  const char* prefix = "";  ///< of the entries' widget names, for tests
+  const char* prefix = "";  ///< prefix of the entries' widget names, for tests
   const char* none = "";    ///< text shown without a value
-  const char* about = "";   ///< hint that replaces that of the value
+  const char* about = "";   ///< tooltip that replaces the value's tooltip
 };
 
 /// A combo box of all values with the current one marked.

@@ -42,7 +42,7 @@ struct Fonts {
 /// Colours that ImGui's style does not include.
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
-  ImU32 model;             ///< in small pictures
+  ImU32 model;             ///< the model in small pictures
   ImU32 axis[3], on_axis;  ///< x, y and z, and letters on them
   ImU32 neutral, highlight,
       halo;  ///< gizmo: handles without an axis, hovered handle, outline of lines

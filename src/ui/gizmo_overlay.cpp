@@ -99,7 +99,7 @@ private:
     }
   }
 
-  // The ring's points on one side, in order.
+  // Draws the part of a ring that faces the camera, or the part behind it.
   void ring_side(int axis, bool front) {
     const auto& ring = gizmo_.rings[axis];
     const std::size_t n = ring.size();
@@ -192,7 +192,7 @@ void placed_pivot(const Context& ui, OverlayPainter& painter, const scene::Proje
   if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
-// For the selection: rings on the other side, and a warning for unpaired vertices.
+// Rings at the mirror partners of the selection, and warning rings at its unpaired vertices.
 void partners_of_selection(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
                            const scene::Mirror& mirror) {
   const scene::Document& document = ui.workspace.document;

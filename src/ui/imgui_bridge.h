@@ -1,4 +1,4 @@
-// The differences between the versions of Dear ImGui in distributions (1.86 to 1.92).
+// Hides differences between the versions of Dear ImGui in distributions (1.86 to 1.92).
 #pragma once
 
 #include <imgui.h>

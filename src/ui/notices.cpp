@@ -85,7 +85,7 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// Describes the newest one, which Restore opens, and the number of others.
+// Names the newest recovery file, which Restore opens, and the number of others.
 void recovery_text(const Context& ui) {
   const auto& recovery_files = ui.workspace.recovery_files;
   const std::size_t more = recovery_files.size() - 1;
@@ -144,8 +144,8 @@ std::string in_two_lines(const std::string& text, float width) {
   return text.substr(0, low) + "...";
 }
 
-// Drawn above `bottom`, which moves up. A click on its text shows all messages. True if it is to be
-// dismissed.
+// Draws a message above `bottom` and moves `bottom` up. A click on the text shows all messages. True if the
+// message was dismissed.
 bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
            float& bottom) {
   constexpr float widest = 480, padding = 12, gap = 8;

@@ -173,7 +173,7 @@ bool is_free(const scene::Workspace& w) {
          !w.browser.open && !w.question && w.view.panels && !w.key_list.open;
 }
 
-// The finding, until the pose is edited.
+// The finding about vertices outside the cage; null once the pose is edited.
 const scene::Finding* outside(const scene::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;

@@ -57,7 +57,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// With bars over the colours, or without if several views share the room.
+// Legend sizes: one view, with a histogram above the colours; several views, without it.
 struct Size {
   float width, height, bars;
 };
@@ -119,7 +119,7 @@ void ticks(const Legend& l) {
   ImGui::PopFont();
 }
 
-// The value under the cursor: of this view or, if all views share a camera, of any.
+// The value of `shown` at the point of the model under the cursor, which may be in any view.
 std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
   if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
@@ -161,7 +161,7 @@ std::string extent(const scene::FieldView& shown, float room) {
   return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
 }
 
-// With its lower right corner there.
+// Draws the legend with its lower right corner near `corner`.
 void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab::Field field,
             scene::Method method, const Size& size) {
   const ImVec2 low{corner.x - size.width - 16, corner.y - size.height - 16};

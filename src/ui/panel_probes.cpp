@@ -112,7 +112,7 @@ struct Shown {
   bool selected, hovered, locked;
 };
 
-// Rotated and stretched like the probe, with screen lengths limited for legibility.
+// Draws the axes rotated and stretched like the probe, with screen lengths limited for legibility.
 void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProjection& at,
           const glm::dvec3& center, const scene::ProbePose& pose, float opacity) {
   const auto& w = ui.workspace;
@@ -127,7 +127,7 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
   }
 }
 
-// A ring at its vertex, filled if it holds; and a line to its target.
+// A ring at the pin's target, filled if the pin holds, and a line from its vertex.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
   const scene::Probe& probe = w.document.probes.all[i];

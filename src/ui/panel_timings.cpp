@@ -25,7 +25,7 @@ bool is_best(const scene::MethodStats& stats, std::size_t index, double scene::M
   });
 }
 
-// Errors that are visible, or accumulate to visible ones: highlighted from here on.
+// Errors from this size on are highlighted: they are visible, or accumulate to visible ones.
 constexpr double visible_error = 1e-10;
 
 bool fails(const scene::MethodSample& sample) {
@@ -120,7 +120,7 @@ const char* stage_hint(scene::Link stage) {
   return hints[static_cast<std::size_t>(stage)];
 }
 
-// Its colour; fainter while another stage is hovered.
+// The stage's colour; fainter while another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, scene::Link stage) {
   const auto& lit = ui.workspace.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);

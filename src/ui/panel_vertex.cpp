@@ -27,7 +27,7 @@ std::string weight_text(double share) {
   return text;
 }
 
-// The sum of the terms without a bar of their own.
+// The total weight of the terms that have no bar.
 double rest_of(const VertexView& view) {
   double rest = 0;
   for (std::size_t i = most_bars; i < view.terms.size(); ++i) rest += view.terms[i].weight;

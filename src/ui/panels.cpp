@@ -114,7 +114,7 @@ float edge_x(const scene::Viewport& v, const Side& side) {
   return side.inward > 0 ? v.origin.x : v.origin.x + v.size.x;
 }
 
-// A window over the view for a single button, from the edge inwards.
+// Place of a window for a single button, over the view at the column's edge.
 Window::Place edge_strip(const Side& side, ImVec2 at, ImVec2 size) {
   return {
       .at = at, .pivot = {side.inward > 0 ? 0.0f : 1.0f, 0}, .size = size, .rounding = 0, .padding = {0, 0}};

@@ -14,7 +14,7 @@ namespace viete::ui {
 namespace {
 
 constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of the view
-constexpr float least_room = 170;  // minimum for a caption next to the axes; otherwise it is at the bottom
+constexpr float least_room = 170;  // with less room beside the axes, a caption is at the bottom
 
 // Empty unless some view blends differently (linear or log space) from the document.
 std::string blending_words(const scene::Workspace& w, bool other) {
@@ -58,7 +58,7 @@ Caption shown_in(const scene::Workspace& w, std::size_t number) {
   return shown;
 }
 
-// At the upper left of its part, or with its lower left corner at `at`. Wider texts are wrapped at spaces.
+// Draws a view's caption with its upper or lower left corner near `at`. Text wider than `room` is wrapped.
 void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool at_bottom) {
   const ImVec2 padding{10, 6};
   const float most = std::max(room - 16 - 2 * padding.x, 1.0f);

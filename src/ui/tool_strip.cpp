@@ -121,7 +121,7 @@ float top_of(std::size_t index) {
   return y;
 }
 
-// The number that fits, including a button for the others.
+// The number of tools that fit, next to a button for the others if there are more.
 std::size_t fitting_tools(float height) {
   const auto fits = [&](std::size_t slots) {
     return top_of(slots - 1) + tool_size + 2 * strip_top <= height;

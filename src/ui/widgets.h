@@ -105,7 +105,7 @@ const scene::MethodSample* running_sample(const scene::Workspace& workspace);
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
 /// A wrapped line in a dim colour.
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
-/// A note with a fixed height of so many lines, so that items below do not move.
+/// A note with a fixed height in lines, so that items below do not move.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
 /// Wraps the text to lines of at most this width, at spaces only: ImGui would break "3.7e-16" at its point. A
 /// longer word gets its own line.

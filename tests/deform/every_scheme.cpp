@@ -144,7 +144,7 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // as in the pose
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (scheme.blend != Blend::srl) continue;
-    // About the blended centre each vertex rotates by half and is stretched by the square.
+    // Relative to the blended centre, each vertex rotates by half the angle and its stretch is squared.
     const auto centers = with(0, 0);  // c' + o
     for (std::size_t i = 0; i < other.size(); ++i) {
       const Vec3 o = b.staged.binding->offsets[i];

@@ -129,7 +129,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   CHECK(std::abs(n.slope(1, 1e-5)) > 0.1);
   n.timeline.repeat = Repeat::once;
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // After a whole turn a wheel continues at its speed.
+  // In a loop, a wheel keyed over one whole turn rotates at constant speed.
   EasedKeys wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =

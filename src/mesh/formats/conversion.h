@@ -29,8 +29,8 @@ struct SpreadNormals {
   SpreadNormals(const Surface& surface, const Attributes& attributes);
 };
 
-/// The common index of each vertex's corners; none for vertices without corners. Empty if corners of a vertex
-/// differ.
+/// For each vertex the index shared by its corners, or `none` for a vertex without corners. nullopt if the
+/// corners of a vertex differ.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const Surface& surface,
                                                        const std::vector<std::uint32_t>& of_corner);
 
@@ -40,7 +40,7 @@ bool is_flat(const Attributes& attributes);
 /// Scales colours to [0, 1] if one has a number above 1, which means 0 to 255. White and full opacity stay.
 void to_unit_range(std::span<Color> colors);
 
-/// Scales [0, 1] to 0 to 255.
+/// Converts a value in [0, 1] to a byte, 0 to 255.
 std::uint8_t color_byte(float value);
 
 /// Describes the content lost in this format, one line each: "PLY does not get what else was in the file:

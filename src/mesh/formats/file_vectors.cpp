@@ -151,7 +151,7 @@ private:
   std::vector<Vec3> before_, now_;            // of directions
   std::array<std::size_t, 3> axes_{0, 1, 2};  // in file order
   std::size_t next_ = 0, place_ = nowhere;
-  NumberType type_ = NumberType::float64;  // of the number at place_, and its new form
+  NumberType type_ = NumberType::float64;  // type of the number at place_; its new bytes are words_
   std::string_view words_;
   std::array<char, 400> room_;
 };

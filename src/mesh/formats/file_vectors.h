@@ -27,9 +27,9 @@ struct FileVectors {
   using Places = std::array<std::size_t, 3>;
 
   Kind kind = Kind::positions;
-  Rows rows = Rows::vertices;  ///< row i belongs to vertex i, to Surface::corners[i], or see row_of_corner
+  Rows rows = Rows::vertices;  ///< row i is of vertex i, or of Surface::corners[i], or see row_of_corner
   std::string element;         ///< for messages
-  std::size_t count = 0;       ///< of rows
+  std::size_t count = 0;       ///< number of rows
   /// Offsets of a row's numbers in the file, in the same order in every row; no_places: the row stays.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
@@ -62,7 +62,7 @@ struct VectorFile {
   Companions companions = {};                       ///< see Original
 };
 
-/// Null without source.owner. Writing throws base::Error also if a number exceeds its type.
+/// Null without source.owner. Writing also throws base::Error if a number is out of range of its type.
 std::shared_ptr<const Original> original_of(const Source& source, VectorFile file);
 
 }  // namespace viete::mesh

@@ -114,7 +114,7 @@ private:
     }
   }
 
-  // The image, or that of an extension if there is no other.
+  // The texture's image; without one, the image of an extension.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
@@ -400,7 +400,7 @@ private:
   std::map<PieceKey, Piece> pieces_;
   std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
   std::vector<double> weights_;  // weights of the placement's targets; empty if all are 0
-  std::vector<Point> shaped_;    // as points_, with these weights; empty without
+  std::vector<Point> shaped_;    // as points_, with these weights applied; empty if there are none
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
   bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;

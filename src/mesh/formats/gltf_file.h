@@ -87,7 +87,7 @@ struct GltfBuffer {
   enum class Home { chunk, text, beside };  ///< binary chunk of a GLB; base64 in the JSON; external file
   Home home = Home::chunk;
   std::filesystem::path path;  ///< path of an external file
-  std::string bytes;           ///< as many as the JSON declares
+  std::string bytes;           ///< as many bytes as the JSON declares
 };
 
 /// An image reference of the JSON.

@@ -55,9 +55,9 @@ public:
                   std::span<const double> normals, std::span<const double> tangents);
 
   /// Appends the motion's targets to those of the nodes' meshes, and adds its animation. add_target(now) must
-  /// call the function above for all vertices, which consist of `floats` floats. numbers_of(accessor) gives
-  /// the values of the file's own weight animations of these nodes, which are padded with zeros for the new
-  /// targets. progress may be null.
+  /// call the function above for all vertices. floats: number of floats that one target adds. Existing weight
+  /// animations of these nodes, read by numbers_of(accessor), are padded with zeros for the new targets.
+  /// progress may be null.
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
            base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {

@@ -90,7 +90,7 @@ private:
 
   void list_vertices() {
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
-    std::map<Color, std::uint32_t> first_with_color;  // per face colour: the first face represents all
+    std::map<Color, std::uint32_t> first_with_color;  // for each face colour the first face that has it
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
     std::size_t t = 0;
     for_each_triangle(surface_, [&](const Triangle& triangle, const Triangle& corners) {

@@ -114,7 +114,7 @@ private:
     return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
   }
 
-  // True if the elements of an interleaved view lie between each other's, without overlap.
+  // True if the elements of both accessors alternate in an interleaved view without overlap.
   bool interleaved(const GltfPlace& a, const Bytes& other) const {
     if (a.stride != other.stride) return false;
     const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));

@@ -116,7 +116,7 @@ private:
   void place(int index, int mesh, const GltfJson& node, const AffineMap& map) {
     if (element_of(file_.document, "meshes", mesh).is_null())
       refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which does not exist");
-    // A skinned mesh is placed by its bones: at rest as modelled.
+    // A skinned mesh is placed by its bones, not its node: at rest it stays as modelled.
     placements_.push_back({index, mesh, index_of(node, "skin") >= 0 ? AffineMap{} : map});
   }
 

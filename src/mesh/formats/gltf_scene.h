@@ -50,7 +50,7 @@ struct GltfTarget {
 struct GltfPiece {
   std::size_t placement = 0, first = 0, count = 0;
   int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1: none
-  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< those of the first of these primitives
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first of these primitives
 };
 
 struct GltfMap {

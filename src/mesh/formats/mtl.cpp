@@ -65,7 +65,7 @@ private:
 
   std::optional<double> next_number() { return number_in(text_.word()); }
 
-  // Reads three components, or one for all; not curves and CIE colours.
+  // Reads three components, or one for all; ignores curves and CIE colours.
   void diffuse(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);
@@ -111,7 +111,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// A single name with blanks if that file exists; otherwise one name per word.
+// One path if the whole text, with blanks, names an existing file; otherwise one path per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);

@@ -1,4 +1,4 @@
-// Writes OBJ: any surface, and a file that was read as it was.
+// Writes OBJ: any surface as a new file, and a file kept as read.
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -354,7 +354,7 @@ private:
   std::vector<Column> columns_;  // one per property of the current element
   std::size_t vertex_count_ = 0;
   NumberType index_type_ = NumberType::int32;
-  Vec3 normal_{0, 0, 0};  // of the current row, as the next ones
+  Vec3 normal_{0, 0, 0};  // of the current row, like the next four members
   std::array<double, 4> color_{};
   Vec2 texture_{};
   double image_ = 0;

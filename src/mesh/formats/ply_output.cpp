@@ -9,8 +9,8 @@ namespace viete::mesh {
 
 namespace {
 
-// Positions in double; vertex normals, colours, and texture points of vertices or, if these have several, of
-// faces.
+// Writes positions in double, vertex normals, colours, and texture points: per vertex or, if vertices have
+// several, per face.
 class PlyOutput {
 public:
   PlyOutput(const Content& content, TextWriter& out)

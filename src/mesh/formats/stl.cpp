@@ -52,7 +52,7 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// The triangles of a binary file. The count of attribute bytes may be that of attributes which follow.
+// The triangles of a binary file. Some files store the counted attribute bytes after each triangle.
 struct Layout {
   std::size_t count = 0, end = 0;
   std::vector<std::size_t> starts = {};  // only if attributes follow
@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// False if there are no attributes within the file.
+// False if no attributes follow the triangles, or if they exceed the file.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;

@@ -55,7 +55,7 @@ public:
   /// The next word as a coordinate: finite, at most 1e100 in size so that volumes stay finite.
   double coordinate();
 
-  /// Reads numbers of this line up to the first word that is none, at most `to`. Returns how many.
+  /// Reads at most to.size() numbers of this line, up to the first other word. Returns their number.
   std::size_t numbers(std::span<double> to);
 
   /// The next word as an integer. what: its name in messages, "face index".
@@ -101,7 +101,7 @@ private:
   std::size_t line_ = 1;
 };
 
-/// A word as a finite number; empty if it is none.
+/// A word as a finite number; empty if it is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
 /// A word for messages: quoted, cut after 32 bytes, unprintable characters replaced by '?'.
