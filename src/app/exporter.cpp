@@ -23,7 +23,8 @@ public:
   ScratchFolder() {
     std::string name = (fs::temp_directory_path() / "viete-XXXXXX").string();
     if (!mkdtemp(name.data()))
-      throw base::Error(name, "no folder can be created there", "set TMPDIR to one with space");
+      throw base::Error(name, "no folder can be created there",
+                        "set TMPDIR to a writable folder with free space");
     path_ = name;
   }
   ~ScratchFolder() {

@@ -73,7 +73,7 @@ void check_pins(const PoseOptions& options, const mesh::Surface& model) {
                         "vertex " + std::to_string(pin.vertex) +
                             " does not exist: vertices are numbered 0 to " +
                             std::to_string(model.positions.size() - 1),
-                        "choose one of these");
+                        "choose a vertex in this range");
     vertices.push_back(pin.vertex);
   }
   std::ranges::sort(vertices);

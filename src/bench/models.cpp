@@ -222,7 +222,8 @@ void RestModel::add_faces(const mesh::Surface& model) {
     area_ += faces_.back().area();
     for (const auto corner : t) shares_[corner] += faces_.back().area();
   }
-  if (faces_.empty()) throw base::Error("", "the model has no triangle with area", "choose another model");
+  if (faces_.empty())
+    throw base::Error("", "all triangles of the model have zero area", "choose another model");
   for (double& share : shares_) share /= 3 * area_;
 }
 

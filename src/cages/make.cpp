@@ -139,7 +139,7 @@ Maker::Maker(std::shared_ptr<const mesh::Surface> model)
     : model_(std::move(model)), box_(extent_of(*model_)) {
   if (!(box_.diagonal() > 0))
     throw base::Error("", "the model is a single point and cannot have a cage",
-                      "open a model with an extent");
+                      "open a model with more than one point");
 }
 
 Made Maker::make(const Wish& asked, base::WorkerPool& pool, base::Progress* progress) {

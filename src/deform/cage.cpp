@@ -211,7 +211,8 @@ void add_elements(Cage& cage) {
     if (cage.degenerate.back()) found.push_back(e);
   }
   if (found.size() == cage.element_count()) {
-    throw base::Error("", "the cage has no triangle with area", "choose a surface that encloses the model");
+    throw base::Error("", "all triangles of the cage have zero area",
+                      "choose a surface that encloses the model");
   }
   if (found.empty()) return;
   cage.warnings.push_back(std::to_string(found.size()) + " of " + std::to_string(cage.element_count()) +

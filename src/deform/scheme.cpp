@@ -35,7 +35,7 @@ constexpr std::array blend_table = {
     BlendEntry{
         {"mls-affine", "Least squares (MLS)", "affine map fitted by least squares"}, Blend::mls_affine, true},
     BlendEntry{
-        {"mls-similarity", "Least squares, similar", "rotation and uniform scale fitted by least squares"},
+        {"mls-similarity", "Least squares, similarity", "rotation and uniform scale fitted by least squares"},
         Blend::mls_similarity,
         true},
     BlendEntry{
@@ -194,7 +194,7 @@ constexpr std::array numbers_table = {
                 0,
                 2},
     NumberEntry{{"stretch", "Stretch",
-                 "Scale the logarithm of the blended stretch: 0 % keeps the thickness, 100 % is normal"},
+                 "Scale the logarithm of the blended stretch: 0 % ignores the stretch, 100 % is normal"},
                 [](Scheme& s) -> double& { return s.amounts.stretch; },
                 &AskedScheme::stretch,
                 has_maps,

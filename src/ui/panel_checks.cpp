@@ -82,14 +82,14 @@ void stepper(const Context& ui) {
   const auto step = [&](const char* label, const char* name, int by, const char* tip) {
     if (button(ui, label, name, tip, {wide, 0})) scene::step_element(ui.workspace, by);
   };
-  step("<##finding", "finding_previous", -1, "Show the previous one only.");
+  step("<##finding", "finding_previous", -1, "Show only the previous element.");
   const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
                                           : "all " + count(finding.size());
   ImGui::SameLine(left + 0.5f * (width - ImGui::CalcTextSize(text.c_str()).x));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text.c_str());
   ImGui::SameLine(left + width - wide);
-  step(">##finding", "finding_next", 1, "Show the next one only.");
+  step(">##finding", "finding_next", 1, "Show only the next element.");
 }
 
 // Findings of the cage before those of the model; important ones are sorted first anyway.

@@ -142,7 +142,7 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
   fs::remove(f / "out.obj");
   for (const double scale : {1e-61, 1e61}) {
     scale_to(scale);
-    f.refused(deform, 1, "cannot be deformed; scale it to something between 1e-60 and 1e+60");
+    f.refused(deform, 1, "cannot be deformed; scale it to a size between 1e-60 and 1e+60");
     CHECK_FALSE(fs::exists(f / "out.obj"));
     CHECK(mentions(f.viete("info model.obj"), "cannot be deformed"));
   }

@@ -29,7 +29,7 @@ void check_size(const std::string& place, const mesh::Bounds& box, const SizeRan
   if (size == 0 || (size >= range.least && size <= range.most)) return;
   char text[64], advice[64];
   std::snprintf(text, sizeof text, "a size of %.2g cannot be %s", size, range.use);
-  std::snprintf(advice, sizeof advice, "scale it to something between %g and %g", range.least, range.most);
+  std::snprintf(advice, sizeof advice, "scale it to a size between %g and %g", range.least, range.most);
   throw base::Error(place, text, advice);
 }
 

@@ -156,8 +156,8 @@ void add_blend_commands(CommandTable& table) {
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "
             "about half a minute.",
             is_not_reporting, [](Workspace& w) { w.requests.show_report = true; });
-  table.add("stop_report", {"Cancel report", "Cancel"}, "Stop measuring without a report.", is_reporting,
-            passing([](Workspace& w) { w.requests.stop_report = true; }));
+  table.add("stop_report", {"Cancel report", "Cancel"}, "Cancel the measurement. No report is written.",
+            is_reporting, passing([](Workspace& w) { w.requests.stop_report = true; }));
 }
 
 }  // namespace viete::scene

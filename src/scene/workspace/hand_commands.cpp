@@ -198,8 +198,8 @@ void add_tool_commands(CommandTable& table) {
             uses<Tool::paint>());
   table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
             without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
-  table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",
-            without_drag<is_movable>,
+  table.add("mask_invert", "Invert paint",
+            "Invert the mask: painted vertices become unpainted, and the reverse.", without_drag<is_movable>,
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
   table.add("add_probe", {"Add probe", "Add"},

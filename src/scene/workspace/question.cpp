@@ -14,7 +14,7 @@ std::string title_before(const std::string& work, Asked kind) {
 
 Question ask_before_closing(const std::string& work, const std::string& why) {
   return {Asked::close, title_before(work, Asked::close),
-          "These edits could not be saved for the next start:", why};
+          "These edits could not be backed up for recovery:", why};
 }
 
 Question ask_before_opening(const std::string& work, const std::string& why) {
