@@ -17,7 +17,7 @@ namespace viete::deform {
 /// A vertex with a target position.
 struct PosingPin {
   std::uint32_t vertex;
-  /// Pull strength; about 1 is the stiffness between neighbours; infinite: a hard constraint.
+  /// Strength of the pull. About 1 equals the stiffness between neighbours; infinity is a hard constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;

@@ -130,7 +130,7 @@ inline Scheme no_motion() {
 /// Why weights, blend and stitching are incompatible, as a sentence; nothing if they are compatible.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// A choice of some parts of a scheme; empty parts are open.
+/// A choice of weights, blend, both or neither; an empty member allows any value.
 struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};

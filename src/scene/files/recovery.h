@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-/// A recovery file: a session with edits that were in no other file.
+/// A recovery file: a session with edits that were not saved to any other file.
 struct RecoveryFile {
   std::filesystem::path file;
   std::string name;                ///< display name of its session or model
@@ -21,7 +21,7 @@ struct RecoveryFile {
 
 /// The recovery file of the running program: PROCESS.viete in the folder, see base::process_name().
 std::filesystem::path recovery_file(const std::filesystem::path& folder);
-/// Another recovery file of this program, for work set aside when another file was opened.
+/// Another recovery file of this program, for unsaved work of a document replaced by opening another file.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 
 /// Renames a recovery file that was opened and closed without further edits. Returns the new name, or the old

@@ -29,8 +29,8 @@ struct ImportedShapes {
 /// several frames gives a shape per frame, and a glTF file with morph targets a shape per target.
 ///
 /// Vertices may be reordered, as by formats that do not preserve order: they are matched by the corners of
-/// the faces, whose order must be the same. Throws base::Error: the first vertex count, face or position that
-/// does not fit; no file; more shapes than a timeline holds. Thread-safe.
+/// the faces, whose order must be the same. Throws base::Error for the first vertex count, face or position
+/// that does not fit, for no files, and for more shapes than a timeline holds. Thread-safe.
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 
