@@ -47,7 +47,7 @@ struct PosingSettings {
 /// interactive dragging. Not thread-safe; the same bits for any number of threads.
 class ExamplePosing {
 public:
-  /// Vectors must be of the space, made without `before`. Space, vectors and pool must outlive this.
+  /// Examples must be vectors of the space, made without `before`. Space, vectors and pool must outlive this.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
   /// Replaces the pins, at most most_pins, each vertex once; weights, rotation and positions stay. Some

@@ -23,7 +23,7 @@ struct Document;
 /// The kind of content to write.
 enum class Content { surface, picture, json, animation, session, page };
 
-/// Whether the user may override the check, and has.
+/// Whether the user can override the check (offered) and did (given).
 enum class Force { none, offered, given };
 
 /// Call before the work starts. Throws base::Error if the file cannot be written, is one of those in use, or

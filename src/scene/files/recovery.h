@@ -30,8 +30,8 @@ std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Newest first; only those of ended programs. Deletes those whose edits equal their session, or the cage at
-/// rest, on disk. Empty if the folder does not exist.
+/// The recovery files of ended programs, newest first. Deletes files whose work equals their session on disk
+/// or, without a session, the cage at rest. Empty if the folder does not exist.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// The local time in words: "May 03, 14:32".
