@@ -30,7 +30,7 @@ public:
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
-  /// Applies to the next frames; the rest of the scheme stays.
+  /// Sets the amounts of the next frames; the rest of the scheme stays.
   void set_amounts(const Amounts& amounts);
   /// Sets the mask of the next frames: one factor per vertex, 0 (rests) to 1 (follows fully); null: all 1.
   void set_mask(Mask mask);
@@ -38,7 +38,7 @@ public:
   /// The shape that the cage deforms in the next frames. Must fit the model; null: at rest.
   void set_shape(const SharedShape& shape);
   const SharedShape& shape() const { return shape_; }
-  /// A layer applied after the cage in the next frames.
+  /// Sets the probes of the next frames, a layer applied after the cage.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
