@@ -153,7 +153,7 @@ void add_between_command(CLI::App& app, Action& action) {
       "Single time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
   in_range(at, 0, most_frames)->excludes(frames);
   add_file_option(*command, "--rest", o->rest, "Rest shape")->default_str("the first shape");
-  command->add_flag("--loop", o->loop, "Continue from the last shape to the first");
+  command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");
   command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
   command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");

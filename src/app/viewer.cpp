@@ -367,7 +367,7 @@ void Viewer::panels(scene::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Coarse only for repeated motion: the last picture moved too; a single step is drawn sharp at once.
+// Draws coarsely only if the last picture moved too; a single step is drawn sharp at once.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (take_screenshot_) return view_.finest();
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();

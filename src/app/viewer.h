@@ -155,7 +155,7 @@ private:
   ui::FieldColors field_colors_;
 
   std::tuple<bool, unsigned, float> notices_;  ///< in the last frame: a question, messages, height of the row
-  scene::Revisions message_revisions_;  ///< revisions that the messages up to message_revision_ refer to
+  scene::Revisions message_revisions_;         ///< the document's, when messages were at message_revision_
   unsigned message_revision_ = 0;
   std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;

@@ -12,8 +12,8 @@ namespace viete::base {
 
 namespace {
 
-// The 22nd field of /proc/PID/stat; the second, the program's name in parentheses, may contain any
-// characters. Empty if there is no such process, or if it is a zombie (permanent in some containers).
+// The start time of a process: field 22 of /proc/PID/stat. Field 2, the program's name in parentheses, may
+// contain any characters. Empty for a missing process or a zombie (permanent in some containers).
 std::string start_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};

@@ -23,8 +23,8 @@ struct Enclosing {
   std::size_t left = 0;                ///< model vertices that are still outside
 };
 
-/// Iteratively moves cage triangles outward by the distance of model vertices beyond them plus `margin` of
-/// the model's diagonal. Triangles near the model that do not cut it stay. Requires a closed cage.
+/// Iteratively moves cage triangles outward to the model vertices beyond them, and by `margin` of the model's
+/// diagonal more. Triangles that do not cut the model stay, however near. Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 }  // namespace viete::cages

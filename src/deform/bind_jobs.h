@@ -14,8 +14,8 @@ template <class T>
 struct DistanceTriangle {
   T axes[3][3];
   T length[3];  ///< edge lengths
-  /// A point lies at along . (x, y, 1) along the second and third edge, and inward . (x, y, 1) to the left of
-  /// it.
+  /// Coordinates of a point along the second and third edge, along . (x, y, 1), and to the left of it,
+  /// inward . (x, y, 1).
   T along[2][3], inward[2][3];
   T outside;        ///< 0; infinity without area: no point is inside
   T near;           ///< squared, about a sixteenth of the longest edge; nearer distances lose digits in float
@@ -35,7 +35,7 @@ struct WeightJob {
 /// A triangle of the cage by its corners and the edges opposite to them.
 struct MeanValueTriangle {
   std::uint32_t corner[3], edge[3];
-  double sign[3];  ///< 1 where it runs through the edge from its lower corner to its higher one, else -1
+  double sign[3];  ///< 1 if it traverses the edge from the lower corner index to the higher, else -1
 };
 
 struct MeanValueJob {

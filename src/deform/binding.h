@@ -19,8 +19,8 @@ namespace viete::deform {
 
 struct TiledBinding;
 
-/// Share of its motion that each vertex makes, 0 to 1. Sums of rows are multiplied by it, and the rest stays:
-/// maps are completed by the identity about the vertex. With a share s the offset is o = s (x - sum w c), and
+/// Share of the full motion for each vertex, 0 (stays) to 1. Multiplies sums of rows; the remaining share is
+/// filled up by the identity about the vertex. With a share s the offset is o = s (x - sum w c), and
 /// the centre s sum w c' + (1 - s) x. With shares, poses are relative to the middle of the rest cage. In the
 /// order of the model; empty: all 1.
 using Shares = std::vector<double>;

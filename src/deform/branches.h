@@ -37,7 +37,7 @@ Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 struct Branches {
   std::vector<Vec3> logs;  ///< log of each map
   std::vector<Vec3>
-      turns;  ///< mean log of each part of the cage, or with_whole_turns() that logs cannot represent
+      turns;  ///< mean log of each part of the cage, or with_whole_turns() if logs cannot represent the turns
 };
 
 /// Logs of the elements' rotations, from their principal logs. Within a component each follows its neighbour,

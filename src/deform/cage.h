@@ -56,7 +56,7 @@ struct Cage {
   double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;                   ///< mesh::used_size(), the unit of radii
   double contact = 0;    ///< points nearer than this to an element count as on it: the level of rounding
-  bool closed = false;   ///< every edge has exactly two triangles, run through in opposite directions
+  bool closed = false;   ///< every edge has exactly two triangles, which traverse it in opposite directions
   mesh::OneSided sides;  ///< sides for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, naming elements (0-based)
 
@@ -94,7 +94,7 @@ struct DualGraph {
   std::vector<mesh::Edge> edges;  ///< pairs of elements i < j, sorted, each once
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more
-  std::size_t misoriented = 0;    ///< edges that two triangles run through in the same direction
+  std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
   /// Edges of the surface with an odd number of triangles above one, all with area. A fin ends there; both of
   /// its sides face the outside.
   std::vector<mesh::Edge> fins;
@@ -109,7 +109,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
 
 struct GraphParts {
   std::vector<std::uint32_t> centers;
-  std::vector<std::uint32_t> of;  ///< part of each element, an index of centers; their number if skipped
+  std::vector<std::uint32_t> of;  ///< part of each element: an index of centers; skipped: centers.size()
 };
 /// The connected parts of a graph, in the order of their lowest elements, without skipped elements. The
 /// centre is the element of least eccentricity, lowest index first. Exact up to 4,096 elements per part; for

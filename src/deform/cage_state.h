@@ -71,7 +71,7 @@ public:
   std::span<const std::uint32_t> moving() const { return moving_; }
   /// Increases whenever rows of handles that are not dragged change.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// Report of the last pose, by handle; without logs only its turns, passed through.
+  /// Report of the last pose, by handle. If the rows use no logs, it contains only the pose's turns.
   const LogReport& report() const { return report_; }
   /// Milliseconds of the last pose.
   const LinkTimes& times() const { return times_; }

@@ -30,7 +30,7 @@ public:
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
-  /// Applies to the next frames; the rest of the scheme stays.
+  /// Sets the amounts of the next frames; the rest of the scheme stays.
   void set_amounts(const Amounts& amounts);
   /// Sets the mask of the next frames: one factor per vertex, 0 (rests) to 1 (follows fully); null: all 1.
   void set_mask(Mask mask);
@@ -38,7 +38,7 @@ public:
   /// The shape that the cage deforms in the next frames. Must fit the model; null: at rest.
   void set_shape(const SharedShape& shape);
   const SharedShape& shape() const { return shape_; }
-  /// A layer applied after the cage in the next frames.
+  /// Sets the probes of the next frames, a layer applied after the cage.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
@@ -46,7 +46,7 @@ public:
   /// are compared on the same path.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// The engine that runs the method; nothing if the binding does not support it, or if the scheme is
+  /// The engine that runs the method; nullopt if the binding does not support it, or if the scheme is
   /// stitched and stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
   /// Until end_drag(), poses must differ from the last one in these cage vertices only; the cost of the fused
@@ -54,14 +54,14 @@ public:
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error unless pose.positions has one entry per cage vertex. If
-  /// engine(method) is nothing, falls back to the fused engine, which must exist.
+  /// engine(method) is nullopt, falls back to the fused engine, which must exist.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
   std::span<const FrameVertex> vertices() const;
   Vec3 origin() const { return state_.rows().origin; }
   const CageState& state() const { return state_; }
-  /// The engine of the last frame; nothing before the first frame.
+  /// The engine of the last frame; nullopt before the first frame.
   std::optional<EngineKind> ran() const { return ran_; }
   LinkTimes times() const;
 

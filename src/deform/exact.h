@@ -34,8 +34,8 @@ struct ExactModel {
 /// elements; with weights along the surface those of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// Whether weights of all vertices may be kept for the next pose; they are only if they take at most a
-  /// quarter of the free memory.
+  /// `kept` keeps the weights of all vertices for the next pose if they take at most a quarter of the free
+  /// memory.
   enum class Weights { dropped, kept };
 
   /// model and pool must outlive it; cage must not be null; a mask has one share per vertex. progress covers

@@ -17,7 +17,7 @@ namespace viete::deform {
 /// A vertex with a target position.
 struct PosingPin {
   std::uint32_t vertex;
-  /// Pull strength; about 1 is the stiffness between neighbours; infinite: a hard constraint.
+  /// Strength of the pull. About 1 equals the stiffness between neighbours; infinity is a hard constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
@@ -47,7 +47,7 @@ struct PosingSettings {
 /// interactive dragging. Not thread-safe; the same bits for any number of threads.
 class ExamplePosing {
 public:
-  /// Vectors must be of the space, made without `before`. Space, vectors and pool must outlive this.
+  /// Examples must be vectors of the space, made without `before`. Space, vectors and pool must outlive this.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
   /// Replaces the pins, at most most_pins, each vertex once; weights, rotation and positions stay. Some

@@ -104,7 +104,7 @@ public:
   /// leftovers; one vertex of each part is fixed. `whole`: replaces the sum's whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// As follow(), with rotations replaced, by a share of 0 to 1, by those that best fit work.ways.
+  /// As follow(), with rotations moved by `share`, 0 to 1, towards those that best fit work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// work.ways become the solution of the Poisson problem for work.right, which must be 0 except at places;
@@ -117,7 +117,7 @@ public:
   std::span<const std::uint32_t> triangles() const { return triangles_; }
   std::uint32_t place(std::uint32_t vertex) const { return places_[vertex]; }
 
-  /// The sum with each vertex on a straight line.
+  /// The linear sum: every vertex moves on a straight line.
   void straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
 
 private:

@@ -68,7 +68,7 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
-/// linear = rotation * exp(stretch), rotation = exp(turn). Depends on this element alone.
+/// linear = rotation * exp(stretch), rotation = exp(turn). Does not depend on other elements.
 struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
@@ -99,8 +99,7 @@ struct LogReport {
   std::vector<Vec3> turns;  ///< per part of the cage, see Branches: pass as the next pose's `turns`
   std::vector<std::uint32_t> collapsed;  ///< maps, ascending, whose stretch was raised to the floor
   /// Neighbouring maps whose rotations differ by more than 120 degrees, or whose logs by more than 180: the
-  /// blend between them is ambiguous. (No choice of branches is right around a ring of elements that turns
-  /// once.)
+  /// blend between them is ambiguous. (A ring of elements that turns once always has such a pair.)
   std::vector<mesh::Edge> torn;
 };
 

@@ -25,8 +25,8 @@ using ViewV = hn::Vec<ViewTag>;
 //     m   = sum of (a_i / |c_i|) c_i / 2         the integral of the unit vectors over the spherical triangle
 //     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
 //
-// the last by Cramer's rule, since c_i . u_j = 0 unless i = j, where it is the volume u_0 . c_0. A corner's
-// weight is the sum of the s_i of its triangles over its distance from p (Ju, Schaefer, Warren 2005).
+// The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
+// of a corner is the sum of the s_i of its triangles over its distance from p (Ju, Schaefer, Warren 2005).
 //
 // c_i, a_i / (2 |c_i|) and |c_i|^2 depend only on the edge, except for the sign of c_i, which is opposite in
 // the other triangle: they are computed once per edge, and all u_i once per corner.

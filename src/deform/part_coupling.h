@@ -37,9 +37,8 @@ inline constexpr double most_strength = 1e4;
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
-/// Splits each coupling into one for every corner with a share. Added to a matrix without positive
-/// off-diagonal entries they create none, but functions that are linear on the triangle no longer have zero
-/// energy.
+/// Splits each coupling into one for every corner with a share. Adding the result to a matrix creates no
+/// positive off-diagonal entries, but functions that are linear on the triangle no longer have zero energy.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

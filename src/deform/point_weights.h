@@ -55,8 +55,8 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
-/// Share of the motion for a point whose weights sum to `total` before normalisation: 1 from 1 on, less where
-/// only the margins of a few elements reach.
+/// Share of the motion for a point whose weights sum to `total` before normalisation. Totals above 1 give 1;
+/// points reached only by the margins of a few elements get less.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }

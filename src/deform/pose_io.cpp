@@ -71,8 +71,8 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used");
 }
 
-// The STL reader welds loose triangles, so vertices are in the order of their first use by faces: the cage's
-// order only if the faces match.
+// The STL reader welds loose triangles and numbers vertices by their first use in the faces. This is the
+// cage's order only if the faces match.
 void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
   const mesh::Format* format = mesh::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;

@@ -27,7 +27,7 @@ public:
   LogVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
   /// The pose of a sum of vectors.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;
-  /// The same sum with each vertex on a straight line.
+  /// The linear sum: every vertex moves on a straight line.
   Pose straight(std::span<const LogTerm> terms) const;
 
 private:

@@ -27,7 +27,7 @@ constexpr ProbeMixEntry mixes[] = {
       "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Divides weights by their sum where it exceeds one. Two probes moved together count once"},
+      "Normalises weights where their sum exceeds 1, so two probes moved together act like one"},
      ProbeMix::partial},
     {{"whole", "Whole",
       "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},

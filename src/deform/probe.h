@@ -73,7 +73,7 @@ struct Probe {
   Influence turn{}, stretch{}, move{};
   bool locked = false;  ///< keeps its effect, but cannot be edited
   ProbePose pose{};
-  std::optional<Pin> pin{};  ///< then the probe has no other effect; its place is that of the vertex
+  std::optional<Pin> pin{};  ///< if set, the probe has no other effect and lies at the vertex
 
   friend bool operator==(const Probe&, const Probe&) = default;
 };

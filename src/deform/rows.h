@@ -20,8 +20,8 @@ enum class RowForm {
 struct RowShape {
   std::size_t columns;
   std::size_t first_length;  ///< columns from here on are lengths; those before are dimensionless
-  /// Weights sum to one except for compression errors, so a shared mean is best not weighted: for this many
-  /// leading columns the mean is subtracted from the rows and added to the sums.
+  /// Number of leading columns whose mean is subtracted from the rows and added to the sums. This avoids
+  /// compression errors of the mean, since exact weights sum to one.
   std::size_t with_mean;
   /// First of the three columns with the handles' centres; `columns` if there are none. See Shares in
   /// binding.h.

@@ -127,10 +127,10 @@ inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
-/// Why weights, blend and stitching are incompatible, as a sentence; nothing if they are compatible.
+/// Why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// A choice of some parts of a scheme; empty parts are open.
+/// A choice of weights, blend, both or neither; an empty member allows any value.
 struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
@@ -159,7 +159,7 @@ const WayEntry& entry(Way way);
 
 /// The scheme of a deformer, with the amounts of `now`.
 Scheme scheme_of(Way way, const Scheme& now = {});
-/// The deformer of a scheme, for any amounts, radius, iterations and holding. Nothing if no deformer matches.
+/// The deformer of a scheme, for any amounts, radius, iterations and holding. Nullopt if none matches.
 std::optional<Way> way_of(const Scheme& scheme);
 
 /// The default deformer: Way::smooth, which has the lowest energy over the poses of many models and is never

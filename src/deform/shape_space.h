@@ -20,7 +20,7 @@ namespace viete::deform {
 /// How well the logs represent a shape.
 struct ShapeReport {
   std::size_t flat = 0;    ///< triangles without area at rest: they follow their corners
-  std::size_t folded = 0;  ///< triangles that flip against all neighbours or collapse: they use these' logs
+  std::size_t folded = 0;  ///< triangles that collapse or flip against all neighbours: use neighbours' logs
   /// Pairs of neighbours whose logs differ by more than half a turn: interpolation is ambiguous there.
   std::size_t torn = 0;
 };

@@ -38,9 +38,9 @@ double place_sums(const VertexBlock& block, RowForm form, std::span<const double
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
 /// Runs the links from the blend on for all vertices; positions has one per vertex. `sums`, unless empty,
-/// become those of blend(). Returns the largest relative difference (Frobenius norm) between the method's
-/// exponentials and those of method `fast`, which is exact to 1e-15; infinity for NaN, 0 for `fast` and
-/// without exponentials.
+/// receives the result of blend(). Returns the largest relative difference (Frobenius norm) between the
+/// method's exponentials and those of method `fast`, which is exact to 1e-15; infinity for NaN, 0 for `fast`
+/// and without exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 

@@ -71,8 +71,8 @@ private:
 /// error of the sums: 1e-6 of the diagonal, or that of the fused engine with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// Both must not be null and belong to one model, cage and kind of elements. form: logs or maps;
-  /// iterations: 1 or more.
+  /// binding and stitching must not be null and must belong to one model, cage and kind of elements. form:
+  /// logs or maps; iterations: 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 

@@ -52,13 +52,13 @@ struct Stitching {
   /// Index of the triangle whose fitted rotation each one uses: its own; for a coupling a neighbouring
   /// triangle, since the rotation about a single line is not determined.
   std::vector<std::uint32_t> rotated_as;
-  /// Half cotangents of the corners, from which K is made; of a coupling (0, 0, c).
+  /// Half cotangents of the corners, from which K is made; for a coupling (0, 0, c).
   std::vector<Vec3> cotangents;
   /// g of the first two corners; the three sum to 0.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< 3 t + corner, for each vertex in the order
   std::vector<Pin> pins;
-  Binding pinned;  ///< of the pins: rest, rest_origin, offsets from the handle's centre, without weights
+  Binding pinned;  ///< for the pins: rest, rest_origin, offsets from the handle's centre, without weights
   std::vector<Hold> holds;
   SparseCholesky factors;
 

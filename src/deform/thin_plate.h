@@ -18,7 +18,7 @@ namespace viete::deform {
 struct HeldParts {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_vertex;  ///< or none
-  std::vector<std::uint32_t> grounds;    ///< lowest vertex with a spring of each part
+  std::vector<std::uint32_t> grounds;    ///< for each part, its lowest vertex that has a spring
 
   bool holds(std::uint32_t vertex) const { return of_vertex[vertex] != none; }
 };

@@ -41,8 +41,8 @@ struct BoundPart {
 };
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
-/// Makes parts of some vertices of a binding, with the mask in their shares. Weights along the surface are
-/// the stored ones: of the staged engine or, if it has none, of the tiles. Refers to its arguments.
+/// Binds selected vertices of a binding, with shares multiplied by the mask. Weights along the surface are
+/// read from the staged engine's data or, without them, from the tiles. Keeps references to its arguments.
 class BoundVertices {
 public:
   BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);

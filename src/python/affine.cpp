@@ -31,7 +31,7 @@ public:
     add("maps", array, several ? Axes{count, rows, rows} : Axes{rows, rows});
   }
 
-  // Adds an argument that ends in these axes. Numbers and vectors must be finite.
+  // Adds an argument whose last axes must be `own`. Numbers and vectors must be finite.
   void add(const char* what, const py::object& object, const Axes& own) {
     const auto array = numbers(function_, what, object, own.size() < 2);
     const Axes axes(array.shape(), array.shape() + array.ndim());

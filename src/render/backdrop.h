@@ -21,8 +21,8 @@ private:
 
 /// Place and cell size of the ground grid, in world units.
 struct GridStyle {
-  Point center{0, 0, 0};  ///< ground point below the model, centre of the fading; lines pass through the
-                          ///< world's origin
+  Point center{0, 0, 0};  ///< a ground point below the model, from which the grid fades out; lines
+                          ///< are aligned to the world origin
   double cell = 1;        ///< distance of fine lines; every tenth one is stronger
   double radius = 10;     ///< distance from center at which the grid has faded out
   int up = 1;             ///< axis that points up: 0 x, 1 y, 2 z

@@ -119,7 +119,7 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// The positions of Sym3's entries among all nine, and of the nine entries among those.
+/// Index conversion between the six entries of Sym3 and the nine of the full matrix, in both directions.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 

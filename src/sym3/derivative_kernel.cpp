@@ -120,7 +120,7 @@ static HWY_INLINE Six<V> log_slopes(D d, const Spectrum<V>& e) {
           hn::Div(one, e.at_c)};
 }
 
-/// x^p, and the divided differences of pow from those of log.
+/// Computes x^p, and divided differences of x^p from those of log x.
 template <class D, class V>
 struct PowSlopes {
   using T = hn::TFromD<D>;

@@ -25,10 +25,10 @@ enum class Method {
   /// largest eigenvalue in size. Infinities and NaN if an exponential overflows.
   diag,
 
-  /// The paper's spectral form x I + y S + z S^2, eigenvalues by QR, three cases by a gap of 1e-6. No useful
-  /// bound: the weights lose digits as gaps shrink. Some 1e3 u on the paper's ensemble; in double, relative
-  /// errors up to 4e-3 for three eigenvalues 1e-6 apart; in float, where 1e-6 is the rounding level, of any
-  /// size. Infinities and NaN if a term of x, y, z overflows.
+  /// The paper's spectral form x I + y S + z S^2 with eigenvalues by QR; a gap of 1e-6 separates its three
+  /// cases. No useful error bound, since x, y and z lose digits as gaps shrink: about 1e3 u on the paper's
+  /// ensemble; for three eigenvalues 1e-6 apart up to 4e-3 in double and unlimited in float, where 1e-6 is
+  /// the rounding level (relative errors). Infinities and NaN if a term of x, y, z overflows.
   sd,
 
   /// The same with Viete's closed-form eigenvalues, guarded: k clamped to [-1, 1], r = 0 handled. As accurate

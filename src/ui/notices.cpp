@@ -85,7 +85,7 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// Names the newest recovery file, which Restore opens, and the number of others.
+// Names the newest recovery file, which Restore opens, and counts the others.
 void recovery_text(const Context& ui) {
   const auto& recovery_files = ui.workspace.recovery_files;
   const std::size_t more = recovery_files.size() - 1;

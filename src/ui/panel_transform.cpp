@@ -245,15 +245,14 @@ void brush_fields(const Context& ui) {
                                  width))
     brush.radius = static_cast<float>(*radius);
   ImGui::SameLine(0, spacing);
-  if (const auto percent =
-          slider(ui, "brush_share", 100 * brush.share,
-                 {.least = 0,
-                  .most = 100,
-                  .format = "follows %.0f %%",
-                  .tip = "Share of the motion that painted vertices keep: 0 % stays at rest. "
-                         "Ctrl paints 100 %.",
-                  .rounded = std::round},
-                 width))
+  if (const auto percent = slider(ui, "brush_share", 100 * brush.share,
+                                  {.least = 0,
+                                   .most = 100,
+                                   .format = "follows %.0f %%",
+                                   .tip = "How far painted vertices follow the motion: 0 % stays at rest. "
+                                          "Ctrl paints 100 %.",
+                                   .rounded = std::round},
+                                  width))
     brush.share = static_cast<float>(*percent / 100);
 }
 

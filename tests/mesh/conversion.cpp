@@ -23,7 +23,7 @@ const std::string everything =
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
     "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
 
-// Writes in another format, or converts as if it had been.
+// Writes in the format of `path`, by default without the data of the original file.
 Notes convert(const ReadResult& read, const fs::path& path, bool with_original = false) {
   const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
   return mesh::write(path, content, with_original ? read.original.get() : nullptr, {});

@@ -148,7 +148,7 @@ TEST_CASE("ply_original_is_identical_at_rest_and_updates_dependent_values") {
     }
     const std::string back = test::written_again(again, read.surface.positions);
     check_kept(m, back);
-    // Tangents rotated too: (1, 0, 0) became (0, 1, 0). Face normals did not.
+    // The writer rotated the tangents too, (1, 0, 0) to (0, 1, 0), but not the face normals.
     if (form != Maker::Form::text) continue;
     const auto words = words_of(written.substr(m.body));
     const auto before = words_of(m.bytes.substr(m.body));

@@ -62,7 +62,7 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels at this progress; returns whether that ended the export.
+// Cancels an export when its progress reaches `share`; returns true if the export stopped.
 bool cancelled_at(double share, const AnimationExport& what) {
   base::Progress progress;
   std::jthread watcher([&](const std::stop_token& stop) {

@@ -114,7 +114,7 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
-  // A multiple of x^first: for odd powers errors alternate except for a change of sign at 0.
+  // The replaced terms share the factor x^first. If `first` is odd, it also changes the sign of errors at 0.
   const auto sign = [&](std::size_t i) { return first % 2 && t.points[i] < 0 ? -1 : 1; };
   const auto extremes_of = [&](std::vector<Quad> errors) {
     for (std::size_t i = 0; i < errors.size(); ++i) errors[i] *= sign(i);

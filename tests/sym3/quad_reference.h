@@ -105,7 +105,7 @@ inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
           b * y * z - a * x, b * x * z - a * y, b * y * z + a * x, c + b * z * z};
 }
 
-/// To 64 bits, enough for a norm, in a tenth of the time.
+/// Frobenius norm, computed with 64 bits: enough for a norm, in a tenth of the time.
 inline Quad quad_frobenius(const QuadSym& s) {
   const auto square = [](Quad x) { return static_cast<long double>(x) * static_cast<long double>(x); };
   return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) +

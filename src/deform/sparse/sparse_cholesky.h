@@ -34,10 +34,10 @@ struct SparseFactor : SymbolicFactor {
 FactorReport told(base::Progress* progress, double from, double to);
 
 /// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) with the supernodes
-/// of analyse(), in the given order or that of elimination_order(). No pivoting, and no errors: if the matrix
-/// is not positive definite in double precision, some pivot is not positive, or NaN. Reads only the lower
+/// of analyse(), in the given order or that of elimination_order(). No pivoting and no error: if the matrix
+/// is not positive definite in double precision, a pivot is NaN, zero or negative. Reads only the lower
 /// triangle. Calls report at least once per few million operations. The same bits for any number of threads.
-/// Throws exceptions of report; std::bad_alloc.
+/// Throws std::bad_alloc and the exceptions that report throws.
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},
@@ -54,7 +54,7 @@ public:
   };
 
   /// Reads only the lower triangle of a symmetric matrix. Throws base::Error with the row if the matrix is
-  /// not finite or not positive definite up to rounding; exceptions of report.
+  /// not finite or not positive definite up to rounding, and the exceptions that report throws.
   explicit SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool,
                           const FactorReport& report = {});
 
@@ -84,7 +84,7 @@ private:
 class BlockSolver {
 public:
   /// Reads only the lower triangle. Throws base::Error if the matrix is not positive definite in double
-  /// precision; exceptions of report.
+  /// precision, and the exceptions that report throws.
   explicit BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 
   std::size_t unknowns() const { return factor_.size(); }

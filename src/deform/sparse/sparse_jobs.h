@@ -54,7 +54,7 @@ inline constexpr std::size_t front_lanes = 8;  ///< rows of fronts are padded to
 /// diagonal are undefined.
 struct Front {
   double* values;      ///< aligned
-  std::size_t stride;  ///< rows: a multiple of front_lanes
+  std::size_t stride;  ///< number of rows, padded to a multiple of front_lanes
 };
 
 /// into[i, j] -= sum over p of left[i, p] right[j, p], i >= j.

@@ -41,8 +41,8 @@ struct SymbolicFactor {
 std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order);
 
 /// Uses the elimination tree (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11, 1990) and its supernodes (C.
-/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989); the order becomes a postorder of the tree, with
-/// equal fill-in. Throws exceptions of report; std::bad_alloc.
+/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989); the order is changed to a postorder of the
+/// tree with equal fill-in. Throws std::bad_alloc and the exceptions that report throws.
 SymbolicFactor analyse(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order,
                        const FactorReport& report);
 

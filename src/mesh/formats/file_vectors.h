@@ -33,7 +33,7 @@ struct FileVectors {
   /// Offsets of a row's numbers in the file, in the same order in every row; no_places: the row stays.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
-  /// Rows::faces: the row of a corner's normal, or none.
+  /// Only for Rows::faces: returns the row of a corner's normal, or mesh::none.
   std::function<std::uint32_t(std::size_t corner)> row_of_corner = {};
 
   void set_places(std::vector<Places> list) {

@@ -197,7 +197,7 @@ private:
     return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
-  // The material, if it transforms the texture: it then needs separate texture points.
+  // The material if it transforms the texture and so needs texture points of its own; -1 otherwise.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
     return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }

@@ -134,7 +134,7 @@ private:
                      file_.other_chunks, out);
   }
 
-  // Puts buffers into the GLB, or as in the original: embedded, or in external files.
+  // Stores the buffers: embedded in a GLB; in a .gltf embedded or in external files, as in the original.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;

@@ -1,4 +1,4 @@
-// Mixing shapes of the model; and the pose at any frame of a timeline: keys blended in log space.
+// Mixes shapes of the model, and blends keys in log space to the pose at any frame of a timeline.
 #pragma once
 
 #include <map>
@@ -20,17 +20,17 @@ struct ShapeTerm {
   double factor;
 };
 
-/// The blended shape, positioned by `held`, or in straight lines if that is null. A vertex that is at rest in
-/// all terms stays exactly at rest.
+/// The blended shape, positioned by `held`; if `held` is null, vertices move on straight lines. A vertex that
+/// is at rest in all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// Keeps exactly flat what is flat at rest, in the plane of two axes, and in all terms.
+/// Removes rounding errors across a coordinate plane that contains the rest shape and all terms.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// The rest shape plus the weighted shapes, in log space or linearly. A single shape with factor 1, or none,
-/// is returned bit for bit. Throws base::Error if a shape does not fit the model.
+/// The rest shape plus the weighted shapes, in log space or linearly. A single shape with factor 1, or no
+/// shape, is returned bit for bit. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
@@ -100,7 +100,7 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// As above, with the timeline taken as linear or not.
+  /// As above; `straight` replaces the setting of the timeline.
   WholePose at(double frame, bool straight) const;
 
 private:

@@ -49,10 +49,10 @@ public:
   explicit MaskStroke(const Document& document);
 
   /// Sets the mask to `share` within half the radius of the center; the effect falls off to 0 at the radius.
-  /// The document shows it at once.
+  /// Updates the document at once.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// One undoable edit; no edit if nothing was painted.
+  /// Records the stroke as one undoable edit, unless it painted nothing.
   void commit(Document& document);
   /// Restores the mask from before the stroke.
   void cancel(Document& document) const;
@@ -63,7 +63,7 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// Sets the mask as an edit; null if every share is 1. The mask has one share per model vertex, or is empty.
+/// Sets the mask, or null if every share is 1, as an edit. mask: one share per model vertex, or empty.
 void set_mask(Document& document, deform::Mask mask, const char* label);
 /// Each share s becomes 1 - s.
 deform::Mask inverted(const Document& document);

@@ -8,17 +8,17 @@ namespace viete::scene {
 /// Margin between a fitted cage and its box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Enter and leave the mode. On leaving, remaining vertices get their pose back, shifted by the edit of their
-/// rest positions. Undoable. Require a cage.
+/// Begin and end cage editing. At the end, remaining vertices get their pose back, shifted by the edit of
+/// their rest positions. Undoable. Require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
-/// In cage editing: makes moved positions the cage's rest shape, as part of the edit that moved them. Returns
-/// true if any moved. If the result is no valid cage, undoes that edit and throws base::Error.
+/// Makes positions moved in cage editing the cage's rest shape, as part of the edit that moved them. Returns
+/// true if any moved. If the result is not a valid cage, undoes that edit and throws base::Error.
 bool commit_cage_edit(Document& document);
 
 /// Edit the selected elements, one edit each. Require the mode and a selection; those that change the whole
-/// cage work in any mode. Throw base::Error without a change if the result would be no valid cage.
+/// cage work in any mode. Throw base::Error without a change if the result would not be a valid cage.
 void split_selected(Document& document);    ///< edges
 void cut_selected(Document& document);      ///< faces
 void merge_selected(Document& document);    ///< vertices

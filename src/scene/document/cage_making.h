@@ -23,7 +23,7 @@ struct CageMaking {
   CageWish wish;
   std::vector<std::string> notes{};              ///< about the last generated cage
   std::vector<std::string> lost{};               ///< poses and keys lost with the previous cage
-  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage; an undo past it is left alone
+  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage; not refined after its undo
   std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
 };
 

@@ -90,8 +90,8 @@ public:
   void center(const glm::vec3& target);
   /// A view along an axis; animated.
   void look(StandardView view);
-  /// Moves in as close as keeps all points in the free part of the window, with a margin; a single point is
-  /// framed like a small sphere. The lowest `covered` logical pixels of the free part stay empty.
+  /// Moves as close as possible with all points in the free part of the window, with a margin; a single point
+  /// is framed like a small sphere. The lowest `covered` logical pixels of the free part stay empty.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
              float covered = 0);
   /// Advances the animation by `seconds`; true while it is running.

@@ -66,7 +66,7 @@ const Words& words_of(Defect defect) {
   // In the order of Defect.
   static constexpr Words all[] = {
       {"vertex outside the cage", "vertices outside the cage", "",
-       "In log space these vertices follow the nearest faces as usual. Mean value weights can be negative "
+       "Log space deformers handle these vertices normally. Mean value weights can be negative "
        "there and move them against the drag."},
       {"self-intersecting face", "self-intersecting faces",
        "The cage intersects itself. Nearby, the model follows both sheets at once.", ""},

@@ -21,9 +21,9 @@ enum class Defect {
   self_intersection,  ///< faces
   open,               ///< edges with one face
   nonmanifold_edge,   ///< edges with three or more faces
-  pinched_vertex,     ///< vertices whose fans of faces touch only there
+  pinched_vertex,     ///< vertices whose faces form several fans that meet only there
   misoriented,        ///< edges whose faces run in opposite directions
-  inside_out,         ///< all faces of a closed surface of negative volume
+  inside_out,         ///< all faces of a closed surface with negative volume
   degenerate,         ///< faces with a zero-area triangle
   thin,               ///< cage: faces with a triangle thinner than a thousandth of its length
   doubled_vertex,     ///< vertices at the position of another one

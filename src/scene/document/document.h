@@ -78,13 +78,13 @@ struct Document : DocumentState {
   /// Mutable access; increases the revision, so that derived data is updated.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
-  /// Null: no shape. Set by the timeline, the pose list or undo.
+  /// Sets the shape (null: none) from the timeline, the pose list or undo.
   void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
-  /// Set by pin posing.
+  /// Sets the shape from pin posing.
   void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
   /// Replaces the cage of the same model, with its pose. Clears the selection of the old cage.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
-  /// Settings, not recorded as an edit: pose and history are unchanged.
+  /// Change settings without recording an edit: pose and history are unchanged.
   void put_scheme(const deform::Scheme& other);
   void put_method(sym3::Method other);
   /// Restores everything that edits change.
@@ -136,7 +136,7 @@ inline const deform::Pose& real_pose(const Document& document) {
   return document.kept_pose ? *document.kept_pose : document.pose;
 }
 
-/// The vertex position in the model's shape.
+/// The position of a vertex in the model's shape.
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
 Carried carried_probe(const Document& document, std::size_t probe);
 /// A probe's current position: carried by the cage, then moved by its own pose.

@@ -1,5 +1,5 @@
-// The part of a document that edits change: stored by the document, by each history entry, and as the saved
-// state. Surfaces and named poses.
+// The part of a document that edits change, stored by the document, by each history entry and as the saved
+// state; with its surfaces and named poses.
 #pragma once
 
 #include <cstdint>
@@ -93,7 +93,7 @@ inline std::string place_of(const OpenedSurface& opened) {
 /// A surface that is in no file.
 OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// A copy costs the pose and the selection: surfaces, named poses, keys and masks are shared.
+/// Copying duplicates only pose and selection: surfaces, named poses, keys and masks are shared.
 struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
   OpenedSurface cage_file;                   ///< surface is null when there is no cage

@@ -14,14 +14,14 @@ bool differs_from_rest(const Document& document);
 void reset_pose(Document& document);
 void reset_selected(Document& document, const Mirror* mirror = nullptr);
 
-/// Sets the element kind that is selected and moved; the selection becomes the elements of this kind whose
-/// vertices are all selected. An edit like any change of the selection.
+/// Sets the kind of elements to select and move, and selects the elements of this kind whose vertices are all
+/// selected. Recorded like any change of the selection.
 void select_kind(Document& document, ElementKind kind);
 
 /// Sets the deformer. Undoable; consecutive changes of the radius are one edit, and so are those of the
 /// amounts.
 void set_scheme(Document& document, const deform::Scheme& scheme);
-/// Stored even if the current weights do not use it.
+/// Sets the radius, even if the current weights do not use it.
 void set_radius(Document& document, double radius);
 void set_amounts(Document& document, const deform::Amounts& amounts);
 /// Iterations of the stitched solve, 1 to deform::most_iterations, or 0: not stitched. Undoable; consecutive

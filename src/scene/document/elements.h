@@ -60,7 +60,7 @@ void show_all(Document& document);
 void save_set(Document& document);
 /// Selects the set, adds it or removes it; the selection takes the set's kind.
 void select_set(Document& document, std::size_t set, SelectMode mode);
-/// An empty name, or one of another set, is ignored.
+/// Ignores an empty name and the name of another set.
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 

@@ -41,7 +41,7 @@ public:
   /// The number of recorded edits, without dropped ones.
   unsigned long recorded() const { return recorded_; }
 
-  /// The file now contains this cage: other cages that states have from the same file lose their file name.
+  /// Call after the file was overwritten with this cage: other cages read from it lose their file name.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }

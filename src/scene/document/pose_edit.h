@@ -11,7 +11,7 @@
 
 namespace viete::scene {
 
-/// The complete current pose; the real one while the cage itself is edited.
+/// The complete current pose, with Document::kept_pose while the cage itself is edited.
 WholePose whole_pose(const Document& document);
 SharedPose shared_pose(const Document& document);
 /// Sets the complete pose; not an edit. Locked probes stay. Whole poses from elsewhere (timeline, file) end
@@ -25,7 +25,7 @@ void end_mix(Document& document);
 /// The pose without the mix; null if nothing is mixed, or the pose has been edited since.
 SharedPose unmixed_pose(const Document& document);
 
-/// The wished name, with a number appended if another pose has it. Cut to PoseLibrary::longest_name.
+/// The requested name, with a number appended if another pose has it. Cut to PoseLibrary::longest_name.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
 /// Appends the current pose to the list and returns its index. Throws base::Error beyond
@@ -35,14 +35,14 @@ std::size_t keep_pose(Document& document, const std::string& name);
 void add_poses(Document& document, std::vector<NamedPose> poses);
 /// Appends shapes of the model, with the cage at rest. One edit; throws like keep_pose().
 void add_shapes(Document& document, std::vector<NamedShape> shapes);
-/// Replaces that pose by the current one.
+/// Replaces a named pose by the current pose.
 void update_pose(Document& document, std::size_t pose);
-/// Makes it the current pose; ends the mix.
+/// Makes a named pose the current pose; ends the mix.
 void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
-/// Moves it before the pose `to`, or to the end.
+/// Moves a pose before the pose `to`, or to the end.
 void move_pose(Document& document, std::size_t pose, std::size_t to);
-/// Its contribution to the mix is removed too.
+/// Removes a pose, and its contribution to the mix.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, PoseLibrary::least_weight to largest_weight. Consecutive changes of the
@@ -53,9 +53,9 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
                 std::span<const double> played = {});
 /// Sets all weights to 0. Returns false like set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
-/// Adds poses linearly, here and between keys, or in log space. One edit.
+/// Blends poses, here and between keys, linearly (`straight`) or in log space. One edit.
 bool set_straight(Document& document, VectorCache& vectors, bool straight);
-/// The mix recomputed linearly or in log space; null if the pose is no mix or would exceed the drawable
+/// The mix recomputed linearly or in log space; null if the pose is not a mix or would exceed the drawable
 /// range.
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight);
 

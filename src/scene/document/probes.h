@@ -17,7 +17,7 @@ bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& a
 /// False if there are most_probes.
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at);
 bool has_pins(const Document& document);
-/// For the selected pins.
+/// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
 /// Change the selected probes, which must exist; locked ones change only by set_locked().
@@ -27,8 +27,8 @@ void rest_probes(Document& document);  ///< resets their motion
 bool has_free_probes(const Document& document);
 /// The axis (0 x, 1 y, 2 z) whose middle plane is the model's best mirror plane.
 int symmetry_axis(const Document& document);
-/// Mirrors copies across the model's middle plane of this axis and selects them. False if there would be more
-/// than most_probes.
+/// Adds copies mirrored across the model's middle plane of this axis and selects them. False if there would
+/// be more than most_probes.
 bool mirror_probes(Document& document, int axis);
 void set_locked(Document& document, bool locked);
 

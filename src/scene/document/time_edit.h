@@ -17,7 +17,7 @@ int current_frame(const Document& document);
 void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// As set_key(), as part of the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Takes the branch of its yaw that is nearest to the previous camera key.
+/// Sets a camera key; adds whole turns to its yaw so that it is nearest to that of the previous camera key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// One full turn of the camera about the up axis over the playback range, at constant speed and so that the
 /// last frame repeats the first; replaces all other camera keys.

@@ -58,7 +58,7 @@ struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;  ///< up to the next key
-  std::vector<MixedPose> mix{};    ///< the named poses it was mixed from, while these are unchanged
+  std::vector<MixedPose> mix{};    ///< named poses it was mixed from, without those changed since
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -86,7 +86,7 @@ struct Timeline : Playing {
 
   std::vector<PoseKey> keys;       ///< sorted by frame, unique
   std::vector<CameraKey> cameras;  ///< likewise
-  std::vector<PoseKey> unkeyed{};  ///< poses without a key that something else replaced; oldest first
+  std::vector<PoseKey> unkeyed{};  ///< replaced poses that had no key; oldest first
 
   bool empty() const { return keys.empty() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;

@@ -42,7 +42,7 @@ struct SideWay {
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   lab::Field field = lab::Field::none;
-  /// Mixes and interpolates keys linearly if the document does so in log space, and the reverse.
+  /// Mixes poses and interpolates keys linearly if the document uses log space, and vice versa.
   bool other_blending = false;
 
   friend bool operator==(const SideWay&, const SideWay&) = default;

@@ -21,7 +21,7 @@ struct Export {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const mesh::Attributes> attributes;  ///< for the model; may be null
   std::shared_ptr<const mesh::Original> original;      ///< for the model; may be null
-  std::shared_ptr<const deform::Cage> cage;            ///< or its substitute without a cage, see Cage
+  std::shared_ptr<const deform::Cage> cage;            ///< no_cage() if the model has no cage
   deform::Pose pose;
   deform::Scheme scheme;
   sym3::Method method;

@@ -282,7 +282,7 @@ Document document_of_session(const Session& session, const fs::path& file, base:
   }
 }
 
-// For a session without a pose: the pose of the keys at its frame.
+// Gives a session without a pose the pose of its keys at its frame.
 void set_pose_from_keys(Document& document) {
   if (document.timeline.keys.empty()) return;
   VectorCache vectors;

@@ -80,7 +80,7 @@ struct Opened {
 /// model: shapes.
 Opened open_files(const OpenRequest& request, const Document& current, base::Progress* progress = nullptr);
 
-/// Check its document, if any; errors also name the session.
+/// Check the opened document, if any; errors also name the session.
 void check_drawable(const Opened& opened);
 void check_deformable(const Opened& opened);
 

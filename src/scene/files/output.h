@@ -23,7 +23,7 @@ struct Document;
 /// The kind of content to write.
 enum class Content { surface, picture, json, animation, session, page };
 
-/// Whether the user may override the check, and has.
+/// Whether the user can override the check (offered) and did (given).
 enum class Force { none, offered, given };
 
 /// Call before the work starts. Throws base::Error if the file cannot be written, is one of those in use, or
@@ -41,8 +41,8 @@ struct FrameSteps {
   int first = 1, last = 0, step = 1;
 };
 
-/// The check for an animation: a single file, or a numbered pattern with its frames. For a pattern,
-/// overwriting an input cannot be forced, since the export would destroy it halfway.
+/// Checks the output of an animation: one file, or all files of a numbered pattern. A pattern must never
+/// overwrite an input, even if forced, since the export would destroy the input halfway.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames, const FilesInUse& files,
                   Force force);
 

@@ -8,7 +8,7 @@
 
 namespace viete::scene {
 
-/// A recovery file: a session with edits that were in no other file.
+/// A recovery file: a session with edits that were not saved to any other file.
 struct RecoveryFile {
   std::filesystem::path file;
   std::string name;                ///< display name of its session or model
@@ -21,7 +21,7 @@ struct RecoveryFile {
 
 /// The recovery file of the running program: PROCESS.viete in the folder, see base::process_name().
 std::filesystem::path recovery_file(const std::filesystem::path& folder);
-/// Another recovery file of this program, for work set aside when another file was opened.
+/// Another recovery file of this program, for unsaved work of a document replaced by opening another file.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 
 /// Renames a recovery file that was opened and closed without further edits. Returns the new name, or the old
@@ -30,8 +30,8 @@ std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Newest first; only those of ended programs. Deletes those whose edits equal their session, or the cage at
-/// rest, on disk. Empty if the folder does not exist.
+/// The recovery files of ended programs, newest first. Deletes files whose work equals their session on disk
+/// or, without a session, the cage at rest. Empty if the folder does not exist.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// The local time in words: "May 03, 14:32".

@@ -18,10 +18,10 @@ namespace viete::scene {
 /// Unknown keys are ignored, for compatibility with newer programs. A damaged value is an error.
 ///
 /// After reading, `cage` is null, `model` and `cage_file` have path and content only; cage_file has a surface
-/// if it is in no file. An empty pose: at rest, or as the keys.
+/// if it is in no file. An empty pose means the pose of the keys or, without keys, rest.
 struct Session : DocumentState {
   OpenedSurface model;
-  std::filesystem::path origin;                 ///< of recovered work: its session; absolute; may be empty
+  std::filesystem::path origin;                 ///< session of recovered work; absolute; may be empty
   std::optional<std::uint64_t> origin_content;  ///< checksum of that file at the time
   sym3::Method method = sym3::Method::fast;
   std::optional<CameraPose> camera;  ///< missing: frame the model
@@ -35,7 +35,7 @@ struct Session : DocumentState {
 /// is false. Throws base::Error.
 std::string session_text(const Session& session, const std::filesystem::path& file, bool portable = true);
 
-/// Throws base::Error naming file and key. Whether it fits model and cage: see check_fits().
+/// Throws base::Error naming file and key. check_fits() checks that the session fits model and cage.
 Session read_session(const std::filesystem::path& file);
 
 /// Throws base::Error naming `file` and the key that does not fit: poses, selection and hidden vertices of

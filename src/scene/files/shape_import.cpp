@@ -251,7 +251,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Vertices without a face: in file order.
+  // Matches vertices without a face in file order.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {

@@ -29,8 +29,8 @@ struct ImportedShapes {
 /// several frames gives a shape per frame, and a glTF file with morph targets a shape per target.
 ///
 /// Vertices may be reordered, as by formats that do not preserve order: they are matched by the corners of
-/// the faces, whose order must be the same. Throws base::Error: the first vertex count, face or position that
-/// does not fit; no file; more shapes than a timeline holds. Thread-safe.
+/// the faces, whose order must be the same. Throws base::Error for the first vertex count, face or position
+/// that does not fit, for no files, and for more shapes than a timeline holds. Thread-safe.
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 
@@ -44,12 +44,12 @@ struct PosedSurface {
   const char* what;  ///< "the cage"
 };
 
-/// In natural order: a file of 2 before one of 10.
+/// Sorts in natural order: a2.obj before a10.obj.
 void sort_by_numbers(std::vector<std::filesystem::path>& files);
 
-/// Reads the models in a folder in natural order. `read` returns whether it took one, and may throw
-/// base::Error: then the file is skipped with a warning. Throws base::Error if none was taken: "none is
-/// `wanted`". progress may be null.
+/// Reads the models in a folder in natural order. `read` returns true if it uses the file; if it throws
+/// base::Error, the file is skipped with a warning. Throws base::Error, "none is `wanted`", if no file is
+/// used. progress may be null.
 void read_folder(const std::filesystem::path& folder, const char* wanted, const char* advice,
                  const std::function<bool(const std::filesystem::path&)>& read,
                  std::vector<std::string>& warnings, base::Progress* progress);

@@ -19,11 +19,11 @@ struct Anchor {
   glm::dmat3 axes{1};          ///< columns of length 1, right-handed
 };
 
-/// The selected vertices that a drag moves directly, ascending: with a mirror and both sides selected, those
-/// of one side, that of the active element or else of the larger part.
+/// The selected vertices that a drag moves directly, ascending. If both mirror partners are selected, it
+/// moves the one on the side of the active element or, without one, on the side with more selected vertices.
 std::vector<std::uint32_t> leading_vertices(const Document& document, const Mirror* mirror);
 
-/// In the current pose; mirror may be null. Requires a selection.
+/// The anchor in the current pose. mirror may be null. Requires a selection.
 Anchor anchor_of(const Document& document, const Handling& handling, const Mirror* mirror,
                  const Camera& camera);
 

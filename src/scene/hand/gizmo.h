@@ -18,7 +18,7 @@ inline constexpr float gizmo_head = 14;        ///< length of an arrow's head
 inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that rotates about the view direction
 inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle
 inline constexpr float gizmo_tolerance = 7;    ///< maximum distance of the cursor to a line
-inline constexpr float gizmo_reach = 14;       ///< the same if nothing small is under the cursor
+inline constexpr float gizmo_reach = 14;       ///< the same if no small element is under the cursor
 
 /// The shapes to draw and to hit, in logical pixels. Handles that point at the viewer fade out and cannot be
 /// hit.
@@ -51,8 +51,8 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// The handle under the cursor. `reach` uses the larger tolerance and includes the far side of rings: for
-/// places where no small element is under the cursor.
+/// The handle under the cursor. `reach` uses the larger tolerance and includes the far side of rings; use
+/// it if no small element is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 /// "Move along X".

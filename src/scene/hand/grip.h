@@ -17,7 +17,7 @@ double soft_share(SoftCurve curve, double distance);
 
 /// A vertex moved by a drag.
 struct Gripped {
-  /// Side of the mirror: the dragged side, the other side, or on the plane, which such vertices never leave.
+  /// Side of the mirror: the dragged side, the other side, or the plane; vertices on the plane stay on it.
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;
@@ -25,8 +25,8 @@ struct Gripped {
   Side side = Side::own;
 };
 
-/// The vertices of the soft selection with the selected ones, ascending, on their own side. `positions` of
-/// the cage in its pose; `radius` in the file's units. Distances along edges are shortest paths. O(n log n).
+/// The selected vertices and those of the soft selection, ascending, with Side::own. `positions`: of the
+/// posed cage; `radius` in the file's units. Distances along edges are shortest paths. O(n log n).
 std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
                               std::span<const std::uint32_t> selected, const SoftSelection& soft,
                               double radius);

@@ -29,8 +29,8 @@ bool transform_selection(Document& document, Tool tool, const Grip& grip, const 
 /// The name of the edit in the history, such as "rotate 3 faces".
 std::string edit_label(Tool tool, const Selection& selection);
 
-/// Transforms the probes selected in `before` from their places then. Returns false, without a change, if one
-/// would leave its range.
+/// Transforms the probes selected in `before` from their places there. Returns false, without a change, if
+/// one would leave its range.
 bool place_probes(Document& document, const DocumentState& before, const Transform& transform);
 
 }  // namespace viete::scene

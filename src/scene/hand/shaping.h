@@ -15,9 +15,9 @@ namespace viete::scene {
 
 class Camera;
 struct Document;
-/// In the current pose. The fixed end is the pivot or, for a median pivot, the joint with the rest of the
-/// cage. The moving end is the active element, or else the far end of the selection. Bends in the view plane.
-/// Returns Shape::none if both ends coincide.
+/// Shapes the current pose between two ends. The fixed end is the pivot or, for a median pivot, the joint
+/// with the rest of the cage; the moving end is the active element, or else the far end of the selection.
+/// Bends in the view plane. Returns Shape::none if both ends coincide.
 Shaping shaping_of(const Document& document, Shape shape, const Grip& grip, bool at_median,
                    const Camera& camera);
 

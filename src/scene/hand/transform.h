@@ -17,7 +17,7 @@ namespace viete::scene {
 /// moves nothing.
 enum class Tool { select, move, rotate, scale, paint };
 
-/// The constraint of a gizmo handle, or a typed one.
+/// The constraint of a transform, set by a gizmo handle or by typing an axis.
 struct Constraint {
   /// free: move in the view plane, rotate about the view direction, scale uniformly. axis: along or about it.
   /// plane: move or scale along the other two axes.

@@ -114,7 +114,7 @@ void add_cage_commands(CommandTable& table) {
 
 namespace {
 
-// A command for a deformer, or for one of its parts.
+// Adds a command for each entry: deformers, or values of one part of them.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)

@@ -34,7 +34,7 @@ struct Label {
 struct Effect {
   template <std::invocable<Workspace&> Run>
   Effect(Run run) : run(std::move(run)) {}
-  /// For a toggle; is_on returns its state.
+  /// A toggle; is_on returns its state.
   Effect(std::function<void(Workspace&)> run, std::function<bool(const Workspace&)> is_on)
       : run(std::move(run)), is_on(std::move(is_on)) {}
 

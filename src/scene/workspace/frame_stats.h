@@ -34,7 +34,7 @@ struct FrameTimes {
   double frame = 0;  ///< total, from input to the finished picture
 };
 
-/// Componentwise medians; the rest is of the last frame. There must be one.
+/// Componentwise medians; other members are those of the last frame. `frames` must not be empty.
 FrameTimes median_of(std::span<const FrameTimes> frames);
 
 /// Medians for the timing panel: over frames deformed with the newest frame's method, and over later frames

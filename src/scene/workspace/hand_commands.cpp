@@ -109,7 +109,7 @@ void add_hand_commands(CommandTable& table) {
   table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
             can_shape, copy_pose);
   table.add("paste_pose", "Paste pose",
-            "Move the copied vertices back to their copied positions. With a mirror, also on the other side.",
+            "Paste the copied vertex positions. With a mirror, paste them on the other side too.",
             {key('V'), true}, has_copied, [](Workspace& w) {
               paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
             });

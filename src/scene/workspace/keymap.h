@@ -34,7 +34,7 @@ public:
   Keymap() { resolve(); }
 
   KeyPreset preset() const { return preset_; }
-  /// Keeps the user's changes.
+  /// Changes the preset; keeps the user's changes.
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
@@ -49,12 +49,12 @@ public:
   /// The commands that the key may run.
   std::vector<const Command*> commands_of(const Shortcut& shortcut) const;
 
-  /// The commands that would lose the key.
+  /// The commands that lose the key if it is assigned to `command`.
   std::vector<const Command*> losers(std::string_view command, const Shortcut& shortcut) const;
 
-  /// Dragging the background with the left button orbits.
+  /// True if dragging the background with the left button orbits.
   bool left_orbits() const { return preset_ == KeyPreset::viewer; }
-  /// With Alt the middle button pans and the right button zooms.
+  /// True if, with Alt, the middle button pans and the right button zooms.
   bool alt_moves_camera() const { return preset_ == KeyPreset::maya; }
 
   friend bool operator==(const Keymap& a, const Keymap& b) {

@@ -9,11 +9,11 @@ namespace viete::scene {
 
 enum class Severity { info, warning, error };
 
-/// The lifetime that limits a message's.
+/// The object that a message is about. The message is removed when this object changes.
 enum class Scope { program, model, cage };
 
 struct Concern {
-  std::string_view topic{};  ///< the action: "export"; empty: one that cannot be retried
+  std::string_view topic{};  ///< the action, such as "export"; empty: cannot be retried
   Scope scope = Scope::program;
 };
 
@@ -29,7 +29,7 @@ struct Message {
 };
 
 /// Keeps the last 200. A repetition of a visible message, or of the last one, increases its count. A message
-/// is visible for a limited time; an error until the same action succeeds or it is dismissed.
+/// is visible for a limited time, an error until the same action succeeds or the user dismisses it.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;

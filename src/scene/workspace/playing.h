@@ -50,10 +50,10 @@ void stop_playing(Workspace& workspace);
 /// so that it stays visible.
 void follow_time(Workspace& workspace, double seconds);
 
-/// The pose of the keys or the mix, computed linearly if the document uses log space, and the reverse; null
+/// The pose of the keys or the mix, computed linearly if the document uses log space, and vice versa; null
 /// if neither is shown. May throw base::Error.
 SharedPose pose_by_other_blending(Workspace& workspace);
-/// True if keys or a mix exist, for which linear and log space differ.
+/// True if keys or a mix exist: only then can linear and log space differ.
 bool has_blended_pose(const Workspace& workspace);
 
 /// Call once per frame, before the model is deformed: see PinPosing.

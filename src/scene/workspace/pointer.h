@@ -35,7 +35,7 @@ void arm(Workspace& workspace, SelectShape shape);
 /// Ends the armed tool.
 void disarm(Workspace& workspace);
 
-/// The current gizmo of the selection; nullopt without one, and while the cage is hidden.
+/// The current gizmo of the selection; nullopt if there is no gizmo or the cage is hidden.
 std::optional<Gizmo> gizmo_of(const Workspace& workspace);
 
 /// The current grip. Requires a selection.

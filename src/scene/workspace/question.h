@@ -13,7 +13,7 @@ enum class Answer { save, cancel, proceed };
 struct Question {
   enum class Kind {
     close,         ///< closing the program with edits that could not be backed up
-    open,          ///< opening another document with edits that could not be set aside
+    open,          ///< opening another document with edits that could not be backed up
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing

@@ -12,7 +12,7 @@
 namespace viete::scene {
 
 /// Write the session, or the posed cage with its turns. Atomic; a message reports the file or the error.
-/// Return success. Saving a session marks all edits as saved, saving a pose those of the pose.
+/// Return true on success. Saving a session marks all edits as saved; saving a pose only those of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest; it then belongs to this file. The pose is not included.

@@ -21,7 +21,7 @@ struct View : SideWay {
   /// Error of the fused frame, or of its initial guess for a stitched model, against double, in diagonals of
   /// the cage; measured in the background; 0 if staged.
   double fused_error = 0;
-  std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: it uses none
+  std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: none used
   bool binding = false;
   std::string problem{};  ///< why it shows no model
 };

@@ -17,10 +17,10 @@ std::vector<int> eased_keys(const Workspace& workspace);
 /// A press on a frame: on a key (of either kind) selects it, toggles it with `add`, and starts dragging the
 /// selection; elsewhere starts a box.
 void press_keys(Workspace& workspace, double frame, std::optional<int> key, bool add);
-/// In the ruler: goes to the frame.
+/// A press in the ruler: goes to the frame.
 void press_ruler(Workspace& workspace, double frame);
 void press_pan(Workspace& workspace, double frame);
-/// `frame` is under the mouse, in terms of the frame window at the press.
+/// Continues a drag. `frame` is the frame under the mouse in the frame window at the press.
 void drag_time(Workspace& workspace, double frame);
 void release_time(Workspace& workspace);
 /// Esc: restores the state before the press.
