@@ -42,9 +42,12 @@ static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
 
 // Prefetches, in an array with `rows` lines per tile, the data of the vector that follows this one.
 static HWY_INLINE void prefetch_next(const float* array, std::size_t vector, std::size_t rows) {
-  const float* next = array + index_of(vector + vectors_at_once, rows);
+  // An integer, since the address may be beyond the array.
+  const auto next = reinterpret_cast<std::uintptr_t>(array + index_of(vector, rows));
+  const std::size_t ahead = index_of(vector + vectors_at_once, rows) - index_of(vector, rows);
 #pragma GCC unroll 24
-  for (std::size_t c = 0; c < rows; ++c) hwy::Prefetch(next + c * line_lanes);
+  for (std::size_t c = 0; c < rows; ++c)
+    hwy::Prefetch(reinterpret_cast<const float*>(next + sizeof(float) * (ahead + c * line_lanes)));
 }
 
 template <std::size_t Columns>

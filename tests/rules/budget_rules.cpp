@@ -21,13 +21,13 @@ using Budget = std::map<std::string, std::size_t>;
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
     {"app", 7215},        {"base", 1983},          {"bench", 5073},           {"blender", 592},
-    {"cages", 3559},      {"deform", 13108},       {"deform/sparse", 1248},   {"lab", 621},
+    {"cages", 3559},      {"deform", 13111},       {"deform/sparse", 1248},   {"lab", 621},
     {"library", 926},     {"mesh", 2852},          {"mesh/formats", 8366},    {"platform", 975},
     {"python", 1332},     {"render", 2171},        {"scene/document", 5103},  {"scene/files", 3808},
     {"scene/hand", 2549}, {"scene/pictures", 351}, {"scene/workspace", 5598}, {"sym3", 6429},
     {"ui", 6136},
 };
-constexpr std::size_t all_lines_of_src = 79'995;
+constexpr std::size_t all_lines_of_src = 79'998;
 
 // support has helpers that stood twice in scene, mesh and deform.
 const Budget lines_of_tests = {
