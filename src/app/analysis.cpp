@@ -28,16 +28,16 @@ constexpr std::size_t probed_matrices = 2048;
 constexpr double probe_seconds = 0.3;      // minimum interval: each sample costs the frame a millisecond
 constexpr double pose_rest_seconds = 0.5;  // without a new frame, until the pose counts as at rest
 
-bool is_in_motion(const scene::Workspace& w) {
+bool is_in_motion(const workspace::Workspace& w) {
   return w.interaction.drag || w.playback.playing || w.making_cage.running || w.loading.running ||
          w.binding.running;
 }
 
 }  // namespace
 
-void Analysis::follow_document(scene::Workspace& w) {
+void Analysis::follow_document(workspace::Workspace& w) {
   shows_news_ = false;
-  const scene::Document& document = w.document;
+  const document::Document& document = w.document;
   if (std::exchange(w.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
       return create_and_show_report(program, state, progress);
@@ -49,7 +49,7 @@ void Analysis::follow_document(scene::Workspace& w) {
   take_checks(w, false);
 }
 
-void Analysis::follow_frame(scene::Workspace& w, LiveModel& model, bool moves) {
+void Analysis::follow_frame(workspace::Workspace& w, LiveModel& model, bool moves) {
   shows_news_ = false;
   follow_path(w, model);
   if (!probe_wanted_) return;
@@ -58,14 +58,14 @@ void Analysis::follow_frame(scene::Workspace& w, LiveModel& model, bool moves) {
   follow_times(w, model, moves);
 }
 
-bool Analysis::has_news(const scene::Workspace& w, const LiveModel& model) const {
+bool Analysis::has_news(const workspace::Workspace& w, const LiveModel& model) const {
   return probe_.has_result() || probe_is_due(w, model) || checks_.has_result() || report_.has_result() ||
          timer_.has_result() || timer_is_due(w, model);
 }
 
 // Discards measurements of another path. The turns of cage parts do not belong to the path.
-void Analysis::follow_path(scene::Workspace& w, const LiveModel& model) {
-  const scene::Revisions& now = w.document.revisions();
+void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
+  const document::Revisions& now = w.document.revisions();
   const deform::Deformer* deformer = model.deformer();
   const auto engine = deformer ? deformer->ran() : std::nullopt;
   Path path{now.surfaces, now.cage, deformer ? deformer->scheme() : deform::Scheme()};
@@ -86,7 +86,7 @@ void Analysis::follow_path(scene::Workspace& w, const LiveModel& model) {
   shows_news_ = true;
 }
 
-void Analysis::follow_report(scene::Workspace& w) {
+void Analysis::follow_report(workspace::Workspace& w) {
   if (const auto result = report_.poll()) {
     if (result->value) w.messages.succeeded("report"), w.messages.info(*result->value);
     if (!result->problem.empty()) w.messages.error("Report failed: " + result->problem, {"report"});
@@ -96,39 +96,39 @@ void Analysis::follow_report(scene::Workspace& w) {
 }
 
 // Checks the surfaces as loaded, independent of pose and binding.
-void Analysis::start_checks(const scene::Document& document) {
+void Analysis::start_checks(const document::Document& document) {
   checked_model_ = document.model.surface;
   checked_cage_ = document.cage_file.surface;
   checks_.start([model = document.model, cage = document.cage_file](base::Progress& progress) {
-    return scene::check(model, cage, &progress);
+    return document::check(model, cage, &progress);
   });
 }
 
-void Analysis::take_checks(scene::Workspace& w, bool wait) {
+void Analysis::take_checks(workspace::Workspace& w, bool wait) {
   auto result = checks_.poll(wait);
   w.checks.running = checks_.running();
   w.checks.done = checks_.state().done;
   if (!result) return;
   shows_news_ = true;
   if (!result->value)
-    return w.messages.error("Checks failed: " + result->problem, {"checks", scene::Scope::cage});
+    return w.messages.error("Checks failed: " + result->problem, {"checks", workspace::Scope::cage});
   w.messages.succeeded("checks");
-  scene::take_findings(w.checks, *std::move(result->value));
+  workspace::take_findings(w.checks, *std::move(result->value));
 }
 
-void Analysis::finish_checks(scene::Workspace& w) {
+void Analysis::finish_checks(workspace::Workspace& w) {
   follow_document(w);
   if (checks_.running()) take_checks(w, true);
 }
 
-bool Analysis::probe_is_due(const scene::Workspace& w, const LiveModel& model) const {
+bool Analysis::probe_is_due(const workspace::Workspace& w, const LiveModel& model) const {
   if (!probe_wanted_ || !model.ran()) return false;
   const bool missing = model.takes_exponentials() && w.methods.matrices == 0;
   const bool fresh = missing || probed_ != model.frames();
   return fresh && !probe_.running() && base::wall_seconds() - probed_at_ > probe_seconds;
 }
 
-void Analysis::take_probe(scene::Workspace& w, bool wait) {
+void Analysis::take_probe(workspace::Workspace& w, bool wait) {
   const auto result = probe_.poll(wait);
   if (!result || !result->value) return;
   w.methods = *result->value;
@@ -136,7 +136,7 @@ void Analysis::take_probe(scene::Workspace& w, bool wait) {
   shows_news_ = true;
 }
 
-void Analysis::start_probe(scene::Workspace& w, const LiveModel& model) {
+void Analysis::start_probe(workspace::Workspace& w, const LiveModel& model) {
   probed_ = model.frames();
   probed_at_ = base::wall_seconds();
   w.split.views[0].fused_error = model.deformer()->sampled_error();
@@ -147,19 +147,19 @@ void Analysis::start_probe(scene::Workspace& w, const LiveModel& model) {
   shows_news_ |= !model.takes_exponentials();
 }
 
-bool Analysis::timer_is_due(const scene::Workspace& w, const LiveModel& model) const {
+bool Analysis::timer_is_due(const workspace::Workspace& w, const LiveModel& model) const {
   return probe_wanted_ && timed_ != model.frames() && model.takes_exponentials() && !timer_.running() &&
          !is_in_motion(w) && base::wall_seconds() - rests_since_ > pose_rest_seconds;
 }
 
-void Analysis::start_timer(const scene::Workspace& w, const LiveModel& model) {
+void Analysis::start_timer(const workspace::Workspace& w, const LiveModel& model) {
   timed_ = model.frames();
   timer_.start([timed = model.input(w.document, w.document.method)](base::Progress& progress) {
     return time_methods(timed, progress);
   });
 }
 
-void Analysis::take_times(scene::Workspace& w, LiveModel& model, bool wait) {
+void Analysis::take_times(workspace::Workspace& w, LiveModel& model, bool wait) {
   const auto result = timer_.poll(wait);
   if (!result || !result->value) return;  // a failed measurement shows no bar
   w.method_times = result->value->times;
@@ -168,7 +168,7 @@ void Analysis::take_times(scene::Workspace& w, LiveModel& model, bool wait) {
 }
 
 // During motion the running method's bar shows its frames; at rest all methods are measured.
-void Analysis::follow_times(scene::Workspace& w, LiveModel& model, bool moves) {
+void Analysis::follow_times(workspace::Workspace& w, LiveModel& model, bool moves) {
   if (moves || is_in_motion(w)) {
     rests_since_ = base::wall_seconds();
     if (timer_.running()) timer_.cancel(), timed_ = 0;
@@ -177,13 +177,13 @@ void Analysis::follow_times(scene::Workspace& w, LiveModel& model, bool moves) {
   if (timer_is_due(w, model)) start_timer(w, model);
   const auto frame = w.split.views[0].stats.deforming_median();
   if (!frame || (w.method_times.measured && timed_ == model.frames())) return;
-  const auto& methods = scene::compared_methods;
+  const auto& methods = analysis::compared_methods;
   const auto running = std::ranges::find(methods, frame->method);
   if (running != methods.end())
     w.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
 }
 
-void Analysis::finish_measuring(scene::Workspace& w, LiveModel& model) {
+void Analysis::finish_measuring(workspace::Workspace& w, LiveModel& model) {
   if (!probe_wanted_ || !model.takes_exponentials()) return;
   take_probe(w, true);
   if (probed_ != model.frames()) start_probe(w, model), take_probe(w, true);
@@ -194,7 +194,7 @@ void Analysis::finish_measuring(scene::Workspace& w, LiveModel& model) {
 
 namespace {
 
-using scene::compared_methods;
+using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
 // Larger staged weights are computed only when a method that needs them is chosen.
@@ -222,7 +222,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   deformer.set_mask(timed.mask);
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
-  std::array<std::vector<scene::FrameTimes>, compared_methods.size()> frames;
+  std::array<std::vector<workspace::FrameTimes>, compared_methods.size()> frames;
   for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
     for (std::size_t m = 0; m < frames.size(); ++m) {
       progress.report(0);
@@ -233,21 +233,21 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   }
   MethodTimings result{{.links = {}, .measured = true}, bound.binding};
   for (std::size_t m = 0; m < frames.size(); ++m)
-    if (!frames[m].empty()) result.times.links[m] = scene::median_of(frames[m]).links;
+    if (!frames[m].empty()) result.times.links[m] = workspace::median_of(frames[m]).links;
   return result;
 }
 
 namespace {
 
 constexpr int rounds = 5;
-constexpr std::size_t method_count = scene::compared_methods.size();
+constexpr std::size_t method_count = analysis::compared_methods.size();
 using Matrix = sym3::Sym3<double>;
 
-scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
+workspace::MethodSample errors_of(std::span<const Matrix> computed, std::span<const Matrix> matrices) {
   std::vector<double> errors(matrices.size());
   for (std::size_t i = 0; i < matrices.size(); ++i)
     errors[i] = sym3::relative_error(computed[i], matrices[i]);
-  scene::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
+  workspace::MethodSample sample{.worst_error = std::nan(""), .median_error = std::nan("")};
   if (std::ranges::any_of(errors, [](double e) { return std::isnan(e); })) return sample;
   sample.worst_error = std::ranges::max(errors);
   sample.median_error = base::median(std::move(errors));
@@ -256,15 +256,15 @@ scene::MethodSample errors_of(std::span<const Matrix> computed, std::span<const 
 
 }  // namespace
 
-scene::MethodStats measure_methods(std::span<const Matrix> matrices) {
-  scene::MethodStats stats;
+workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
+  workspace::MethodStats stats;
   if (matrices.empty()) return stats;
   std::vector<Matrix> out(matrices.size());
   std::array<std::vector<double>, method_count> seconds;
   for (int round = 0; round < rounds; ++round) {
     for (std::size_t m = 0; m < method_count; ++m) {
       const double start = base::thread_seconds();
-      sym3::exp<double>(matrices, out, scene::compared_methods[m]);
+      sym3::exp<double>(matrices, out, analysis::compared_methods[m]);
       seconds[m].push_back(base::thread_seconds() - start);
       if (round == 0) stats.samples[m] = errors_of(out, matrices);
     }
@@ -301,16 +301,16 @@ std::string words_of(Method method, const sym3::Route& route) {
   return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
 }
 
-std::vector<scene::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
-  std::vector<scene::VertexView::Way> ways;
-  for (const Method method : scene::compared_methods)
+std::vector<workspace::VertexView::Way> ways_of(const sym3::Sym3<double>& sum) {
+  std::vector<workspace::VertexView::Way> ways;
+  for (const Method method : analysis::compared_methods)
     ways.push_back({method, words_of(method, sym3::route(sum, method)),
                     sym3::relative_error(sym3::exp(sum, method), sum)});
   return ways;
 }
 
-scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
-  scene::VertexView view;
+workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
+  workspace::VertexView view;
   view.vertex = vertex;
   view.has_logs = sum.has_logs;
   sym3::Sym3<double> partial{};
@@ -330,12 +330,12 @@ scene::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum) {
 
 }  // namespace
 
-bool Analysis::vertex_is_due(const scene::Workspace& w, const LiveModel& model) const {
+bool Analysis::vertex_is_due(const workspace::Workspace& w, const LiveModel& model) const {
   return (w.vertex.vertex || inspected_.vertex) &&
          inspected_ != Inspected{w.vertex.vertex, model.frames(), model.deformer()};
 }
 
-bool Analysis::follow_vertex(scene::Workspace& w, const LiveModel& model) {
+bool Analysis::follow_vertex(workspace::Workspace& w, const LiveModel& model) {
   if (!vertex_is_due(w, model)) return false;
   inspected_ = {w.vertex.vertex, model.frames(), model.deformer()};
   const auto vertex = w.vertex.vertex;

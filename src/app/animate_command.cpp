@@ -13,9 +13,9 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/source.h"
-#include "scene/files/animation_export.h"
-#include "scene/files/animation_import.h"
+#include "files/animation_export.h"
+#include "files/animation_import.h"
+#include "formats/source.h"
 
 namespace viete::app {
 
@@ -39,7 +39,7 @@ struct AnimateOptions {
 
 // Parses "1-48", "-10--1", "7"; nullopt for other words.
 std::optional<FrameRange> frame_range(const std::string& text) {
-  using scene::Timeline;
+  using document::Timeline;
   FrameRange range{};
   int end = 0;
   const int read = std::sscanf(text.c_str(), "%9d%n-%9d%n", &range.first, &end, &range.last, &end);
@@ -65,39 +65,39 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
 }
 
 // Called with the named files before anything is opened, and again with all files read.
-void check_output(const AnimateOptions& options, FilesInUse files, const scene::FrameSteps& frames = {}) {
-  const std::string extension = mesh::extension_of(options.output.file);
+void check_output(const AnimateOptions& options, FilesInUse files, const files::FrameSteps& frames = {}) {
+  const std::string extension = formats::extension_of(options.output.file);
   const bool numbered = base::NumberedName::is_pattern(options.output.file);
-  if (!numbered && !scene::is_animation_format(extension)) return;
+  if (!numbered && !files::is_animation_format(extension)) return;
   check_output(options.output.file, frames, files, force_of(options.output.force));
 }
 
 // The opened document with the requested frames.
-scene::Opened opened_for(const AnimateOptions& options, void (*check)(const scene::Opened&)) {
-  scene::Opened opened = open(options.inputs, check);
-  scene::Document& document = *opened.document;
-  scene::Timeline& timeline = document.timeline;
+files::Opened opened_for(const AnimateOptions& options, void (*check)(const files::Opened&)) {
+  files::Opened opened = open(options.inputs, check);
+  document::Document& document = *opened.document;
+  document::Timeline& timeline = document.timeline;
   timeline.rate = options.rate.value_or(timeline.rate);
   timeline.straight |= options.straight;
   if (!options.keys.empty()) {
     if (!document.has_cage())
       throw base::Error(options.inputs.model.string(), "keys need a cage and the session has none",
                         "open it in the window and add a cage");
-    scene::ImportedKeys keys =
-        scene::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
+    files::ImportedKeys keys =
+        files::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
     opened.warnings.insert(opened.warnings.end(), keys.warnings.begin(), keys.warnings.end());
-    for (auto& file : keys.files) opened.also_read.push_back({std::move(file), scene::the_keys});
+    for (auto& file : keys.files) opened.also_read.push_back({std::move(file), document::the_keys});
     timeline.keys = std::move(keys.keys);
     timeline.first = timeline.keys.front().frame;
     timeline.last = timeline.keys.back().frame;
   }
   if (options.frames) timeline.first = options.frames->first, timeline.last = options.frames->last;
-  check_output(options, scene::files_of(opened), {timeline.first, timeline.last, options.step});
+  check_output(options, files::files_of(opened), {timeline.first, timeline.last, options.step});
   return opened;
 }
 
-scene::AnimationExport export_of(const AnimateOptions& options, const scene::Opened& opened) {
-  scene::AnimationExport what = scene::animation_export_of(*opened.document, options.output.file);
+files::AnimationExport export_of(const AnimateOptions& options, const files::Opened& opened) {
+  files::AnimationExport what = files::animation_export_of(*opened.document, options.output.file);
   if (opened.session && opened.session->camera) what.model.up = opened.session->camera->up;
   what.model.digits = options.output.digits;
   what.step = options.step;
@@ -108,14 +108,14 @@ scene::AnimationExport export_of(const AnimateOptions& options, const scene::Ope
 }
 
 int write_models(const AnimateOptions& options) {
-  const scene::Opened opened = opened_for(options, scene::check_deformable);
+  const files::Opened opened = opened_for(options, files::check_deformable);
   print_notes(opened.warnings);
-  const scene::AnimationExport what = export_of(options, opened);
-  scene::check_animation_export(what);
+  const files::AnimationExport what = export_of(options, opened);
+  files::check_animation_export(what);
   return write_frames(options.output, what);
 }
 
-PictureRun picture_run(const AnimateOptions& options, const scene::Timeline& timeline) {
+PictureRun picture_run(const AnimateOptions& options, const document::Timeline& timeline) {
   PictureRun run{options.output.file,           {}, timeline.rate, options.step, options.turntable,
                  force_of(options.output.force)};
   for (int frame = timeline.first; frame <= timeline.last; frame += options.step) run.frames.push_back(frame);
@@ -126,7 +126,7 @@ int write_pictures(const AnimateOptions& options) {
   if (!base::NumberedName::is_pattern(options.output.file))
     throw base::Error(options.output.file.string(), "a picture shows a single frame",
                       "write numbered pictures: frame_####.png");
-  scene::Opened opened = opened_for(options, scene::check_drawable);
+  files::Opened opened = opened_for(options, files::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
     throw base::Error(options.inputs.model.string(), "the timeline has no keys, so nothing moves",
                       "set keys on the timeline and save the session, or add --turntable");
@@ -147,9 +147,10 @@ int write_pictures(const AnimateOptions& options) {
 
 int animate(const AnimateOptions& options) {
   FilesInUse named = files_read(options.inputs);
-  named.add(options.keys, scene::the_keys);
+  named.add(options.keys, document::the_keys);
   check_output(options, std::move(named));
-  return mesh::extension_of(options.output.file) == "png" ? write_pictures(options) : write_models(options);
+  return formats::extension_of(options.output.file) == "png" ? write_pictures(options)
+                                                             : write_models(options);
 }
 
 }  // namespace
@@ -166,7 +167,8 @@ void add_animate_command(CLI::App& app, Action& action) {
   auto* step = command->add_option("--step", o->step, "Frame step");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second");
-  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("the session's");
+  in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)
+      ->default_str("the session's");
   auto* tolerance =
       command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");

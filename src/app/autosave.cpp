@@ -5,8 +5,8 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "scene/files/session.h"
-#include "scene/workspace/saving.h"
+#include "files/session.h"
+#include "workspace/saving.h"
 
 namespace viete::app {
 
@@ -45,19 +45,19 @@ void make_folder(const fs::path& folder) {
 
 Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
     : folder_(std::move(folder)), queue_(queue) {
-  if (!folder_.empty()) file_ = scene::recovery_file(folder_);
+  if (!folder_.empty()) file_ = files::recovery_file(folder_);
 }
 
-void Autosave::follow(scene::Workspace& workspace, bool no_drag) {
+void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
-  const scene::Document& document = workspace.document;
+  const document::Document& document = workspace.document;
   const Moment now{workspace.opened,
                    document.history.revision(),
                    workspace.saved.revision(),
                    document.revisions().method,
                    workspace.view,
-                   no_drag ? scene::has_unsaved_edits(workspace) : seen_.unsaved};
+                   no_drag ? workspace::has_unsaved_edits(workspace) : seen_.unsaved};
   if (now == seen_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
@@ -86,7 +86,7 @@ bool Autosave::has_news() const {
   return base::is_ready(writing_);
 }
 
-bool Autosave::keep_now(scene::Workspace& workspace) {
+bool Autosave::keep_now(workspace::Workspace& workspace) {
   follow(workspace);
   if (folder_.empty()) return false;
   std::error_code ignored;
@@ -99,7 +99,7 @@ bool Autosave::keep_now(scene::Workspace& workspace) {
   return kept_;
 }
 
-bool Autosave::set_aside(scene::Workspace& workspace) {
+bool Autosave::set_aside(workspace::Workspace& workspace) {
   return keep_now(workspace) && move_aside(workspace);
 }
 
@@ -110,20 +110,20 @@ std::string Autosave::problem() const {
 }
 
 // A restored recovery file is deleted once its work has been written here.
-void Autosave::write(scene::Workspace& workspace) {
+void Autosave::write(workspace::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
   replaced_ = workspace.recovered_from;
-  writing_ =
-      queue_.add([session = scene::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
+  writing_ = queue_.add(
+      [session = workspace::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
         make_folder(folder);
-        base::replace_file(file, scene::session_text(session, file, false), base::Durability::process);
+        base::replace_file(file, files::session_text(session, file, false), base::Durability::process);
         std::error_code ignored;
         if (!old.empty()) fs::remove(old, ignored);
       });
 }
 
-void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
+void Autosave::take_result(workspace::Workspace& workspace, double wait_seconds) {
   if (!base::is_ready(writing_, wait_seconds)) return;
   try {
     writing_.get();
@@ -137,28 +137,28 @@ void Autosave::take_result(scene::Workspace& workspace, double wait_seconds) {
 }
 
 // Keeps the previous document's recovery file, as last written, under another name.
-bool Autosave::move_aside(scene::Workspace& workspace) {
+bool Autosave::move_aside(workspace::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;
   if (!fs::exists(file_, code)) return true;
-  const fs::path aside = scene::set_aside_file(folder_);
+  const fs::path aside = files::set_aside_file(folder_);
   fs::rename(file_, aside, code);
   if (code) {
     problem_ = file_.string() + ": unsaved edits could not be saved for recovery: " + code.message();
     return false;
   }
-  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(aside));
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), files::describe_recovery_file(aside));
   workspace.messages.info("Unsaved edits of " + workspace.recovery_files.front().name +
                           " were saved; File > Restore recovered edits restores them.");
   return true;
 }
 
-void Autosave::close_recovered(scene::Workspace& workspace) {
+void Autosave::close_recovered(workspace::Workspace& workspace) {
   if (untouched_.empty()) return;
-  const fs::path file = scene::mark_restored(std::exchange(untouched_, {}));
+  const fs::path file = files::mark_restored(std::exchange(untouched_, {}));
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
-  workspace.recovery_files.insert(workspace.recovery_files.begin(), scene::describe_recovery_file(file));
+  workspace.recovery_files.insert(workspace.recovery_files.begin(), files::describe_recovery_file(file));
 }
 
 // Deletes the file, and the restored one if it still exists.

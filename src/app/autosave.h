@@ -6,7 +6,7 @@
 #include <string>
 
 #include "base/background.h"
-#include "scene/workspace/workspace.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
@@ -29,34 +29,34 @@ public:
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
   /// Call at the end of each frame. A running drag is not an edit yet.
-  void follow(scene::Workspace& workspace, bool no_drag = true);
+  void follow(workspace::Workspace& workspace, bool no_drag = true);
   /// True if the current edits have been written.
   bool kept() const { return kept_; }
   /// True if a write has finished or failed since follow().
   bool has_news() const;
   /// Writes the current edits and waits, with one retry. Returns false if they could not be written: see
   /// problem().
-  bool keep_now(scene::Workspace& workspace);
+  bool keep_now(workspace::Workspace& workspace);
   /// As keep_now(), then sets the file aside, because another document is about to be opened.
-  bool set_aside(scene::Workspace& workspace);
+  bool set_aside(workspace::Workspace& workspace);
   /// Closes recovered work without further edits: its file is no longer offered automatically.
-  void close_recovered(scene::Workspace& workspace);
+  void close_recovered(workspace::Workspace& workspace);
   /// Why the current edits could not be written.
   std::string problem() const;
 
 private:
   struct Moment {
-    scene::Revision opened = 0;
+    document::Revision opened = 0;
     unsigned long edits = 0, saved = 0;
-    scene::Revision method = 0;
-    scene::ViewOptions view;
+    document::Revision method = 0;
+    document::ViewOptions view;
     bool unsaved = false;  // also changed by going to another frame
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
-  void write(scene::Workspace& workspace);
-  void take_result(scene::Workspace& workspace, double wait_seconds);
-  bool move_aside(scene::Workspace& workspace);
+  void write(workspace::Workspace& workspace);
+  void take_result(workspace::Workspace& workspace, double wait_seconds);
+  bool move_aside(workspace::Workspace& workspace);
   void remove(const std::filesystem::path& leftover);
 
   std::filesystem::path folder_, file_;

@@ -12,10 +12,10 @@
 #include "base/error.h"
 #include "base/numbered_files.h"
 #include "base/text.h"
-#include "mesh/formats/point_cache.h"
-#include "mesh/formats/source.h"
-#include "scene/document/animation.h"
-#include "scene/files/animation_export.h"
+#include "document/animation.h"
+#include "files/animation_export.h"
+#include "formats/point_cache.h"
+#include "formats/source.h"
 
 namespace viete::app {
 
@@ -49,12 +49,12 @@ void spread_sequence(std::vector<std::filesystem::path>& files) {
 // The interpolated shapes, in order.
 struct Way {
   OpenedShapes opened;
-  std::vector<scene::SharedShape> shapes;
+  std::vector<document::SharedShape> shapes;
 };
 
-Way open_way(const BetweenOptions& options, const scene::FrameSteps* frames = nullptr) {
+Way open_way(const BetweenOptions& options, const files::FrameSteps* frames = nullptr) {
   const bool first_is_rest = options.rest.empty();
-  if (first_is_rest && mesh::point_cache_format(options.files.front()))
+  if (first_is_rest && formats::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
                       "give its model with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
@@ -62,7 +62,7 @@ Way open_way(const BetweenOptions& options, const scene::FrameSteps* frames = nu
   Way way{open_shapes(model, shapes, options.output, frames), {}};
   if (first_is_rest) way.shapes.push_back(nullptr);
   for (const auto& of_file : way.opened.of_files)
-    for (const scene::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
+    for (const document::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
   if (way.shapes.size() < 2)
     throw base::Error(options.files.front().string(), "a single shape cannot be interpolated",
                       "give another shape");
@@ -71,19 +71,19 @@ Way open_way(const BetweenOptions& options, const scene::FrameSteps* frames = nu
 }
 
 // A timeline with the shapes as evenly spaced keys.
-scene::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
+document::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
   const std::size_t steps = way.shapes.size() - 1;
-  scene::Timeline timeline;
+  document::Timeline timeline;
   timeline.first = first, timeline.last = last;
   timeline.straight = options.straight;
-  timeline.repeat = options.loop ? scene::Repeat::loop : scene::Repeat::once;
-  const auto easing = options.linear || steps == 1 ? scene::Easing::linear : scene::Easing::smooth;
+  timeline.repeat = options.loop ? document::Repeat::loop : document::Repeat::once;
+  const auto easing = options.linear || steps == 1 ? document::Easing::linear : document::Easing::smooth;
   for (std::size_t i = 0; i <= steps; ++i) {
-    scene::WholePose pose;
+    document::WholePose pose;
     pose.shape = way.shapes[i];
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     timeline.keys.push_back({first + static_cast<int>(std::lround((last - first) * share)),
-                             std::make_shared<const scene::WholePose>(std::move(pose)), easing});
+                             std::make_shared<const document::WholePose>(std::move(pose)), easing});
   }
   return timeline;
 }
@@ -96,12 +96,12 @@ int write_moment(const BetweenOptions& options) {
                       "--at " + base::few_digits(*options.at) + " is beyond the last shape, which is at " +
                           std::to_string(last),
                       "0 is the first shape, 1 the second, 1.5 halfway from there to the third");
-  const scene::Document& document = *way.opened.model.document;
-  scene::Export what = export_to(options.output, way.opened.model);
+  const document::Document& document = *way.opened.model.document;
+  files::Export what = export_to(options.output, way.opened.model);
   std::optional<TerminalProgress> work(options.output.task());
-  scene::VectorCache vectors;
+  document::VectorCache vectors;
   vectors.follow_model(document.model.surface);
-  const scene::Animation animation(timeline_of(options, way, 0, last), vectors);
+  const document::Animation animation(timeline_of(options, way, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
   const auto notes = write_shape(what, "the shape", &work->progress());
   work.reset();  // removes the progress line before output
@@ -111,13 +111,13 @@ int write_moment(const BetweenOptions& options) {
 }
 
 int write_motion(const BetweenOptions& options) {
-  const scene::FrameSteps steps{1, options.frames, 1};
+  const files::FrameSteps steps{1, options.frames, 1};
   const Way way = open_way(options, &steps);
   if (static_cast<std::size_t>(options.frames) < way.shapes.size())
     throw base::Error(options.output.file.string(),
                       std::to_string(options.frames) + " frames are fewer than the shapes",
                       "ask for " + std::to_string(way.shapes.size()) + " or more");
-  scene::AnimationExport what = scene::animation_export_of(*way.opened.model.document, options.output.file);
+  files::AnimationExport what = files::animation_export_of(*way.opened.model.document, options.output.file);
   what.timeline = timeline_of(options, way, 1, options.frames);
   what.last = options.frames;
   what.rate = options.rate;
@@ -157,7 +157,7 @@ void add_between_command(CLI::App& app, Action& action) {
   command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
   command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
-  in_range(rate, scene::Timeline::least_rate, scene::Timeline::largest_rate)->default_str("24");
+  in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)->default_str("24");
   add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",
                           "between rest.obj smile.obj --at 0.5 -o half.obj"});
   command->callback([o, &action] { action = [o] { return between(*o); }; });

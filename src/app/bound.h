@@ -6,7 +6,7 @@
 #include "base/progress.h"
 #include "deform/binding.h"
 #include "deform/stitching.h"
-#include "scene/document/document.h"
+#include "document/document.h"
 
 namespace viete::app {
 
@@ -21,7 +21,7 @@ struct Bound {
     return stitching && stitching->holding == scheme.holding;
   }
   /// True if it binds the document's model to the document's cage, with any weights.
-  bool binds(const scene::Document& document) const {
+  bool binds(const document::Document& document) const {
     return binding && model == document.model.surface && cage == document.cage;
   }
 };

@@ -15,9 +15,9 @@
 #include "base/text.h"
 #include "cages/make.h"
 #include "cages/soundness.h"
-#include "mesh/formats/format_table.h"
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "formats/format_table.h"
+#include "formats/read.h"
+#include "formats/write.h"
 
 namespace viete::app {
 
@@ -64,7 +64,7 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
   }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
   throw base::Error(file.string(), "glTF's 7 digits are too few for the cage's vertices",
-                    "write it as " + mesh::format_extensions(mesh::keeps_order));
+                    "write it as " + formats::format_extensions(formats::keeps_order));
 }
 
 // Refuses options for other kinds of cages.
@@ -80,10 +80,10 @@ void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
 
 int make_cage(const CageOptions& options) {
   FilesInUse read;
-  read.add(options.model, scene::the_model);
+  read.add(options.model, document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
-  const mesh::ReadResult model = mesh::read(options.model);
-  scene::add_surface(read, options.model, model.original.get(), model.attributes.get(), scene::the_model);
+  const formats::ReadResult model = formats::read(options.model);
+  files::add_surface(read, options.model, model.original.get(), model.attributes.get(), document::the_model);
   check_output(options.output.file, Content::surface, read, options.output.force);
   print_notes(model.warnings);
   auto work = std::make_unique<TerminalProgress>("Making " + options.output.file.filename().string());
@@ -97,10 +97,10 @@ int make_cage(const CageOptions& options) {
   }
   work.reset();  // removes the progress line before output
   const double seconds = 1e-3 * watch.lap_ms();
-  const mesh::Format& format = mesh::surface_format(options.output.file);
+  const formats::Format& format = formats::surface_format(options.output.file);
   if (format.holds_morphs) check_rounded(options.output.file, made.surface, model.surface, pool);
   print_notes(made.notes);
-  mesh::write(options.output.file, made.surface, {"cage of " + options.model.filename().string()});
+  formats::write(options.output.file, made.surface, {"cage of " + options.model.filename().string()});
   print(made, format.keeps_order, seconds);
   return exit_ok;
 }
@@ -111,7 +111,7 @@ void add_cage_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("cage", "Make a cage around a mesh");
   auto o = std::make_shared<CageOptions>();
   cages::Wish& wish = o->wish;
-  command->add_option("MODEL", o->model, mesh::a_mesh())->required();
+  command->add_option("MODEL", o->model, formats::a_mesh())->required();
   add_file_option(*command, "-o,--output", o->output.file,
                   "Mesh file to write; the extension sets the format")
       ->required();

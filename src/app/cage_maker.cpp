@@ -30,7 +30,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
     if (!workshop.maker) workshop.maker.emplace(workshop.model);
     cages::Made made = workshop.maker->make(wish, pool, &progress);
     all.notes = std::move(made.notes);
-    all.surface = scene::generated_surface(std::move(made.surface), "made here");
+    all.surface = document::generated_surface(std::move(made.surface), "made here");
   }
   if (!is_preview) progress.section(0.7, 0.75);
   all.cage = std::make_shared<const deform::Cage>(deform::make_cage(*all.surface.surface));
@@ -40,7 +40,7 @@ CageMaker::Made CageMaker::make(Workshop& workshop, const cages::Wish& wish, con
   return all;
 }
 
-bool CageMaker::is_due(const scene::Workspace& w) const {
+bool CageMaker::is_due(const workspace::Workspace& w) const {
   if (!w.making.open) return job_.running() || asked_.has_value();
   if (job_.has_result()) return true;
   if (!is_wished(w)) return !job_.running() || effort_ == cages::Effort::full;
@@ -48,7 +48,7 @@ bool CageMaker::is_due(const scene::Workspace& w) const {
   return w.making.closing || (wants_full_ && base::wall_seconds() - asked_at_ > rest_seconds);
 }
 
-void CageMaker::follow(scene::Workspace& w, bool no_drag) {
+void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
   if (!w.making.open) {
     job_.cancel();
     asked_.reset();
@@ -58,24 +58,24 @@ void CageMaker::follow(scene::Workspace& w, bool no_drag) {
     if (auto result = job_.poll()) {
       // A full-quality cage is obsolete if its preview was replaced or posed.
       const bool wanted =
-          effort_ == cages::Effort::preview || scene::can_replace_generated(w.document, w.making);
+          effort_ == cages::Effort::preview || document::can_replace_generated(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
       if (result->value) w.messages.succeeded("make cage");
-      if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", scene::Scope::model});
+      if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", workspace::Scope::model});
       wants_full_ &= result->value.has_value();
     }
     // Lets a running preview finish: otherwise continuous changes of a slider would never show a preview.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
-    wants_full_ &= job_.running() || scene::can_replace_generated(w.document, w.making);
+    wants_full_ &= job_.running() || document::can_replace_generated(w.document, w.making);
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
   w.making_cage = job_.state();
 }
 
-void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
-  const scene::Document& document = w.document;
+void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {
+  const document::Document& document = w.document;
   if (effort == cages::Effort::preview) asked_at_ = base::wall_seconds();
   asked_ = w.making.wish;
   effort_ = effort;
@@ -89,26 +89,26 @@ void CageMaker::start(const scene::Workspace& w, cages::Effort effort) {
              text_of(wish));
 }
 
-void CageMaker::take(scene::Workspace& w, Made&& made) {
+void CageMaker::take(workspace::Workspace& w, Made&& made) {
   bound_ = std::move(made.bound);
   is_preview_ = effort_ == cages::Effort::preview && w.making.wish.kind == cages::Kind::automatic;
-  scene::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
-                       std::move(made.notes));
+  document::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
+                          std::move(made.notes));
   if (!w.making.closing) return;
   // The panel with the notes is closed: show them as messages.
   for (const std::string& note : w.making.notes)
-    w.messages.warn("New cage: " + note + ".", {.scope = scene::Scope::cage});
+    w.messages.warn("New cage: " + note + ".", {.scope = workspace::Scope::cage});
 }
 
-void CageMaker::close(scene::Workspace& w) {
-  if (is_preview_ && scene::shows_generated(w.document, w.making))
+void CageMaker::close(workspace::Workspace& w) {
+  if (is_preview_ && document::shows_generated(w.document, w.making))
     w.messages.warn(
         "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
-        {.scope = scene::Scope::cage});
+        {.scope = workspace::Scope::cage});
   w.making = {.wish = w.making.wish};
 }
 
-void CageMaker::stop(scene::Workspace& w) {
+void CageMaker::stop(workspace::Workspace& w) {
   if (!job_.running()) return;
   job_.cancel();
   wants_full_ = false;

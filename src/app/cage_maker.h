@@ -9,7 +9,7 @@
 #include "app/bound.h"
 #include "base/background.h"
 #include "cages/make.h"
-#include "scene/workspace/workspace.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
@@ -19,19 +19,19 @@ namespace viete::app {
 class CageMaker {
 public:
   /// Call once per frame: delivers a finished cage, unless a drag is running, and starts the next one.
-  void follow(scene::Workspace& workspace, bool no_drag);
+  void follow(workspace::Workspace& workspace, bool no_drag);
   /// Cancels the generation with a message: the cage stays until the settings change.
-  void stop(scene::Workspace& workspace);
+  void stop(workspace::Workspace& workspace);
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
-  bool is_due(const scene::Workspace& workspace) const;
+  bool is_due(const workspace::Workspace& workspace) const;
   /// The binding of the last delivered cage; returned only once.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
   struct Made {
-    scene::OpenedSurface surface;
+    document::OpenedSurface surface;
     std::shared_ptr<const deform::Cage> cage;
     std::vector<std::string> notes;
     Bound bound;
@@ -41,10 +41,10 @@ private:
     std::shared_ptr<const mesh::Surface> model;
     std::optional<cages::Maker> maker{};
   };
-  void start(const scene::Workspace& workspace, cages::Effort effort);
-  void take(scene::Workspace& workspace, Made&& made);
-  void close(scene::Workspace& workspace);
-  bool is_wished(const scene::Workspace& workspace) const { return asked_ == workspace.making.wish; }
+  void start(const workspace::Workspace& workspace, cages::Effort effort);
+  void take(workspace::Workspace& workspace, Made&& made);
+  void close(workspace::Workspace& workspace);
+  bool is_wished(const workspace::Workspace& workspace) const { return asked_ == workspace.making.wish; }
   static Made make(Workshop& workshop, const cages::Wish& wish, const deform::Scheme& scheme,
                    sym3::Method method, base::Progress& progress);
 

@@ -21,8 +21,8 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
-#include "mesh/formats/source.h"
-#include "scene/files/export.h"
+#include "files/export.h"
+#include "formats/source.h"
 
 namespace viete::app {
 
@@ -37,7 +37,7 @@ struct DeformOptions {
 
 // Reads whitespace-separated numbers in vertex order.
 deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
-  const mesh::FileBytes bytes(file, nullptr);
+  const formats::FileBytes bytes(file, nullptr);
   std::istringstream in{std::string(bytes.view())};
   std::vector<float> shares;
   std::string word;
@@ -56,7 +56,7 @@ deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
   return std::make_shared<const std::vector<float>>(std::move(shares));
 }
 
-void take_mask(const DeformOptions& options, scene::Export& what) {
+void take_mask(const DeformOptions& options, files::Export& what) {
   if (!options.mask.empty()) what.mask = mask_of(options.mask, what.model->positions.size());
 }
 
@@ -105,7 +105,7 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
 // vertex, both in native byte order, each immediately, until the input ends. As in the window, turns of the
 // cage's parts continue from the previous pose. Throws base::Error if a pose is invalid or incomplete, or
 // exceeds float, and if writing fails.
-void stream_poses(const scene::Export& what) {
+void stream_poses(const files::Export& what) {
   base::Progress progress;
   const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);
   base::WorkerPool pool;
@@ -127,24 +127,24 @@ int stream(const DeformOptions& options) {
   if (isatty(STDOUT_FILENO))
     throw base::Error("--stream", "positions would be written to the terminal",
                       "redirect the output to a program or a file");
-  const scene::Opened opened = open(options.inputs, scene::check_deformable);
+  const files::Opened opened = open(options.inputs, files::check_deformable);
   print_notes(opened.warnings);
   if (!opened.document->has_cage())
     throw base::Error(options.inputs.model.string(), "the session has no cage",
                       "open it in the window and add a cage");
-  scene::Export what = scene::export_of(*opened.document, {});
+  files::Export what = files::export_of(*opened.document, {});
   take_mask(options, what);
   stream_poses(what);
   return exit_ok;
 }
 
 int deform_file(const DeformOptions& options) {
-  const scene::Opened opened =
-      open(options.inputs, scene::check_deformable, options.output, {options.mask, scene::the_mask});
+  const files::Opened opened =
+      open(options.inputs, files::check_deformable, options.output, {options.mask, document::the_mask});
   print_notes(opened.warnings);
-  scene::Export what = export_to(options.output, opened);
+  files::Export what = export_to(options.output, opened);
   take_mask(options, what);
-  print_notes(scene::write_deformed(what));
+  print_notes(files::write_deformed(what));
   return exit_ok;
 }
 

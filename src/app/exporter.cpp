@@ -45,7 +45,7 @@ private:
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress) {
   const ScratchFolder scratch;
   const fs::path session = scratch.path() / "animation.viete";
-  base::replace_file(session, scene::session_text(what.session, session), base::Durability::process);
+  base::replace_file(session, files::session_text(what.session, session), base::Durability::process);
   std::vector<std::string> words{what.program.string(), "animate", session.string(), "-o",
                                  fs::absolute(what.file).string()};
   if (what.session.view.cage) words.push_back("--show-cage");
@@ -53,21 +53,21 @@ std::vector<std::string> write_pictures_in_child(const PictureExport& what, base
   return run_child(words, progress);
 }
 
-void Exporter::add(scene::Export what, std::vector<std::string> shown_notes) {
+void Exporter::add(files::Export what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.file;
   add({file, "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
-         return Written{"", scene::write_deformed(what, &progress)};
+         return Written{"", files::write_deformed(what, &progress)};
        },
        std::move(shown_notes)});
 }
 
-void Exporter::add(scene::AnimationExport what, std::vector<std::string> shown_notes) {
+void Exporter::add(files::AnimationExport what, std::vector<std::string> shown_notes) {
   const std::filesystem::path file = what.model.file;
   const bool numbered = base::NumberedName::is_pattern(file);
   add({file, numbered ? "frames written so far are complete" : "no file was changed",
        [what = std::move(what)](base::Progress& progress) {
-         scene::AnimationReport report = scene::write_animation(what, &progress);
+         files::AnimationReport report = files::write_animation(what, &progress);
          const std::string name = what.model.file.filename().string();
          return Written{name + ": " + report.summary, std::move(report.notes)};
        },
@@ -93,25 +93,25 @@ void Exporter::start_next() {
   job_.start(std::move(now_.write), "Exporting " + now_.file.filename().string());
 }
 
-scene::WorkState Exporter::state() const {
+workspace::WorkState Exporter::state() const {
   if (!running()) return {};
-  scene::WorkState state = job_.state();
+  workspace::WorkState state = job_.state();
   if (!waiting_.empty()) state.what += ", then " + waiting_.front().file.filename().string();
   return state;
 }
 
 // Notes that need no action go to the message list only.
-void Exporter::tell(scene::Messages& messages, Written&& written) const {
+void Exporter::tell(workspace::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
                 [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
-  if (!written.summary.empty()) messages.log(scene::Severity::info, written.summary);
-  for (const auto& note : written.notes) messages.log(scene::Severity::warning, note);
+  if (!written.summary.empty()) messages.log(workspace::Severity::info, written.summary);
+  for (const auto& note : written.notes) messages.log(workspace::Severity::warning, note);
   std::string said = "Saved " + now_.file.filename().string();
   if (!written.notes.empty()) said += " (" + base::counted(written.notes.size(), "note") + ", see Messages)";
   messages.info(said + ".");
 }
 
-std::optional<Exporter::Failure> Exporter::follow(scene::Messages& messages, bool wait) {
+std::optional<Exporter::Failure> Exporter::follow(workspace::Messages& messages, bool wait) {
   auto result = job_.poll(wait);
   if (!result) return std::nullopt;
   std::optional<Failure> failure;

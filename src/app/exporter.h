@@ -10,18 +10,18 @@
 
 #include "base/background.h"
 #include "base/progress.h"
-#include "scene/files/animation_export.h"
-#include "scene/files/export.h"
-#include "scene/files/session.h"
-#include "scene/workspace/messages.h"
-#include "scene/workspace/workspace.h"
+#include "files/animation_export.h"
+#include "files/export.h"
+#include "files/session.h"
+#include "workspace/messages.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
 struct PictureExport {
   std::filesystem::path file;     ///< frame_####.png
   std::filesystem::path program;  ///< `viete`
-  scene::Session session;         ///< a snapshot: playback range and view
+  files::Session session;         ///< a snapshot: playback range and view
   bool panels = false;
 };
 
@@ -39,16 +39,16 @@ public:
   };
 
   /// The file must have passed check_output(). `shown_notes`: notes that the window shows already.
-  void add(scene::Export what, std::vector<std::string> shown_notes = {});
-  void add(scene::AnimationExport what, std::vector<std::string> shown_notes = {});
+  void add(files::Export what, std::vector<std::string> shown_notes = {});
+  void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
   /// Cancels the running export, which ends soon; then the next waiting export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
-  scene::WorkState state() const;
+  workspace::WorkState state() const;
   /// Reports finished exports in `messages` and starts the next one. With `wait`, waits for the running one.
   /// Returns the failed one, if any.
-  std::optional<Failure> follow(scene::Messages& messages, bool wait = false);
+  std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
 
 private:
   struct Written {
@@ -63,7 +63,7 @@ private:
   };
   void add(Work work);
   void start_next();
-  void tell(scene::Messages& messages, Written&& written) const;
+  void tell(workspace::Messages& messages, Written&& written) const;
 
   std::deque<Work> waiting_;
   Work now_;  ///< the running one, without `write`

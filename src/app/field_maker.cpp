@@ -7,15 +7,15 @@
 #include "deform/exact.h"
 #include "deform/example_posing.h"
 #include "deform/vertex_sample.h"
-#include "scene/document/elements.h"
+#include "document/elements.h"
 
 namespace viete::app {
 
 namespace {
 
-using lab::Field, lab::FieldValues, lab::Source;
+using analysis::Field, analysis::FieldValues, analysis::Source;
 
-std::vector<mesh::Point> drawn_positions(const scene::PosedModel& posed, const mesh::Surface& rest) {
+std::vector<mesh::Point> drawn_positions(const document::PosedModel& posed, const mesh::Surface& rest) {
   if (posed.vertices.size() != rest.positions.size()) return rest.positions;
   std::vector<mesh::Point> positions(rest.positions.size());
   for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = posed.at(rest, v);
@@ -44,12 +44,12 @@ private:
 // The displacement of each vertex per small displacement of the selection or the pins.
 struct Influence {
   FrameInput frame;
-  scene::Selection selection;
+  document::Selection selection;
   std::vector<std::uint32_t> vertices;  // moving vertices of the cage
 
   std::vector<double> shares(base::Progress& progress) const {
     std::vector<double> all(frame.bound.model->positions.size());
-    const bool of_probes = selection.kind() == scene::ElementKind::probe;
+    const bool of_probes = selection.kind() == document::ElementKind::probe;
     if (of_probes ? selection.empty() : vertices.empty()) return all;
     if (of_probes && is_of_pins()) return of_pins();
     constexpr double small = 1e-4;
@@ -93,18 +93,18 @@ private:
   }
 };
 
-void take(FieldValues&& made, const scene::Document& document, scene::FieldView& shown) {
+void take(FieldValues&& made, const document::Document& document, workspace::FieldView& shown) {
   if (made.values.size() != document.model.surface->positions.size()) return;
   if (shown.holds_range && shown.values) {
     made.stats.low = shown.stats.low, made.stats.high = shown.stats.high;
-    lab::fit_counts(made.values, made.stats);
+    analysis::fit_counts(made.values, made.stats);
   }
   shown.stats = made.stats;
   shown.values = std::make_shared<const std::vector<float>>(std::move(made.values));
 }
 
-lab::FieldInput input_of(const lab::Strain& strain, sym3::Method method) {
-  lab::FieldInput input;
+analysis::FieldInput input_of(const analysis::Strain& strain, sym3::Method method) {
+  analysis::FieldInput input;
   input.strain = &strain;
   input.method = method;
   return input;
@@ -114,24 +114,24 @@ lab::FieldInput input_of(const lab::Strain& strain, sym3::Method method) {
 
 FieldMaker::Key FieldMaker::key_of(const FieldSubject& s) {
   Key key{s.field, s.posed.frame, 0, s.posed.vertices.data(), s.document.model.surface.get(), s.method, {}};
-  if (lab::entry(s.field).source == Source::first) key.first = s.first.frame;
+  if (analysis::entry(s.field).source == Source::first) key.first = s.first.frame;
   if (s.field == Field::influence) key.selection = s.document.selection;
   return key;
 }
 
-bool FieldMaker::is_due(std::size_t view, const FieldSubject& s, const scene::FieldView& shown) const {
+bool FieldMaker::is_due(std::size_t view, const FieldSubject& s, const workspace::FieldView& shown) const {
   const View& v = views_[view];
   if (v.job.has_result()) return true;
-  const Source source = lab::entry(s.field).source;
+  const Source source = analysis::entry(s.field).source;
   if (source == Source::nothing) return shown.values != nullptr;
   if (key_of(s) == v.key) return false;
   if (source == Source::surface || source == Source::first) return true;
   return !v.job.running() && s.model.ran();
 }
 
-bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldView& shown, bool wait) {
+bool FieldMaker::follow(std::size_t view, const FieldSubject& s, workspace::FieldView& shown, bool wait) {
   View& v = views_[view];
-  const lab::FieldEntry& entry = lab::entry(s.field);
+  const analysis::FieldEntry& entry = analysis::entry(s.field);
   bool news = false;
   if (auto result = v.job.poll(wait); result && v.key.field == s.field) {
     shown.problem = result->problem;
@@ -161,9 +161,9 @@ bool FieldMaker::follow(std::size_t view, const FieldSubject& s, scene::FieldVie
   const auto drawn = drawn_positions(s.posed, rest), first = drawn_positions(s.first, rest);
   if (!pool_) pool_ = std::make_unique<base::WorkerPool>();
   const auto strain = strain_of(s.document);
-  lab::FieldInput input = input_of(*strain, s.method);
+  analysis::FieldInput input = input_of(*strain, s.method);
   input.drawn = drawn, input.first = first, input.pool = pool_.get();
-  take(lab::measure(s.field, input), s.document, shown);
+  take(analysis::measure(s.field, input), s.document, shown);
   return true;
 }
 
@@ -171,7 +171,7 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
   const auto strain = strain_of(s.document);
   const Field field = s.field;
   const sym3::Method method = s.method;
-  if (lab::entry(field).source == Source::matrices) {
+  if (analysis::entry(field).source == Source::matrices) {
     const deform::Rows rows = s.model.deformer()->state().rows();
     return view.job.start(
         [=, bound = s.model.bound(), mask = s.model.deformer()->mask(), form = rows.form,
@@ -180,33 +180,33 @@ void FieldMaker::begin(View& view, const FieldSubject& s) {
           const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
           const auto matrices = deform::sample_stretches(
               weigher, *bound.binding, mask, {form, values, origin}, bound.binding->vertices, &progress);
-          lab::FieldInput input = input_of(*strain, method);
+          analysis::FieldInput input = input_of(*strain, method);
           input.matrices = matrices, input.progress = &progress;
-          return lab::measure(field, input);
+          return analysis::measure(field, input);
         });
   }
   const FrameInput frame = s.model.input(s.document, method);
   if (field == Field::influence) {
     std::vector<std::uint32_t> vertices;
-    if (s.document.selection.kind() != scene::ElementKind::probe)
-      vertices = scene::moving_vertices(s.document);
+    if (s.document.selection.kind() != document::ElementKind::probe)
+      vertices = document::moving_vertices(s.document);
     return view.job.start(
         [=, influence = Influence{frame, s.document.selection, vertices}](base::Progress& progress) {
           const auto shares = influence.shares(progress);
-          lab::FieldInput input = input_of(*strain, method);
+          analysis::FieldInput input = input_of(*strain, method);
           input.shares = shares;
-          return lab::measure(field, input);
+          return analysis::measure(field, input);
         });
   }
   view.job.start([=, drawn = drawn_positions(s.posed, *frame.bound.model)](base::Progress& progress) {
     const auto exact = FrameInDouble(frame, progress).positions(frame.pose, frame.probes);
-    lab::FieldInput input = input_of(*strain, method);
+    analysis::FieldInput input = input_of(*strain, method);
     input.drawn = drawn, input.exact = exact;
-    return lab::measure(field, input);
+    return analysis::measure(field, input);
   });
 }
 
-void FieldMaker::finish(std::size_t view, const FieldSubject& s, scene::FieldView& shown) {
+void FieldMaker::finish(std::size_t view, const FieldSubject& s, workspace::FieldView& shown) {
   while (is_due(view, s, shown) || views_[view].job.running()) follow(view, s, shown, true);
 }
 
@@ -217,10 +217,10 @@ void FieldMaker::forget() {
   }
 }
 
-std::shared_ptr<const lab::Strain> FieldMaker::strain_of(const scene::Document& document) {
+std::shared_ptr<const analysis::Strain> FieldMaker::strain_of(const document::Document& document) {
   if (surface_ != document.model.surface) {
     surface_ = document.model.surface;
-    strain_ = std::make_shared<const lab::Strain>(*surface_);
+    strain_ = std::make_shared<const analysis::Strain>(*surface_);
   }
   return strain_;
 }

@@ -4,16 +4,16 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "mesh/formats/source.h"
-#include "scene/files/output.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/file_commands.h"
-#include "scene/workspace/saving.h"
+#include "files/output.h"
+#include "formats/source.h"
+#include "workspace/apply_opened.h"
+#include "workspace/file_commands.h"
+#include "workspace/saving.h"
 
 namespace viete::app {
 
 namespace fs = std::filesystem;
-using Kind = scene::Question::Kind;
+using Kind = workspace::Question::Kind;
 
 namespace {
 
@@ -27,14 +27,14 @@ fs::path preferences_file(const fs::path& state) {
   return state / "remembered.json";
 }
 
-FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path program)
+FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::path program)
     : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
-  workspace.recovery_files = scene::find_recovery_files(recovery_folder(state_));
-  workspace.offers_recovery = !std::ranges::all_of(workspace.recovery_files, &scene::RecoveryFile::restored);
+  workspace.recovery_files = files::find_recovery_files(recovery_folder(state_));
+  workspace.offers_recovery = !std::ranges::all_of(workspace.recovery_files, &files::RecoveryFile::restored);
   try {
-    workspace.preferences = scene::read_preferences(preferences_file(state_));
+    workspace.preferences = workspace::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
     workspace.messages.warn(std::string(error.what()) + "; starting without this file");
   }
@@ -43,7 +43,7 @@ FileDesk::FileDesk(const fs::path& state, scene::Workspace& workspace, fs::path 
   written_ = workspace.preferences;
 }
 
-void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
+void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   auto& r = w.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt)) {
@@ -52,8 +52,8 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
   }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);
-  if (const auto file = std::exchange(r.save_pose, std::nullopt)) scene::save_pose(w, *file);
-  if (const auto file = std::exchange(r.save_cage, std::nullopt)) scene::save_cage(w, *file);
+  if (const auto file = std::exchange(r.save_pose, std::nullopt)) workspace::save_pose(w, *file);
+  if (const auto file = std::exchange(r.save_cage, std::nullopt)) workspace::save_cage(w, *file);
   if (const auto file = std::exchange(r.save_model, std::nullopt); file && w.document.is_movable())
     export_to(w, *file, &FileDesk::start_export);
   if (const auto file = std::exchange(r.save_animation, std::nullopt);
@@ -69,7 +69,7 @@ void FileDesk::take_requests(scene::Workspace& w, bool no_drag) {
 }
 
 // A file browser stays open until its request is done. Long work shows a bar instead.
-void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace& w) {
+void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
   const bool exports = exporter_.running(), reads = loader_.running();
@@ -79,27 +79,27 @@ void FileDesk::follow_dialog(scene::FileBrowser& browser, const scene::Workspace
   browser.asked.clear();
 }
 
-void FileDesk::export_to(scene::Workspace& w, const fs::path& file, StartExport start) {
+void FileDesk::export_to(workspace::Workspace& w, const fs::path& file, StartExport start) {
   try {
     (this->*start)(w, file);
   } catch (const base::Error& error) {
-    scene::report_refusal(w, file, error.what(), "export");
+    workspace::report_refusal(w, file, error.what(), "export");
     closing_ = w.requests.quit = false;  // the error must be read first
   }
 }
 
-void FileDesk::start_export(const scene::Workspace& w, const fs::path& file) {
-  scene::Export what = scene::export_of(w.document, file);
+void FileDesk::start_export(const workspace::Workspace& w, const fs::path& file) {
+  files::Export what = files::export_of(w.document, file);
   what.up = w.camera.pose().up;
-  scene::check_output(file, scene::Content::surface, scene::files_open(w), scene::Force::none);
+  files::check_output(file, files::Content::surface, workspace::files_open(w), files::Force::none);
   exporter_.add(std::move(what), w.pose_notes);
 }
 
-PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::path& file) const {
-  PictureExport what{file, program_, scene::session_of(w)};
+PictureExport FileDesk::picture_export_of(const workspace::Workspace& w, const fs::path& file) const {
+  PictureExport what{file, program_, workspace::session_of(w)};
   what.session.view.cage = false;
   if (const auto& choice = w.browser.pictures) {
-    scene::ViewOptions& view = what.session.view;
+    document::ViewOptions& view = what.session.view;
     view.cage = choice->cage, view.grid = choice->grid, view.dark = !choice->light;
     what.session.window = {choice->width, choice->height};
     what.panels = choice->panels;
@@ -107,18 +107,18 @@ PictureExport FileDesk::picture_export_of(const scene::Workspace& w, const fs::p
   return what;
 }
 
-void FileDesk::start_animation_export(const scene::Workspace& w, const fs::path& file) {
-  const scene::Timeline& timeline = w.document.timeline;
-  scene::check_output(file, {timeline.first, timeline.last}, scene::files_open(w), scene::Force::none);
-  if (mesh::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
-  scene::AnimationExport what = scene::animation_export_of(w.document, file);
+void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::path& file) {
+  const document::Timeline& timeline = w.document.timeline;
+  files::check_output(file, {timeline.first, timeline.last}, workspace::files_open(w), files::Force::none);
+  if (formats::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
+  files::AnimationExport what = files::animation_export_of(w.document, file);
   what.model.up = w.camera.pose().up;
   what.tolerance = w.browser.morphs.tolerance;
   what.normals = w.browser.morphs.normals;
   exporter_.add(std::move(what), w.pose_notes);
 }
 
-void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
+void FileDesk::take_loaded(workspace::Workspace& w, bool wait) {
   auto result = loader_.poll(wait);
   w.loading = loader_.state();
   if (!result) return;
@@ -126,100 +126,100 @@ void FileDesk::take_loaded(scene::Workspace& w, bool wait) {
     w.question = std::move(result->value->question);
     w.unopened = std::move(result->value->request);
   } else if (result->value) {
-    const bool replaces_edits = result->value->opened.document && scene::has_unsaved_edits(w);
+    const bool replaces_edits = result->value->opened.document && workspace::has_unsaved_edits(w);
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
-    w.question = scene::ask_before_opening(scene::name_of_work(w), autosave_.problem());
+    w.question = workspace::ask_before_opening(workspace::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
     w.messages.info("Cancelled opening; nothing was changed.", {"open"});
   } else {
-    scene::report_refusal(w, reading_, result->problem, "open");
+    workspace::report_refusal(w, reading_, result->problem, "open");
   }
 }
 
-void FileDesk::take(scene::Workspace& w, Loaded&& loaded) {
+void FileDesk::take(workspace::Workspace& w, Loaded&& loaded) {
   if (loaded.shading.surface) shading_ = std::move(loaded.shading);
   if (loaded.bound.binding) bound_ = std::move(loaded.bound);
-  scene::apply_opened(w, std::move(loaded.opened));
+  workspace::apply_opened(w, std::move(loaded.opened));
 }
 
-void FileDesk::close(scene::Workspace& w) {
+void FileDesk::close(workspace::Workspace& w) {
   closing_ = exporter_.running();
   if (closing_) return;
-  if (!scene::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
-  w.question = scene::ask_before_closing(scene::name_of_work(w), autosave_.problem());
+  if (!workspace::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
+  w.question = workspace::ask_before_closing(workspace::name_of_work(w), autosave_.problem());
 }
 
-void FileDesk::take_answer(scene::Workspace& w, scene::Answer answer) {
+void FileDesk::take_answer(workspace::Workspace& w, workspace::Answer answer) {
   if (!w.question) return;
   const Kind kind = std::exchange(w.question, std::nullopt)->kind;
-  if (answer == scene::Answer::cancel) return give_up(w);
-  if (kind == Kind::locate_model) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_model);
-  if (kind == Kind::locate_cage) return browse_to_locate(w, scene::FileBrowser::Purpose::locate_cage);
+  if (answer == workspace::Answer::cancel) return give_up(w);
+  if (kind == Kind::locate_model) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_model);
+  if (kind == Kind::locate_cage) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_cage);
   if (kind == Kind::fins) {
     w.requests.open = std::exchange(w.unopened, std::nullopt);
     return;
   }
   if (kind == Kind::discard) return discard(w);
   if (kind == Kind::replace) {
-    if (answer == scene::Answer::save) return scene::browse_to_save_session(w);
+    if (answer == workspace::Answer::save) return workspace::browse_to_save_session(w);
     return save_session(w, w.saved.session, true);
   }
-  if (answer == scene::Answer::proceed) return proceed(w, kind);
+  if (answer == workspace::Answer::proceed) return proceed(w, kind);
   w.after_saving = kind;
-  scene::save(w);
+  workspace::save(w);
 }
 
-void FileDesk::proceed(scene::Workspace& w, Kind kind) {
+void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
   w.after_saving.reset();
   if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
 // Continues the action that waited for saving, or drops it if saving was cancelled.
-void FileDesk::proceed_after_saving(scene::Workspace& w) {
+void FileDesk::proceed_after_saving(workspace::Workspace& w) {
   if (!w.after_saving || w.question) return;
-  if (!scene::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
+  if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
   if (!w.browser.open) give_up(w);
 }
 
-void FileDesk::give_up(scene::Workspace& w) {
+void FileDesk::give_up(workspace::Workspace& w) {
   w.after_saving.reset();
   const bool unopened = std::exchange(w.unopened, std::nullopt).has_value();
   if (std::exchange(waiting_, std::nullopt) || unopened)
     w.messages.info("Cancelled opening; nothing was changed.");
 }
 
-void FileDesk::save_session(scene::Workspace& w, const fs::path& file, bool over_changes) {
-  if (!over_changes && scene::changed_on_disk(w, file)) {
-    w.question = scene::ask_before_replacing(file);
-  } else if (!scene::save_session(w, file) && w.after_saving && !w.browser.open) {
-    w.question =
-        scene::ask_after_failed_save(scene::name_of_work(w), *w.after_saving, w.messages.all().back().text);
+void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool over_changes) {
+  if (!over_changes && workspace::changed_on_disk(w, file)) {
+    w.question = workspace::ask_before_replacing(file);
+  } else if (!workspace::save_session(w, file) && w.after_saving && !w.browser.open) {
+    w.question = workspace::ask_after_failed_save(workspace::name_of_work(w), *w.after_saving,
+                                                  w.messages.all().back().text);
   }
 }
 
 // Closing continues after all exports, and stops on an error.
-void FileDesk::follow_exports(scene::Workspace& w, bool wait) {
+void FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
-    scene::report_refusal(w, failure->file, failure->problem, "export");
+    workspace::report_refusal(w, failure->file, failure->problem, "export");
     closing_ = w.requests.quit = false;  // the error must be read first
   }
   if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
 }
 
-void FileDesk::show_exports(scene::Workspace& w) {
+void FileDesk::show_exports(workspace::Workspace& w) {
   w.exporting = exporter_.state();
   if (closing_) w.exporting.what += ", then closing";
 }
 
-void FileDesk::finish_exports(scene::Workspace& w) {
+void FileDesk::finish_exports(workspace::Workspace& w) {
   while (exporter_.running()) follow_exports(w, true);
   show_exports(w);
 }
 
-void FileDesk::discard(scene::Workspace& w) {
-  std::erase_if(w.recovery_files, [&](const scene::RecoveryFile& leftover) {
+void FileDesk::discard(workspace::Workspace& w) {
+  std::erase_if(w.recovery_files, [&](const files::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
     w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
@@ -229,24 +229,24 @@ void FileDesk::discard(scene::Workspace& w) {
   if (w.recovery_files.empty()) w.messages.succeeded("discard");
 }
 
-void FileDesk::keep(scene::Workspace& w, bool no_drag) {
+void FileDesk::keep(workspace::Workspace& w, bool no_drag) {
   autosave_.follow(w, no_drag);
   remember(w);
   take_written(w);
 }
 
-void FileDesk::remember(scene::Workspace& w) {
+void FileDesk::remember(workspace::Workspace& w) {
   w.preferences.hints = w.preferences.hints && w.view.hints;
   if (state_.empty() || w.preferences == written_) return;
   written_ = w.preferences;
   writes_.push_back(queue_.add([state = state_, preferences = written_] {
     std::error_code ignored;  // a missing folder is reported when writing fails
     fs::create_directories(state, ignored);
-    scene::write_preferences(preferences_file(state), preferences);
+    workspace::write_preferences(preferences_file(state), preferences);
   }));
 }
 
-void FileDesk::take_written(scene::Workspace& w) {
+void FileDesk::take_written(workspace::Workspace& w) {
   std::erase_if(writes_, [&](auto& write) {
     if (!base::is_ready(write)) return false;
     try {

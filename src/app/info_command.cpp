@@ -9,9 +9,9 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/format_table.h"
-#include "scene/document/checks.h"
-#include "scene/document/elements.h"
+#include "document/checks.h"
+#include "document/elements.h"
+#include "formats/format_table.h"
 
 namespace viete::app {
 
@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t named = 12;  // elements listed per finding
 
-void print(const scene::OpenedSurface& surface) {
+void print(const document::OpenedSurface& surface) {
   const mesh::Summary& f = surface.summary;
   const mesh::Bounds& box = surface.bounds;
   std::printf("%s\n", surface.path.string().c_str());
@@ -41,9 +41,10 @@ void print(const scene::OpenedSurface& surface) {
   std::printf("  area        %g\n", f.area);
   if (f.closed()) std::printf("  volume      %g\n", f.volume);
   for (const auto& warning : surface.warnings) std::printf("  note        %s\n", warning.c_str());
-  const auto document = scene::document_of(surface);
-  using Check = void (*)(const scene::Document&);
-  for (const auto check : std::initializer_list<Check>{scene::check_drawable, scene::check_deformable}) {
+  const auto document = document::document_of(surface);
+  using Check = void (*)(const document::Document&);
+  for (const auto check :
+       std::initializer_list<Check>{document::check_drawable, document::check_deformable}) {
     try {
       check(document);
     } catch (const base::Error& error) {
@@ -53,41 +54,41 @@ void print(const scene::OpenedSurface& surface) {
 }
 
 // Prints the problems for which deform would refuse the cage.
-void print_refusal(const scene::OpenedSurface& cage) {
-  scene::Document document;
+void print_refusal(const document::OpenedSurface& cage) {
+  document::Document document;
   try {
-    scene::set_cage(document, cage);
+    document::set_cage(document, cage);
   } catch (const base::Error& error) {
     std::printf("  finding     %s; %s\n", error.problem().c_str(), error.advice().c_str());
   }
 }
 
-void print(const std::vector<scene::Finding>& findings) {
+void print(const std::vector<document::Finding>& findings) {
   if (findings.empty()) std::printf("  findings    none\n");
   for (const auto& finding : findings) {
-    const bool cage = finding.subject == scene::Subject::cage;
-    std::printf("  %s%s%s\n", scene::matters(finding) ? "finding     " : "note        ", cage ? "cage: " : "",
-                scene::title(finding).c_str());
-    std::printf("              %s\n", scene::meaning(finding).c_str());
-    std::printf("              %s %s\n", scene::element_name(finding.kind).c_str(),
-                scene::first_elements(finding, named).c_str());
+    const bool cage = finding.subject == document::Subject::cage;
+    std::printf("  %s%s%s\n", document::matters(finding) ? "finding     " : "note        ",
+                cage ? "cage: " : "", document::title(finding).c_str());
+    std::printf("              %s\n", document::meaning(finding).c_str());
+    std::printf("              %s %s\n", document::element_name(finding.kind).c_str(),
+                document::first_elements(finding, named).c_str());
   }
 }
 
 // Continues with the other files after an error.
 int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
-  scene::OpenedSurface cage;
+  document::OpenedSurface cage;
   if (!cage_file.empty()) {
-    cage = scene::open_surface(cage_file);
+    cage = document::open_surface(cage_file);
     print(cage);
     print_refusal(cage);
   }
   int code = exit_ok;
   for (const auto& file : files) {
     try {
-      const scene::OpenedSurface model = scene::open_surface(file);
+      const document::OpenedSurface model = document::open_surface(file);
       print(model);
-      print(scene::check(model, cage));
+      print(document::check(model, cage));
     } catch (const base::Error& error) {
       std::fprintf(stderr, "viete: %s\n", error.what());
       code = exit_failed;
@@ -103,7 +104,7 @@ void add_info_command(CLI::App& app, Action& action) {
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
   command->add_option("FILE", *files,
-                      mesh::format_names(mesh::holds_surface) + " files (default: the bundled dragon)");
+                      formats::format_names(formats::holds_surface) + " files (default: the bundled dragon)");
   add_file_option(*command, "--cage", *cage, "Cage to check around the meshes");
   add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {

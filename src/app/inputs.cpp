@@ -9,7 +9,7 @@
 #include "app/terminal_progress.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "mesh/formats/format_table.h"
+#include "formats/format_table.h"
 #include "mesh/triangle.h"
 
 namespace viete::app {
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 void add_files(CLI::App& app, Inputs& inputs) {
-  auto* model = add_file_option(app, "MODEL", inputs.model, mesh::a_mesh() + " or session (.viete)");
+  auto* model = add_file_option(app, "MODEL", inputs.model, formats::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
   add_file_option(app, "--model", inputs.located.model, "Model to use instead of the session's");
@@ -28,7 +28,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
 
-void add_scheme_options(CLI::App& app, scene::RequestedSettings& settings) {
+void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
   auto* way =
       add_choice(app, "--deformer", "Deformer, see 'viete help deformers'", deform::all_ways(), settings.way);
   way->default_str("smooth");
@@ -68,19 +68,19 @@ void check_usage(const Inputs& inputs) {
   const bool needs_cage = file || inputs.use == Use::animation;
   if (needs_cage && inputs.cage.empty()) throw CLI::RequiredError("CAGE");
   if (file && inputs.pose.empty()) throw CLI::RequiredError("--pose");
-  scene::Document tried;
+  document::Document tried;
   put_settings(tried, inputs.settings);
 }
 
-scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
-  scene::Opened opened;
+files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&)) {
+  files::Opened opened;
   try {
-    opened = scene::open_files(inputs.request(), {});
-  } catch (const scene::SessionFileError& error) {
+    opened = files::open_files(inputs.request(), {});
+  } catch (const files::SessionFileError& error) {
     throw base::Error(error.place(), error.problem(), "give it with --" + std::string(error.key) + " FILE");
   }
   check(opened);
-  const scene::Document& document = *opened.document;
+  const document::Document& document = *opened.document;
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
   const bool movable = deforms ? document.is_movable() : document.has_cage();
   if (deforms && !movable) {
@@ -91,25 +91,25 @@ scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&)) {
   return opened;
 }
 
-scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
-                   const scene::FileInUse& also) {
+files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
+                   const document::FileInUse& also) {
   const auto check_files = [&](FilesInUse files) {
     files.add(also.path, also.what);
     check_output(output.file, output.content, files, output.force);
   };
   check_files(files_read(inputs));
-  scene::Opened opened = open(inputs, check);
-  check_files(scene::files_of(opened));
+  files::Opened opened = open(inputs, check);
+  check_files(files::files_of(opened));
   return opened;
 }
 
 FilesInUse files_read(const Inputs& inputs) {
   FilesInUse files;
-  files.add(inputs.model, inputs.session() ? scene::the_session : scene::the_model);
-  files.add(inputs.cage, scene::the_cage);
-  files.add(inputs.pose, scene::the_pose);
-  files.add(inputs.located.model, scene::the_model);
-  files.add(inputs.located.cage, scene::the_cage);
+  files.add(inputs.model, inputs.session() ? document::the_session : document::the_model);
+  files.add(inputs.cage, document::the_cage);
+  files.add(inputs.pose, document::the_pose);
+  files.add(inputs.located.model, document::the_model);
+  files.add(inputs.located.cage, document::the_cage);
   return files;
 }
 
@@ -123,7 +123,7 @@ void print_summary(const Output& output, const std::string& summary) {
 
 namespace {
 
-void check(const Output& output, const FilesInUse& files, const scene::FrameSteps* frames) {
+void check(const Output& output, const FilesInUse& files, const files::FrameSteps* frames) {
   if (!frames) return check_output(output.file, output.content, files, output.force);
   check_output(output.file, *frames, files, force_of(output.force));
 }
@@ -140,57 +140,57 @@ void check_has_area(const std::filesystem::path& file, const mesh::Surface& mode
 }  // namespace
 
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
-                         const Output& output, const scene::FrameSteps* frames) {
+                         const Output& output, const files::FrameSteps* frames) {
   FilesInUse named;
-  named.add(model, scene::the_model);
-  for (const auto& file : shapes) named.add(file, scene::a_shape);
+  named.add(model, document::the_model);
+  for (const auto& file : shapes) named.add(file, document::a_shape);
   check(output, named, frames);
-  if (scene::is_session(model))
+  if (files::is_session(model))
     throw base::Error(model.string(), "this is a session, but shapes need a mesh file",
                       "give the mesh file of the model");
   OpenedShapes all;
   {
     TerminalProgress work("Reading " + model.filename().string());
-    all.model = scene::open_files({scene::OpenRequest::What::model, {model}}, {}, &work.progress());
-    scene::check_drawable(all.model);
+    all.model = files::open_files({files::OpenRequest::What::model, {model}}, {}, &work.progress());
+    files::check_drawable(all.model);
     const mesh::Surface& surface = *all.model.document->model.surface;
     check_has_area(model, surface);
-    scene::check_shape_count(model.string(), shapes.size(), surface);
+    files::check_shape_count(model.string(), shapes.size(), surface);
     for (const auto& file : shapes) {
-      scene::ImportedShapes read = scene::read_shapes({&file, 1}, surface, &work.progress());
+      files::ImportedShapes read = files::read_shapes({&file, 1}, surface, &work.progress());
       all.of_files.push_back(std::move(read.shapes));
-      for (auto& path : read.files) all.model.also_read.push_back({std::move(path), scene::a_shape});
+      for (auto& path : read.files) all.model.also_read.push_back({std::move(path), document::a_shape});
       for (auto& warning : read.warnings) all.model.warnings.push_back(std::move(warning));
     }
   }
-  check(output, scene::files_of(all.model), frames);
+  check(output, files::files_of(all.model), frames);
   print_notes(all.model.warnings);
   return all;
 }
 
-scene::Export export_to(const Output& output, const scene::Opened& opened) {
-  scene::Export what = scene::export_of(*opened.document, output.file);
+files::Export export_to(const Output& output, const files::Opened& opened) {
+  files::Export what = files::export_of(*opened.document, output.file);
   what.digits = output.digits;
   if (opened.session && opened.session->camera) what.up = opened.session->camera->up;
   return what;
 }
 
-int write_frames(const Output& output, const scene::AnimationExport& what) {
-  const scene::AnimationReport report = [&] {
+int write_frames(const Output& output, const files::AnimationExport& what) {
+  const files::AnimationReport report = [&] {
     TerminalProgress work(output.task());
-    return scene::write_animation(what, &work.progress());
+    return files::write_animation(what, &work.progress());
   }();
   print_notes(report.notes);
   print_summary(output, report.summary);
   return exit_ok;
 }
 
-std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
+std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress) {
-  if (!scene::in_range({{}, {}, what.shape}))
+  if (!document::in_range({{}, {}, what.shape}))
     throw base::Error(what.file.string(), name + " is too large to be drawn",
                       "use smaller weights and positions closer to the model");
-  return scene::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
+  return files::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }
 
 int run_cancellable(const Output& output, const std::function<int()>& write, const char* advice) {

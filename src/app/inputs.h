@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-#include "scene/files/animation_export.h"
-#include "scene/files/export.h"
-#include "scene/files/open.h"
-#include "scene/files/output.h"
-#include "scene/files/shape_import.h"
+#include "files/animation_export.h"
+#include "files/export.h"
+#include "files/open.h"
+#include "files/output.h"
+#include "files/shape_import.h"
 
 namespace CLI {
 class App;
@@ -20,13 +20,13 @@ class Option;
 
 namespace viete::app {
 
-using scene::check_output, scene::Content, scene::FilesInUse;
+using files::check_output, files::Content, document::FilesInUse;
 
 /// The output of a command.
 struct Output {
   Content content = Content::surface;
   std::filesystem::path file{};
-  mesh::Digits digits{};
+  formats::Digits digits{};
   bool force = false;
 
   /// For its progress: "Writing out.obj".
@@ -44,11 +44,11 @@ enum class Use {
 struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
-  scene::RequestedSettings settings{};            ///< unset ones come from the session
-  scene::LocatedFiles located{};                  ///< for a session
+  document::RequestedSettings settings{};         ///< unset ones come from the session
+  files::LocatedFiles located{};                  ///< for a session
 
-  bool session() const { return scene::is_session(model); }
-  scene::OpenRequest request() const { return {scene::OpenRequest::What::model, files(), settings, located}; }
+  bool session() const { return files::is_session(model); }
+  files::OpenRequest request() const { return {files::OpenRequest::What::model, files(), settings, located}; }
   std::vector<std::filesystem::path> files() const { return {model, cage, pose}; }
 };
 
@@ -68,12 +68,12 @@ void check_usage(const Inputs& inputs);
 
 /// Throws base::Error if `check` does, or if the use needs a cage and there is none. Warnings are in the
 /// result.
-scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&));
+files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
 /// For a command with an output: also throws base::Error if check_output() does, before anything is read, and
 /// again when all inputs are known. `also`: a further input.
-scene::Opened open(const Inputs& inputs, void (*check)(const scene::Opened&), const Output& output,
-                   const scene::FileInUse& also = {});
+files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
+                   const document::FileInUse& also = {});
 
 /// The files named on the command line.
 FilesInUse files_read(const Inputs& inputs);
@@ -84,25 +84,25 @@ void print_notes(const std::vector<std::string>& notes);
 void print_summary(const Output& output, const std::string& summary);
 
 struct OpenedShapes {
-  scene::Opened model;                                   ///< contains a document
-  std::vector<std::vector<scene::NamedShape>> of_files;  ///< one list per named file
+  files::Opened model;                                      ///< contains a document
+  std::vector<std::vector<document::NamedShape>> of_files;  ///< one list per named file
 };
 
 /// Reads a model at rest and its shapes: see read_shapes(). Checks the output before reading, and again when
 /// all inputs are known; `frames`: those of an animation's numbered files, or null. Prints notes. Throws
 /// base::Error.
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
-                         const Output& output, const scene::FrameSteps* frames = nullptr);
+                         const Output& output, const files::FrameSteps* frames = nullptr);
 
 /// The document's model and its deformation, for this output.
-scene::Export export_to(const Output& output, const scene::Opened& opened);
+files::Export export_to(const Output& output, const files::Opened& opened);
 
 /// Writes the frames; prints notes and a summary.
-int write_frames(const Output& output, const scene::AnimationExport& what);
+int write_frames(const Output& output, const files::AnimationExport& what);
 
 /// Writes the model in its shape; errors call it by `name`: "the mix". Throws base::Error if the shape is too
 /// large to draw or not finite. Returns notes.
-std::vector<std::string> write_shape(const scene::Export& what, const std::string& name,
+std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 
 /// Runs `write`; converts a cancellation by Ctrl+C to an error with this advice.

@@ -3,15 +3,15 @@
 #include <utility>
 
 #include "deform/binding.h"
-#include "scene/document/binding_plan.h"
+#include "document/binding_plan.h"
 
 namespace viete::app {
 
 namespace {
 
 // Omits the undo history, which may be large and is not needed for reading.
-scene::Document without_history(const scene::Document& document) {
-  scene::Document copy;
+document::Document without_history(const document::Document& document) {
+  document::Document copy;
   copy.model = document.model;
   copy.cage_file = document.cage_file;
   copy.cage = document.cage;
@@ -26,8 +26,8 @@ scene::Document without_history(const scene::Document& document) {
 }
 
 // The same request without the fins of this cage, which may be one of the dropped files.
-scene::OpenRequest without_fins(scene::OpenRequest request, const std::string& cage) {
-  using What = scene::OpenRequest::What;
+files::OpenRequest without_fins(files::OpenRequest request, const std::string& cage) {
+  using What = files::OpenRequest::What;
   request.without_fins = true;
   if (request.what != What::dropped) return request;
   if (request.files.front() == cage) std::swap(request.files.front(), request.files.back());
@@ -35,28 +35,29 @@ scene::OpenRequest without_fins(scene::OpenRequest request, const std::string& c
   return request;
 }
 
-Loaded load(const scene::OpenRequest& request, const scene::Document& current, base::StepProgress& progress) {
+Loaded load(const files::OpenRequest& request, const document::Document& current,
+            base::StepProgress& progress) {
   Loaded loaded;
   try {
-    loaded.opened = scene::open_files(request, current, &progress);
-  } catch (const scene::SessionFileError& error) {
-    loaded.question = scene::ask_to_locate(error.key, error.problem());
+    loaded.opened = files::open_files(request, current, &progress);
+  } catch (const files::SessionFileError& error) {
+    loaded.question = workspace::ask_to_locate(error.key, error.problem());
     loaded.request = request;
   } catch (const deform::FinError& error) {
-    loaded.question = scene::ask_to_remove_fins(error.place() + ": " + error.problem());
+    loaded.question = workspace::ask_to_remove_fins(error.place() + ": " + error.problem());
     loaded.request = without_fins(request, error.place());
   }
   if (loaded.question) return loaded;
-  const scene::Opened& opened = loaded.opened;
-  scene::check_drawable(opened);
+  const files::Opened& opened = loaded.opened;
+  files::check_drawable(opened);
   if (!opened.document) return loaded;
-  const scene::Document& document = *opened.document;
+  const document::Document& document = *opened.document;
   if (document.model.surface != current.model.surface) {
     progress.section(0.8, 1);
     loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
   }
   if (!document.has_cage()) return loaded;
-  progress.step(scene::binding_plan(document, document.scheme.weighting));
+  progress.step(document::binding_plan(document, document.scheme.weighting));
   loaded.bound =
       app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);
   return loaded;
@@ -64,7 +65,7 @@ Loaded load(const scene::OpenRequest& request, const scene::Document& current, b
 
 }  // namespace
 
-void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current) {
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current) {
   const auto& files = request.files;
   loader.start([request, current = without_history(current)](
                    base::StepProgress& progress) { return load(request, current, progress); },

@@ -7,22 +7,22 @@
 #include "app/bound.h"
 #include "app/model_layer.h"
 #include "base/background.h"
-#include "scene/files/open.h"
-#include "scene/workspace/workspace.h"
+#include "files/open.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
 struct Loaded {
-  scene::Opened opened;
-  ModelShading shading;                       ///< looks of a new model
-  Bound bound;                                ///< binding of a new model or cage
-  std::optional<scene::Question> question{};  ///< if nothing was opened: how to proceed
-  scene::OpenRequest request{};               ///< if nothing was opened: the request
+  files::Opened opened;
+  ModelShading shading;                           ///< looks of a new model
+  Bound bound;                                    ///< binding of a new model or cage
+  std::optional<workspace::Question> question{};  ///< if nothing was opened: how to proceed
+  files::OpenRequest request{};                   ///< if nothing was opened: the request
 };
 using Loader = base::BackgroundJob<Loaded>;
 
 /// Replaces a running request. A document is delivered only together with its binding, so that failures leave
 /// the open document unchanged.
-void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current);
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current);
 
 }  // namespace viete::app

@@ -9,16 +9,16 @@
 #include "app/options.h"
 #include "app/terminal_progress.h"
 #include "base/error.h"
-#include "mesh/formats/format_table.h"
-#include "scene/document/animation.h"
-#include "scene/document/document_state.h"
-#include "scene/files/export.h"
+#include "document/animation.h"
+#include "document/document_state.h"
+#include "files/export.h"
+#include "formats/format_table.h"
 
 namespace viete::app {
 
 namespace {
 
-using scene::PoseLibrary;
+using document::PoseLibrary;
 
 struct Share {
   std::filesystem::path file;
@@ -60,7 +60,7 @@ void split_name(Share& share) {
   }
 }
 
-scene::SharedShape shape_of(const Share& share, const std::vector<scene::NamedShape>& shapes) {
+document::SharedShape shape_of(const Share& share, const std::vector<document::NamedShape>& shapes) {
   if (share.name.empty() && shapes.size() == 1) return shapes.front().shape;
   constexpr std::size_t most = 12;
   std::string names;
@@ -78,15 +78,15 @@ std::vector<std::string> write_mix(MixOptions options) {
   std::vector<std::filesystem::path> files;
   for (Share& share : options.shares) split_name(share), files.push_back(share.file);
   const OpenedShapes opened = open_shapes(options.rest, files, options.output);
-  std::vector<scene::ShapeTerm> terms;
+  std::vector<document::ShapeTerm> terms;
   for (std::size_t i = 0; i < files.size(); ++i)
     terms.push_back({shape_of(options.shares[i], opened.of_files[i]), options.shares[i].weight});
-  scene::Export what = export_to(options.output, opened.model);
+  files::Export what = export_to(options.output, opened.model);
   std::vector<std::string> notes;
   TerminalProgress work(options.output.task());
   base::WorkerPool pool;
   const deform::ShapeSpace space(*what.model, pool, &work.progress());
-  what.shape = scene::mixed(space, terms, options.straight, pool, &notes);
+  what.shape = document::mixed(space, terms, options.straight, pool, &notes);
   for (auto& note : write_shape(what, "the mix", &work.progress())) notes.push_back(std::move(note));
   return notes;
 }
@@ -103,7 +103,7 @@ int mix(const MixOptions& options) {
 void add_mix_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("mix", "Combine weighted shapes of a model");
   auto o = std::make_shared<MixOptions>();
-  command->add_option("REST", o->rest, mesh::a_mesh())->required();
+  command->add_option("REST", o->rest, formats::a_mesh())->required();
   command
       ->add_option_function<std::vector<std::string>>(
           "--shape",

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "base/error.h"
+#include "formats/source.h"
 #include "mesh/cavity.h"
-#include "mesh/formats/source.h"
 #include "mesh/normals.h"
 #include "render/view.h"
 
@@ -20,14 +20,14 @@ using mesh::none;
 
 class LooksMaker {
 public:
-  LooksMaker(const mesh::Surface& surface, const mesh::Attributes& attributes,
+  LooksMaker(const mesh::Surface& surface, const formats::Attributes& attributes,
              std::span<const mesh::Point> normals)
       : surface_(surface), given_(attributes), normals_(normals) {}
 
   ModelLooks make() {
     sort_triangles();
     make_runs();
-    for (const mesh::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
+    for (const formats::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
     made_.looks.colors_of_corners = shows_colors_of_faces();
     made_.has_looks |= !made_.looks.colors.empty();
     return std::move(made_);
@@ -94,8 +94,8 @@ private:
             static_cast<float>(1 - given_.texture_points[i][1])};
   }
 
-  void take_material(const mesh::Material& material, render::SurfaceRun& run) {
-    const mesh::Color& c = material.base_color;
+  void take_material(const formats::Material& material, render::SurfaceRun& run) {
+    const formats::Color& c = material.base_color;
     run.color = {render::linear_light(c[0]), render::linear_light(c[1]), render::linear_light(c[2])};
     run.repeats = material.repeats;
     if (material.base_color_image < given_.images.size()) run.image = image(material.base_color_image);
@@ -107,15 +107,15 @@ private:
     const auto [at, added] = images_.try_emplace(index, -1);
     if (!added) return at->second;
     constexpr int longest_side = 4096;
-    const mesh::ImageFile& file = given_.images[index];
+    const formats::ImageFile& file = given_.images[index];
     const std::string place = file.path.empty() ? file.name : file.path.string();
     try {
       if (!file.bytes && file.path.empty()) return -1;  // reported while reading
       render::Image decoded =
-          file.bytes
-              ? render::decode_image(place, *file.bytes, longest_side)
-              : render::decode_image(
-                    place, mesh::FileBytes(file.path, nullptr, mesh::most_image_bytes).view(), longest_side);
+          file.bytes ? render::decode_image(place, *file.bytes, longest_side)
+                     : render::decode_image(
+                           place, formats::FileBytes(file.path, nullptr, formats::most_image_bytes).view(),
+                           longest_side);
       pixels_ += static_cast<std::size_t>(decoded.width) * static_cast<std::size_t>(decoded.height);
       if (pixels_ > most_pixels_)
         throw base::Error(place, "the model's textures have more than 128 million pixels in total",
@@ -128,7 +128,7 @@ private:
     return at->second;
   }
 
-  static render::Rgba8 bytes_of(const mesh::Color& color) {
+  static render::Rgba8 bytes_of(const formats::Color& color) {
     render::Rgba8 bytes;
     for (std::size_t k = 0; k < 4; ++k)
       bytes[k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(color[k], 0.0F, 1.0F)));
@@ -137,7 +137,7 @@ private:
 
   static constexpr std::size_t most_pixels_ = std::size_t{1} << 27;
   const mesh::Surface& surface_;
-  const mesh::Attributes& given_;
+  const formats::Attributes& given_;
   std::span<const mesh::Point> normals_;
   std::map<Look, std::vector<Triangle>> by_look_;
   std::map<std::uint32_t, int> images_;
@@ -147,12 +147,12 @@ private:
 
 }  // namespace
 
-ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
+ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals) {
   return LooksMaker(surface, attributes, normals).make();
 }
 
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes) {
+ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const formats::Attributes* attributes) {
   ModelShading shading;
   const auto& positions = surface->positions;
   shading.normals.resize(positions.size());
@@ -164,7 +164,7 @@ ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh
   return shading;
 }
 
-void ModelLayer::set_document(const scene::Document& document, const ModelShading& shading) {
+void ModelLayer::set_document(const document::Document& document, const ModelShading& shading) {
   const mesh::Surface& model = *document.model.surface;
   const ModelLooks& looks = shading.looks;
   surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
@@ -176,7 +176,7 @@ void ModelLayer::set_document(const scene::Document& document, const ModelShadin
   set_rest(document, shading);
 }
 
-void ModelLayer::set_rest(const scene::Document& document, const ModelShading& shading) {
+void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
   surface_.set_positions(document.model.surface->positions, shading.normals);
   shadow_.set_positions(document.model.surface->positions);
 }
@@ -192,12 +192,13 @@ void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const 
   shadow_.set_vertices(same, origin);
 }
 
-bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const scene::FieldView& shown) {
+bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field,
+                            const workspace::FieldView& shown) {
   Colored wanted;
-  wanted.by_mask = scene::shows_mask(w), wanted.dark = w.view.dark;
-  wanted.symmetric = lab::entry(field).symmetric;
+  wanted.by_mask = workspace::shows_mask(w), wanted.dark = w.view.dark;
+  wanted.symmetric = analysis::entry(field).symmetric;
   if (wanted.by_mask) wanted.mask = w.document.mask;
-  if (field != lab::Field::none && shown.stats.field == field) wanted.field = shown.values;
+  if (field != analysis::Field::none && shown.stats.field == field) wanted.field = shown.values;
   if (colored_ == wanted || vertices_ == 0) return false;
   colored_ = wanted;
   if (!wanted.by_mask) {
@@ -211,7 +212,7 @@ bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const s
   return true;
 }
 
-void ModelLayer::span(render::SurfaceStyle& style, const scene::FieldView& shown) const {
+void ModelLayer::span(render::SurfaceStyle& style, const workspace::FieldView& shown) const {
   const bool by_mask = colored_ && colored_->by_mask;
   style.scalars = by_mask || (colored_ && colored_->field);
   style.scalar_low = by_mask ? 0 : static_cast<float>(shown.stats.low);

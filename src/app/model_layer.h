@@ -7,15 +7,15 @@
 #include <string>
 #include <vector>
 
+#include "analysis/field.h"
 #include "deform/binding.h"
 #include "deform/rows.h"
-#include "lab/field.h"
-#include "mesh/formats/attributes.h"
+#include "formats/attributes.h"
 #include "mesh/surface.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
-#include "scene/workspace/workspace.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
@@ -29,7 +29,7 @@ struct ModelLooks {
 /// normals: of the vertices at rest. Decodes images and reads external image files; a damaged image is
 /// skipped. Triangles are flat shaded if their group is flat in the file, or if the file's normals are
 /// perpendicular to them. Thread-safe.
-ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attributes,
+ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 
 /// Data for drawing a model besides its surface, computed once per model.
@@ -42,24 +42,25 @@ struct ModelShading {
 
 /// attributes may be null. Linear time, a third of a second for a million triangles, plus decoding images.
 /// Thread-safe.
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes);
+ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const formats::Attributes* attributes);
 
 class ModelLayer {
 public:
   explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
 
   /// New topology, at rest.
-  void set_document(const scene::Document& document, const ModelShading& shading);
-  void set_rest(const scene::Document& document, const ModelShading& shading);
+  void set_document(const document::Document& document, const ModelShading& shading);
+  void set_rest(const document::Document& document, const ModelShading& shading);
   /// Deformed positions, relative to origin in file coordinates.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// Colours the mesh by its mask if that is shown, else by the field if it has values. Returns true on a
   /// change.
-  bool set_colors(const scene::Workspace& workspace, lab::Field field, const scene::FieldView& shown);
+  bool set_colors(const workspace::Workspace& workspace, analysis::Field field,
+                  const workspace::FieldView& shown);
   /// Forces an upload in the next set_colors().
   void forget() { colored_.reset(); }
   /// Sets the colour range in the surface's style.
-  void span(render::SurfaceStyle& style, const scene::FieldView& shown) const;
+  void span(render::SurfaceStyle& style, const workspace::FieldView& shown) const;
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
     surface_.draw(view, theme, style);

@@ -11,10 +11,10 @@
 #include "app/options.h"
 #include "base/error.h"
 #include "base/numbered_files.h"
-#include "scene/document/pose_edit.h"
-#include "scene/files/animation_export.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/playing.h"
+#include "document/pose_edit.h"
+#include "files/animation_export.h"
+#include "workspace/apply_opened.h"
+#include "workspace/playing.h"
 
 namespace viete::app {
 
@@ -40,32 +40,33 @@ void OffscreenViewer::settle() {
 
 namespace {
 
-const std::map<std::string, scene::StandardView> looks = {
-    {"home", scene::StandardView::home},    {"front", scene::StandardView::front},
-    {"back", scene::StandardView::back},    {"left", scene::StandardView::left},
-    {"right", scene::StandardView::right},  {"top", scene::StandardView::top},
-    {"bottom", scene::StandardView::bottom}};
+const std::map<std::string, document::StandardView> looks = {
+    {"home", document::StandardView::home},    {"front", document::StandardView::front},
+    {"back", document::StandardView::back},    {"left", document::StandardView::left},
+    {"right", document::StandardView::right},  {"top", document::StandardView::top},
+    {"bottom", document::StandardView::bottom}};
 
 // Flags are applied on top of the session's options, or of the defaults for pictures.
-scene::ViewOptions view_of(const PictureOptions& options, const std::optional<scene::Session>& session) {
-  scene::ViewOptions view = session ? session->view : scene::ViewOptions{.panels = false, .hints = false};
+document::ViewOptions view_of(const PictureOptions& options, const std::optional<files::Session>& session) {
+  document::ViewOptions view =
+      session ? session->view : document::ViewOptions{.panels = false, .hints = false};
   view.panels = options.panels || (options.panels_of_session && view.panels);
   view.hints = false;
   view.dark &= !options.light;
   view.cage = options.cage;
   view.wireframe |= options.wireframe;
-  view.field = base::value_of_word<lab::Field>(options.map).value_or(view.field);
+  view.field = base::value_of_word<analysis::Field>(options.map).value_or(view.field);
   view.grid &= !options.no_grid;
-  view.shading = base::value_of_word<scene::Shading>(options.shading).value_or(view.shading);
+  view.shading = base::value_of_word<document::Shading>(options.shading).value_or(view.shading);
   return view;
 }
 
 // One view per word, in order; unspecified settings are those of the document.
-void split(scene::Workspace& w, const std::vector<std::string>& words) {
+void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
-  std::vector<scene::SideWay> views;
+  std::vector<document::SideWay> views;
   for (const std::string& word : words) {
-    scene::SideWay view{w.document.scheme, w.document.method, w.view.field};
+    document::SideWay view{w.document.scheme, w.document.method, w.view.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
       view.other_blending = (word == "straight") != w.document.timeline.straight;
@@ -74,46 +75,46 @@ void split(scene::Workspace& w, const std::vector<std::string>& words) {
     views.push_back(std::move(view));
   }
   if (views[0].other_blending) {
-    scene::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
-    for (scene::SideWay& view : views) view.other_blending = !view.other_blending;
+    document::set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+    for (document::SideWay& view : views) view.other_blending = !view.other_blending;
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
-  scene::put_ways(w.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
-  w.viewport = scene::viewport_of(w.split, w.viewport, 0);
+  workspace::put_ways(w.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
+  w.viewport = workspace::viewport_of(w.split, w.viewport, 0);
 }
 
 // The session's camera, unless --camera or --look replace it.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   viewer.frame(0);  // sets the viewport needed for framing
   if (!options.camera.empty()) {
-    const auto camera = scene::read_session(options.camera).camera;
+    const auto camera = files::read_session(options.camera).camera;
     if (!camera)
       throw base::Error(options.camera.string(), "this session has no camera", "choose another one");
     return viewer.workspace().camera.set_pose(*camera);
   }
   const bool keeps_look = has_camera && options.look.empty();
   if (keeps_look && options.compare.empty()) return;
-  scene::Workspace& w = viewer.workspace();
+  workspace::Workspace& w = viewer.workspace();
   if (!keeps_look) w.camera.look(looks.at(options.look.empty() ? "home" : options.look));
   w.camera.animate(1);
-  scene::frame_all(w, false);
+  workspace::frame_all(w, false);
 }
 
 // Warns about requested items that are not in the picture.
-void print_missing(const scene::Workspace& w) {
-  if (scene::shown_field(w) != w.view.field)
+void print_missing(const workspace::Workspace& w) {
+  if (workspace::shown_field(w) != w.view.field)
     print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
                  " here: some maps need a cage and a blend in log space, others a model that can move"});
-  for (const scene::View& view : w.split.views)
+  for (const workspace::View& view : w.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
 }
 
 }  // namespace
 
-std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened) {
-  const std::optional<scene::Session> session = opened.session;
+std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files::Opened&& opened) {
+  const std::optional<files::Session> session = opened.session;
   ViewerOptions viewer = options.viewer;
   if (session && session->window) viewer.size = *session->window;
   if (options.size.x > 0) viewer.size = options.size;
@@ -121,8 +122,8 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   if (pixels.x * pixels.y > static_cast<double>(most_pixels))
     throw base::Error("picture", "it has more than 268 million pixels", "use a smaller --size or --scale");
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
-  scene::Workspace& w = offscreen->viewer().workspace();
-  scene::apply_opened(w, std::move(opened));
+  workspace::Workspace& w = offscreen->viewer().workspace();
+  workspace::apply_opened(w, std::move(opened));
   w.view = view_of(options, session);
   w.has_user = w.tools = false;
   split(w, options.compare);
@@ -130,11 +131,11 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene:
   return offscreen;
 }
 
-void print_messages(const scene::Workspace& w) {
+void print_messages(const workspace::Workspace& w) {
   print_missing(w);
   if (const auto& cage = w.document.cage) print_notes(cage->warnings);
   for (const auto& message : w.messages.all()) {
-    if (message.severity == scene::Severity::error) throw base::Error("", message.text);
+    if (message.severity == workspace::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});
   }
   print_notes(w.pose_notes);
@@ -155,12 +156,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   command.add_flag("--light", options.light, "Light theme");
   command.add_flag("--wireframe", options.wireframe, "Draw the edges of the mesh");
   std::vector<std::string> maps;
-  for (const base::Choice& choice : choices(lab::Field::none)) maps.emplace_back(choice.word);
+  for (const base::Choice& choice : choices(analysis::Field::none)) maps.emplace_back(choice.word);
   auto* map = command.add_option("--map", options.map, "Colour map, see 'viete help deformers'");
   one_of(map, maps)->default_str("none");
   std::vector<std::string> compared;
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
-  for (const sym3::Method method : scene::compared_methods) compared.emplace_back(sym3::name(method));
+  for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
   auto* compare = command.add_option("--compare", options.compare,
                                      "Compare 2 to 4 deformers or methods, or log,straight");
@@ -207,30 +208,30 @@ std::string ffmpeg_command(const PictureRun& run) {
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress) {
   const base::NumberedName name(run.file);
-  scene::check_frames_are_new(name, run.frames, run.force);
+  files::check_frames_are_new(name, run.frames, run.force);
   offscreen.settle();
   Viewer& viewer = offscreen.viewer();
-  scene::Workspace& w = viewer.workspace();
-  const scene::CameraPose start = w.camera.pose();
+  workspace::Workspace& w = viewer.workspace();
+  const document::CameraPose start = w.camera.pose();
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(run.frames.size());
     progress.report(share);
     w.camera.set_pose(start);
-    if (!w.document.timeline.empty()) scene::go_to_frame(w, run.frames[i]);
+    if (!w.document.timeline.empty()) workspace::go_to_frame(w, run.frames[i]);
     if (run.turntable) {
-      scene::CameraPose camera = w.camera.pose();
+      document::CameraPose camera = w.camera.pose();
       camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
       w.camera.set_pose(camera);
     }
     // Panels and maps take several frames to become current.
-    if (w.view.panels || w.view.field != lab::Field::none)
+    if (w.view.panels || w.view.field != analysis::Field::none)
       offscreen.settle();
     else
       viewer.frame(0);
     render::write_png(name.file(run.frames[i]), viewer.picture());
   }
   progress.report(1);
-  std::vector<std::string> notes = scene::other_files_note(name, run.frames);
+  std::vector<std::string> notes = files::other_files_note(name, run.frames);
   const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // not supported by ffmpeg
   if (!has_gaps) notes.push_back(ffmpeg_command(run));
   return notes;

@@ -8,8 +8,8 @@
 
 #include "app/viewer.h"
 #include "base/progress.h"
+#include "files/open.h"
 #include "platform/offscreen_context.h"
-#include "scene/files/open.h"
 
 namespace CLI {
 class App;
@@ -48,10 +48,10 @@ void add_picture_options(CLI::App& command, PictureOptions& options);
 
 /// A viewer of the opened document, with the camera and view of its session unless options override them. Its
 /// first picture is ready after settle().
-std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, scene::Opened&& opened);
+std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files::Opened&& opened);
 
 /// Prints the viewer's messages to stderr. Throws base::Error if it failed.
-void print_messages(const scene::Workspace& workspace);
+void print_messages(const workspace::Workspace& workspace);
 
 struct PictureRun {
   std::filesystem::path file;  ///< frame_####.png
@@ -59,7 +59,7 @@ struct PictureRun {
   double rate = 24;                         ///< timeline frames per second
   int step = 1;                             ///< timeline frames between pictures
   bool turntable = false;                   ///< a full camera turn from the first picture to the last
-  scene::Force force = scene::Force::none;  ///< replace existing pictures
+  files::Force force = files::Force::none;  ///< replace existing pictures
 };
 
 /// Renders the viewer's document, following its timeline and camera keys. Each file is written completely or

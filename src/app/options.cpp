@@ -7,11 +7,11 @@
 #include <cstdlib>
 #include <utility>
 
+#include "analysis/field.h"
 #include "base/text.h"
 #include "deform/probe.h"
-#include "lab/field.h"
-#include "scene/document/range.h"
-#include "scene/workspace/frame_stats.h"
+#include "document/range.h"
+#include "workspace/frame_stats.h"
 
 namespace viete::app {
 
@@ -72,14 +72,14 @@ void add_force_option(CLI::App& app, bool& force) {
   app.add_flag("--force", force, "Allow overwriting inputs and files of other kinds");
 }
 
-scene::Force force_of(bool given) {
-  if (given) return scene::Force::given;
-  return std::getenv("VIETE_PROGRESS") ? scene::Force::none : scene::Force::offered;
+files::Force force_of(bool given) {
+  if (given) return files::Force::given;
+  return std::getenv("VIETE_PROGRESS") ? files::Force::none : files::Force::offered;
 }
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take) {
   std::vector<std::string> words;
-  for (const sym3::Method m : scene::compared_methods) words.emplace_back(sym3::name(m));
+  for (const sym3::Method m : analysis::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
       "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); }, listed(words));
   one_of(option, words)->default_str("fast");
@@ -101,11 +101,11 @@ std::string deformers_help() {
   list("Blends (--blend)", deform::all_blends());
   list("Falloffs of probes", deform::all_falloffs());
   text += "\nMethods (--method):\n";
-  for (const sym3::Method method : scene::compared_methods)
+  for (const sym3::Method method : analysis::compared_methods)
     text += help_line(std::string(sym3::name(method)),
                       std::ranges::find(sym3::methods(), method, &sym3::MethodEntry::method)->sentence);
   text += "\nMaps (--map):\n";
-  for (const base::Choice& map : choices(lab::Field::none))
+  for (const base::Choice& map : choices(analysis::Field::none))
     text += help_line(std::string(map.word), std::string(map.hint));
   text.pop_back();
   return text;
@@ -134,15 +134,15 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   add_number_option(app, "hold", asked);
 }
 
-void add_digits_option(CLI::App& app, mesh::Digits& digits) {
+void add_digits_option(CLI::App& app, formats::Digits& digits) {
   const auto take = [&digits](const std::string& text) {
     int decimals = -1;
     const char* const end = text.data() + text.size();
     const bool whole = std::from_chars(text.data(), end, decimals).ptr == end;
     if (text == "all") {
-      digits = {mesh::Digits::Kind::all};
+      digits = {formats::Digits::Kind::all};
     } else if (whole && decimals >= 0 && decimals <= 17) {
-      digits = {mesh::Digits::Kind::decimals, decimals};
+      digits = {formats::Digits::Kind::decimals, decimals};
     } else {
       throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
     }

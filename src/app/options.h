@@ -16,9 +16,9 @@
 #include <vector>
 
 #include "deform/scheme.h"
-#include "mesh/formats/text_writer.h"
-#include "scene/document/document.h"
-#include "scene/files/output.h"
+#include "document/document.h"
+#include "files/output.h"
+#include "formats/text_writer.h"
 #include "sym3/exp.h"
 
 namespace viete::app {
@@ -47,7 +47,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
 /// --force, for commands that write files, see check_output().
 void add_force_option(CLI::App& app, bool& force);
 /// The value of --force; errors suggest the option, except in a child process of the window.
-scene::Force force_of(bool given);
+files::Force force_of(bool given);
 
 /// --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
@@ -63,7 +63,7 @@ void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 std::string deformers_help();
 
 /// --digits NUMBER|all, for coordinates in text files.
-void add_digits_option(CLI::App& app, mesh::Digits& digits);
+void add_digits_option(CLI::App& app, formats::Digits& digits);
 /// The limit of a picture's pixels; its sides are limited to 131072.
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 /// --size WxH in logical pixels, 16 to 32768 each.

@@ -15,8 +15,8 @@
 #include "base/error.h"
 #include "base/text.h"
 #include "deform/example_posing.h"
-#include "mesh/formats/format_table.h"
-#include "scene/files/export.h"
+#include "files/export.h"
+#include "formats/format_table.h"
 
 namespace viete::app {
 
@@ -91,7 +91,7 @@ struct Posed {
 };
 
 Posed posed(const PoseOptions& options, const mesh::Surface& model,
-            std::span<const scene::NamedShape> examples, base::Progress& progress) {
+            std::span<const document::NamedShape> examples, base::Progress& progress) {
   base::WorkerPool pool;
   progress.section(0, 0.3);
   const deform::ShapeSpace space(model, pool, &progress);
@@ -122,9 +122,9 @@ Posed posed(const PoseOptions& options, const mesh::Surface& model,
 
 int write_pose(const PoseOptions& options) {
   const OpenedShapes opened = open_shapes(options.rest, options.examples, options.output);
-  scene::Export what = export_to(options.output, opened.model);
+  files::Export what = export_to(options.output, opened.model);
   check_pins(options, *what.model);
-  std::vector<scene::NamedShape> examples;
+  std::vector<document::NamedShape> examples;
   for (const auto& of_file : opened.of_files) examples.insert(examples.end(), of_file.begin(), of_file.end());
   std::optional<TerminalProgress> work(options.output.task());
   const Posed result = posed(options, *what.model, examples, work->progress());
@@ -146,7 +146,7 @@ int write_pose(const PoseOptions& options) {
 void add_pose_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("pose", "Pose a model by pinned vertices and example shapes");
   auto o = std::make_shared<PoseOptions>();
-  command->add_option("REST", o->rest, mesh::a_mesh())->required();
+  command->add_option("REST", o->rest, formats::a_mesh())->required();
   command
       ->add_option("--examples", o->examples,
                    "Example shapes: meshes, numbered meshes (pose_##.obj), point cache or glTF morph "

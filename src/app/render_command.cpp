@@ -7,7 +7,7 @@
 #include "app/offscreen_viewer.h"
 #include "app/options.h"
 #include "base/error.h"
-#include "mesh/formats/source.h"
+#include "formats/source.h"
 
 namespace viete::app {
 
@@ -20,11 +20,11 @@ struct RenderOptions {
 };
 
 int render(const RenderOptions& options) {
-  if (mesh::extension_of(options.output.file) != "png")
+  if (formats::extension_of(options.output.file) != "png")
     throw base::Error(options.output.file.string(), "pictures can only be written as PNG",
                       "use the extension .png");
   const auto offscreen =
-      viewer_of(options.picture, open(options.inputs, scene::check_drawable, options.output));
+      viewer_of(options.picture, open(options.inputs, files::check_drawable, options.output));
   offscreen->settle();
   Viewer& viewer = offscreen->viewer();
   print_messages(viewer.workspace());

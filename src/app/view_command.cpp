@@ -18,9 +18,9 @@
 #include "base/clock.h"
 #include "base/error.h"
 #include "platform/window.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/command.h"
-#include "scene/workspace/saving.h"
+#include "workspace/apply_opened.h"
+#include "workspace/command.h"
+#include "workspace/saving.h"
 
 namespace viete::app {
 
@@ -62,7 +62,7 @@ public:
       exposed_ = true;
     };
     window_.listen(std::move(events));
-    scene::Preferences& preferences = viewer_.workspace().preferences;
+    workspace::Preferences& preferences = viewer_.workspace().preferences;
     viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
     window_.share_clipboard();
   }
@@ -82,21 +82,21 @@ private:
 
 // Without a title bar a message tells how to leave full screen.
 void WindowViewer::follow_full_screen() {
-  scene::Workspace& w = viewer_.workspace();
+  workspace::Workspace& w = viewer_.workspace();
   if (w.full_screen == window_.full_screen()) return;
   window_.set_full_screen(w.full_screen);
   w.full_screen = window_.full_screen();  // may fail without a suitable screen
   exposed_ = true;
   if (!w.full_screen) return;
-  const scene::Command& command = *scene::find_command("toggle_full_screen");
-  const std::string key = scene::text(w.preferences.keymap.of(command).first);
+  const workspace::Command& command = *workspace::find_command("toggle_full_screen");
+  const std::string key = workspace::text(w.preferences.keymap.of(command).first);
   w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
 }
 
 void WindowViewer::draw(float seconds, bool exposed) {
   viewer_.frame(seconds);
   if (viewer_.has_drawn() || exposed) window_.present(viewer_.framebuffer());
-  window_.set_title(scene::window_title(viewer_.workspace()));
+  window_.set_title(workspace::window_title(viewer_.workspace()));
   follow_full_screen();
 }
 
@@ -121,7 +121,7 @@ void WindowViewer::run(int frames) {
 glm::ivec2 last_window_size() {
   constexpr glm::ivec2 usual{1440, 900};
   try {
-    return scene::read_preferences(preferences_file(state_folder())).window.value_or(usual);
+    return workspace::read_preferences(preferences_file(state_folder())).window.value_or(usual);
   } catch (const base::Error&) {
     return usual;
   }
@@ -134,11 +134,11 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   if (!window) return false;
   WindowViewer shown(*window);
   Viewer& viewer = shown.viewer();
-  scene::Workspace& workspace = viewer.workspace();
+  workspace::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
   // The settings also apply to another document, if this one cannot be opened.
-  if (!options.inputs.session()) scene::put_settings(workspace.document, options.inputs.settings);
+  if (!options.inputs.session()) document::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
@@ -161,8 +161,8 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   viewer_options.scale = options.scale > 0 ? options.scale : 1;
   viewer_options.size = {1440, 900};
   OffscreenViewer offscreen(viewer_options);
-  scene::Workspace& workspace = offscreen.viewer().workspace();
-  scene::apply_opened(workspace, open(options.inputs, scene::check_drawable));
+  workspace::Workspace& workspace = offscreen.viewer().workspace();
+  workspace::apply_opened(workspace, open(options.inputs, files::check_drawable));
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
   std::fprintf(stderr, "viete: no window (%s); wrote a picture to %s instead\n", reason.c_str(),

@@ -10,15 +10,15 @@
 #include "deform/binding.h"
 #include "deform/cage.h"
 #include "deform/maps.h"
+#include "document/binding_plan.h"
+#include "document/checks.h"
+#include "document/edit.h"
 #include "mesh/normals.h"
-#include "scene/document/binding_plan.h"
-#include "scene/document/checks.h"
-#include "scene/document/edit.h"
-#include "scene/workspace/playing.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/polar.h"
 #include "sym3/reference.h"
 #include "sym3/small_matrices.h"
+#include "workspace/playing.h"
 
 namespace viete::app {
 
@@ -34,9 +34,9 @@ sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
 
 }  // namespace
 
-LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
-  const scene::Document& document = w.document;
-  const scene::Revisions& now = document.revisions();
+LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
+  const document::Document& document = w.document;
+  const document::Revisions& now = document.revisions();
   const bool new_surfaces = std::exchange(surfaces_, now.surfaces) != now.surfaces;
   const bool new_cage = std::exchange(cage_revision_, now.cage) != now.cage;
   const bool new_weights = std::exchange(weights_, now.weights) != now.weights;
@@ -70,13 +70,13 @@ LiveModel::Changed LiveModel::follow(scene::Workspace& w, Bound made) {
 }
 
 // The cage, or its substitute if there is none.
-std::shared_ptr<const deform::Cage> LiveModel::cage_of(const scene::Document& document) {
+std::shared_ptr<const deform::Cage> LiveModel::cage_of(const document::Document& document) {
   if (document.has_cage()) return document.cage;
   if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
   return no_cage_;
 }
 
-deform::Scheme LiveModel::scheme_of(const scene::Document& document) {
+deform::Scheme LiveModel::scheme_of(const document::Document& document) {
   return document.has_cage() ? document.scheme : deform::no_motion();
 }
 
@@ -90,7 +90,7 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
 }
 
 // Discards everything derived from the old surfaces.
-void LiveModel::follow_surfaces(scene::Workspace& w, Bound bound) {
+void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
   binder_.cancel();
   deformer_.reset();
   bound_ = {};
@@ -102,23 +102,23 @@ void LiveModel::follow_surfaces(scene::Workspace& w, Bound bound) {
   if (bound.binds(w.document)) install(w, std::move(bound));
 }
 
-void LiveModel::start_binding(const scene::Document& document) {
+void LiveModel::start_binding(const document::Document& document) {
   bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
            bound_,
-           document.has_cage() ? scene::binding_plan(document, document.scheme.weighting)
+           document.has_cage() ? document::binding_plan(document, document.scheme.weighting)
                                : "Preparing the model for probes");
 }
 
-void LiveModel::take_binding(scene::Workspace& w, bool wait) {
+void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
   auto result = binder_.poll(wait);
   if (!result) return;
-  if (!result->value) return stop_binding(w, result->problem, scene::Severity::error);
+  if (!result->value) return stop_binding(w, result->problem, workspace::Severity::error);
   install(w, *std::move(result->value));
 }
 
-constexpr scene::Concern of_cage{"bind", scene::Scope::cage};
+constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
-void LiveModel::install(scene::Workspace& w, Bound bound) {
+void LiveModel::install(workspace::Workspace& w, Bound bound) {
   for (const auto& warning : bound.binding->warnings) w.messages.warn(warning, of_cage);
   w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
@@ -135,14 +135,14 @@ void LiveModel::renew_deformer(const deform::Scheme& scheme) {
   unprepared_ = true;
 }
 
-void LiveModel::stop_binding(scene::Workspace& w, const std::string& why, scene::Severity severity) {
+void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, workspace::Severity severity) {
   binder_.cancel();
-  scene::Document& document = w.document;
+  document::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe tries again
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
-    scene::revert_scheme(document, served);
+    document::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // the revision that is bound
     if (!deformer_->engine(document.method)) {
       w.view.same_path = false;
@@ -152,24 +152,24 @@ void LiveModel::stop_binding(scene::Workspace& w, const std::string& why, scene:
   w.messages.say(severity, why, of_cage);
 }
 
-void LiveModel::finish_binding(scene::Workspace& w) {
+void LiveModel::finish_binding(workspace::Workspace& w) {
   follow(w);
   take_binding(w, true);
 }
 
-bool LiveModel::deforms(const scene::Document& document) const {
+bool LiveModel::deforms(const document::Document& document) const {
   return deformer_ && derived_ != derived_of(document);
 }
 
-bool LiveModel::is_due(const scene::Document& document) const {
+bool LiveModel::is_due(const document::Document& document) const {
   return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
          weights_ != document.revisions().weights || deforms(document);
 }
 
-bool LiveModel::deform(scene::Workspace& w, scene::FrameTimes& times) {
+bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   prepared_ = false;
   if (!deformer_) return false;
-  scene::Document& document = w.document;
+  document::Document& document = w.document;
   const auto& drag = w.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
   const bool editing = changes_rest(w);
@@ -179,7 +179,7 @@ bool LiveModel::deform(scene::Workspace& w, scene::FrameTimes& times) {
     times.method = deformer_->engine(document.method) ? document.method : sym3::Method::fast;
     run(document, document.pose, document.shape, times.method);
     take_carried(document);
-    if (document.has_cage()) scene::take_report(w, deformer_->state().report());
+    if (document.has_cage()) workspace::take_report(w, deformer_->state().report());
     times.links = deformer_->times();
     derived_ = derived_of(document);
     prepared_ = std::exchange(unprepared_, false);
@@ -189,47 +189,47 @@ bool LiveModel::deform(scene::Workspace& w, scene::FrameTimes& times) {
   return deformed;
 }
 
-void LiveModel::take_carried(scene::Document& document) {
+void LiveModel::take_carried(document::Document& document) {
   document.carried.clear();
   for (const mesh::Point& place : deformer_->probes().places()) {
     const deform::Probe& probe = document.probes.all[document.carried.size()];
-    document.carried.push_back(probe.pin ? carried_pin(document, probe) : scene::Carried{place});
+    document.carried.push_back(probe.pin ? carried_pin(document, probe) : document::Carried{place});
   }
 }
 
 // A pin is drawn at the model's position if the shape had the vertex at the pin's target.
-scene::Carried LiveModel::carried_pin(const scene::Document& document, const deform::Probe& probe) {
+document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
   if (around_.starts.empty()) around_ = mesh::vertex_triangles(surface.positions.size(), surface.triangles);
-  scene::Carried carried;
+  document::Carried carried;
   const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
   if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
     carried.map = map_at(document, v);  // the cage or a probe moves the model too
-  const mesh::Vec3 off = probe.place - scene::shape_of_vertex(document, v);
+  const mesh::Vec3 off = probe.place - document::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
   return carried;
 }
 
 // The area-weighted mean of the maps of the triangles at a vertex, from the shape to the drawn model.
-sym3::Mat3<double> LiveModel::map_at(const scene::Document& document, std::uint32_t v) const {
+sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::uint32_t v) const {
   sym3::Mat3<double> sum{};
   double area = 0;
   for (const std::uint32_t t : around_.of(v)) {
     std::array<mesh::Point, 3> shape, drawn;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t corner = document.model.surface->triangles[t][k];
-      shape[k] = scene::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
+      shape[k] = document::shape_of_vertex(document, corner), drawn[k] = vertex(document, corner);
     }
     const deform::RestBasis from = deform::rest_basis(shape, {0, 1, 2});
     const auto to = deform::triangle_basis(drawn, {0, 1, 2}, from.corner);
     const double share = mesh::norm(mesh::cross(from.u, from.v));
     sum = sym3::plus(sum, share, deform::linear_map(from, to.u, to.v, to.n)), area += share;
   }
-  return area > 0 ? away_from_flat(sym3::times(1 / area, sum)) : scene::Carried{}.map;
+  return area > 0 ? away_from_flat(sym3::times(1 / area, sum)) : document::Carried{}.map;
 }
 
-mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index) const {
+mesh::Point LiveModel::vertex(const document::Document& document, std::size_t index) const {
   if (!ran()) return document.model.surface->positions[index];
   const auto& p = deformer_->vertices()[index].position;
   return deformer_->origin() + mesh::Point{p[0], p[1], p[2]};
@@ -238,9 +238,9 @@ mesh::Point LiveModel::vertex(const scene::Document& document, std::size_t index
 namespace {
 
 // Falls back to the document's own pose if it fails.
-scene::SharedPose other_pose(scene::Workspace& w) {
+document::SharedPose other_pose(workspace::Workspace& w) {
   try {
-    return scene::pose_by_other_blending(w);
+    return workspace::pose_by_other_blending(w);
   } catch (const base::Error&) {
     return nullptr;
   }
@@ -248,7 +248,7 @@ scene::SharedPose other_pose(scene::Workspace& w) {
 
 }  // namespace
 
-SideModel::Made SideModel::made_of(const scene::View& side, const scene::Workspace& w) {
+SideModel::Made SideModel::made_of(const workspace::View& side, const workspace::Workspace& w) {
   const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
   return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
 }
@@ -266,15 +266,16 @@ void SideModel::forget() {
   drag_ = {};
 }
 
-bool SideModel::is_due(const scene::View& side, const scene::Workspace& w, const LiveModel& first) const {
+bool SideModel::is_due(const workspace::View& side, const workspace::Workspace& w,
+                       const LiveModel& first) const {
   if (!first.bound().binding || changes_rest(w)) return false;
   const Made wanted = made_of(side, w);
   return binder_.has_result() ||
          (made_ != wanted && refused_ != wanted.need && !binder_.running() && first.ran());
 }
 
-bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& first, base::WorkerPool& pool,
-                       bool wait) {
+bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const LiveModel& first,
+                       base::WorkerPool& pool, bool wait) {
   const Bound& known = first.bound();
   if (!known.binding) return false;
   if (bound_.model != known.model || bound_.cage != known.cage) {
@@ -306,7 +307,7 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
   }
   const auto& drag = w.interaction.drag;
   drag_.before(*deformer_, drag);
-  const scene::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
+  const document::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   base::Stopwatch watch;
   run(w.document, pose, other ? other->shape : w.document.shape, side.method);
@@ -316,7 +317,7 @@ bool SideModel::follow(scene::View& side, scene::Workspace& w, const LiveModel& 
   return true;
 }
 
-bool SideViews::follow(scene::Workspace& w, const LiveModel& first, bool wait) {
+bool SideViews::follow(workspace::Workspace& w, const LiveModel& first, bool wait) {
   const auto sides = w.split.sides();
   if (sides.empty()) {
     if (pool_) forget();
@@ -333,11 +334,11 @@ bool SideViews::follow(scene::Workspace& w, const LiveModel& first, bool wait) {
   return any;
 }
 
-void SideViews::finish(scene::Workspace& w, const LiveModel& first) {
+void SideViews::finish(workspace::Workspace& w, const LiveModel& first) {
   while (is_due(w, first) || binding(w)) follow(w, first, true);
 }
 
-bool SideViews::measure(scene::Workspace& w) {
+bool SideViews::measure(workspace::Workspace& w) {
   constexpr double rest_seconds = 0.3;
   constexpr std::size_t sample = 256;
   if (!w.split.on() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
@@ -346,7 +347,7 @@ bool SideViews::measure(scene::Workspace& w) {
     const deform::Deformer* deformer = models_[i].deformer();
     if (!models_[i].ran() || measured_[i] == models_[i].frames()) continue;
     measured_[i] = models_[i].frames();
-    scene::View& side = w.split.sides()[i];
+    workspace::View& side = w.split.sides()[i];
     side.fused_error = deformer->sampled_error();
     side.exp_error.reset();
     for (const auto& matrix : deformer->sample_matrices(sample))
@@ -364,13 +365,13 @@ void SideViews::forget() {
   pool_.reset();
 }
 
-bool SideViews::is_due(const scene::Workspace& w, const LiveModel& first) const {
+bool SideViews::is_due(const workspace::Workspace& w, const LiveModel& first) const {
   for (std::size_t i = 0; i < w.split.sides().size(); ++i)
     if (models_[i].is_due(w.split.sides()[i], w, first)) return true;
   return !w.split.on() && pool_;
 }
 
-bool SideViews::binding(const scene::Workspace& w) const {
+bool SideViews::binding(const workspace::Workspace& w) const {
   for (std::size_t i = 0; i < w.split.sides().size(); ++i)
     if (models_[i].binding()) return true;
   return false;

@@ -13,22 +13,22 @@
 #include "base/worker_pool.h"
 #include "deform/deformer.h"
 #include "deform/probe.h"
+#include "document/document.h"
 #include "mesh/adjacency.h"
-#include "scene/document/document.h"
-#include "scene/workspace/workspace.h"
 #include "sym3/rotation.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
 /// True if a drag changes the cage's rest shape: the model stays at rest.
-inline bool changes_rest(const scene::Workspace& w) {
+inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
 }
 
 class DragFollower {
 public:
-  using Drag = std::optional<scene::TransformDrag>;
+  using Drag = std::optional<interact::TransformDrag>;
 
   /// Call before a frame. True if a drag has ended or changed its vertices: the next frame must be complete.
   bool before(deform::Deformer& deformer, const Drag& drag) {
@@ -73,7 +73,7 @@ public:
   /// True once the model has been deformed with its deformer.
   bool ran() const { return deformer_ && deformer_->ran(); }
   /// The input of a frame with this method; there must be a deformer.
-  FrameInput input(const scene::Document& document, sym3::Method method) const {
+  FrameInput input(const document::Document& document, sym3::Method method) const {
     return {bound_,
             deformer_->scheme(),
             method,
@@ -112,7 +112,7 @@ protected:
     deformer_->set_all_staged(staged);
     drag_ = {};
   }
-  void run(const scene::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
+  void run(const document::Document& document, const deform::Pose& pose, const deform::SharedShape& shape,
            sym3::Method method) {
     if (deformer_->mask() != document.mask) deformer_->set_mask(document.mask);
     deformer_->set_probes(document.probes);
@@ -145,19 +145,19 @@ public:
   };
   /// Call once per frame before deform(): installs a finished binding and starts a new one if needed. `made`
   /// is the binding of a newly made cage; it is ignored if it belongs to another cage.
-  Changed follow(scene::Workspace& workspace, Bound made = {});
+  Changed follow(workspace::Workspace& workspace, Bound made = {});
   /// Waits for the needed binding.
-  void finish_binding(scene::Workspace& workspace);
+  void finish_binding(workspace::Workspace& workspace);
   /// Cancels a running binding and reverts the setting that required it.
-  void stop_binding(scene::Workspace& workspace, const std::string& why, scene::Severity severity);
+  void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
   /// Deforms the model if pose, blend or method changed since the last frame, or a drag has ended. Returns
   /// true if it did. The first frame after a binding is a warm-up: it fills caches, has no meaningful timing,
   /// and is repeated.
-  bool deform(scene::Workspace& workspace, scene::FrameTimes& times);
+  bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.
-  bool is_due(const scene::Document& document) const;
+  bool is_due(const document::Document& document) const;
   /// True if the last frame was a warm-up.
   bool prepared() const { return prepared_; }
 
@@ -166,40 +166,40 @@ public:
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
   /// A vertex of the model as drawn, in the file's units.
-  mesh::Point vertex(const scene::Document& document, std::size_t index) const;
+  mesh::Point vertex(const document::Document& document, std::size_t index) const;
 
 private:
-  void follow_surfaces(scene::Workspace& workspace, Bound bound);
-  void start_binding(const scene::Document& document);
-  void take_binding(scene::Workspace& workspace, bool wait);
-  void install(scene::Workspace& workspace, Bound bound);
-  std::shared_ptr<const deform::Cage> cage_of(const scene::Document& document);
-  static deform::Scheme scheme_of(const scene::Document& document);
-  void take_carried(scene::Document& document);
-  scene::Carried carried_pin(const scene::Document& document, const deform::Probe& probe);
-  sym3::Mat3<double> map_at(const scene::Document& document, std::uint32_t vertex) const;
+  void follow_surfaces(workspace::Workspace& workspace, Bound bound);
+  void start_binding(const document::Document& document);
+  void take_binding(workspace::Workspace& workspace, bool wait);
+  void install(workspace::Workspace& workspace, Bound bound);
+  std::shared_ptr<const deform::Cage> cage_of(const document::Document& document);
+  static deform::Scheme scheme_of(const document::Document& document);
+  void take_carried(document::Document& document);
+  document::Carried carried_pin(const document::Document& document, const deform::Probe& probe);
+  sym3::Mat3<double> map_at(const document::Document& document, std::uint32_t vertex) const;
   void follow_blend(const deform::Scheme& scheme);
   void renew_deformer(const deform::Scheme& scheme);
-  bool deforms(const scene::Document& document) const;
+  bool deforms(const document::Document& document) const;
 
   FileDesk& files_;
   base::WorkerPool pool_;
   std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
 
   // Revisions of the last result; nullopt: derive again.
-  scene::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
+  document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
   struct Derived {
-    scene::Revision pose, method;
+    document::Revision pose, method;
     deform::Mask mask;
     friend bool operator==(const Derived&, const Derived&) = default;
   };
-  static Derived derived_of(const scene::Document& document) {
+  static Derived derived_of(const document::Document& document) {
     return {document.revisions().pose, document.revisions().method, document.mask};
   }
   std::optional<Derived> derived_;
-  mesh::Adjacency around_;                   // triangles at each vertex; empty until a pin needs it
-  bool same_path_ = false;                   // the staged engine for all methods
-  std::optional<scene::Revision> given_up_;  // pose at which the first binding was cancelled
+  mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs it
+  bool same_path_ = false;                      // the staged engine for all methods
+  std::optional<document::Revision> given_up_;  // pose at which the first binding was cancelled
   bool unprepared_ = false, prepared_ = false;
 };
 
@@ -207,22 +207,23 @@ private:
 class SideModel : public ViewModel {
 public:
   /// Call after a frame of the first view. Returns true if this view has a new frame too.
-  bool follow(scene::View& view, scene::Workspace& workspace, const LiveModel& first, base::WorkerPool& pool,
-              bool wait = false);
+  bool follow(workspace::View& view, workspace::Workspace& workspace, const LiveModel& first,
+              base::WorkerPool& pool, bool wait = false);
   /// True if follow() would do something now.
-  bool is_due(const scene::View& view, const scene::Workspace& workspace, const LiveModel& first) const;
+  bool is_due(const workspace::View& view, const workspace::Workspace& workspace,
+              const LiveModel& first) const;
   void forget();
 
 private:
   // Everything that determines a frame.
   struct Made {
     Need need;
-    scene::Revision pose = 0;
+    document::Revision pose = 0;
     deform::Mask mask;
     bool other_blending = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
-  static Made made_of(const scene::View& view, const scene::Workspace& workspace);
+  static Made made_of(const workspace::View& view, const workspace::Workspace& workspace);
   bool serves(const Need& need) const;
 
   std::optional<Made> made_;     // last frame
@@ -233,22 +234,22 @@ private:
 class SideViews {
 public:
   /// See SideModel. Returns true if any view has a new frame.
-  bool follow(scene::Workspace& workspace, const LiveModel& first, bool wait = false);
-  void finish(scene::Workspace& workspace, const LiveModel& first);
+  bool follow(workspace::Workspace& workspace, const LiveModel& first, bool wait = false);
+  void finish(workspace::Workspace& workspace, const LiveModel& first);
   void forget();
-  bool is_due(const scene::Workspace& workspace, const LiveModel& first) const;
-  bool binding(const scene::Workspace& workspace) const;
+  bool is_due(const workspace::Workspace& workspace, const LiveModel& first) const;
+  bool binding(const workspace::Workspace& workspace) const;
   SideModel& operator[](std::size_t side) { return models_[side]; }
   const SideModel& operator[](std::size_t side) const { return models_[side]; }
   /// Measures the frames' errors a few times a second and stores them in the workspace. Returns true on a
   /// change.
-  bool measure(scene::Workspace& workspace);
+  bool measure(workspace::Workspace& workspace);
 
 private:
   std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
-  std::array<SideModel, scene::Split::most - 1> models_;
-  std::array<unsigned long, scene::Split::most - 1> measured_{};  // index of the measured frame
-  double measured_at_ = -1;                                       // wall seconds
+  std::array<SideModel, workspace::Split::most - 1> models_;
+  std::array<unsigned long, workspace::Split::most - 1> measured_{};  // index of the measured frame
+  double measured_at_ = -1;                                           // wall seconds
 };
 
 }  // namespace viete::app

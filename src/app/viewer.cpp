@@ -10,14 +10,14 @@
 #include "base/atomic_file.h"
 #include "base/clock.h"
 #include "base/error.h"
+#include "document/cage_editing.h"
 #include "render/view.h"
-#include "scene/document/cage_editing.h"
-#include "scene/workspace/playing.h"
-#include "scene/workspace/saving.h"
-#include "scene/workspace/split.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
 #include "ui/style.h"
+#include "workspace/playing.h"
+#include "workspace/saving.h"
+#include "workspace/split.h"
 
 namespace viete::app {
 
@@ -74,28 +74,29 @@ void Viewer::resize(glm::ivec2 logical_size) {
 }
 
 void Viewer::drop(std::vector<fs::path> files) {
-  workspace_.requests.open = scene::OpenRequest{scene::OpenRequest::What::dropped, std::move(files)};
+  workspace_.requests.open = files::OpenRequest{files::OpenRequest::What::dropped, std::move(files)};
 }
 
 void Viewer::place_viewport() {
-  const scene::Viewport whole = scene::view_between(workspace_.preferences.layout, glm::vec2(options_.size),
-                                                    workspace_.view.panels, workspace_.notice_height);
-  workspace_.viewport = scene::viewport_of(workspace_.split, whole, workspace_.split.active);
+  const document::Viewport whole =
+      workspace::view_between(workspace_.preferences.layout, glm::vec2(options_.size), workspace_.view.panels,
+                              workspace_.notice_height);
+  workspace_.viewport = workspace::viewport_of(workspace_.split, whole, workspace_.split.active);
 }
 
 void Viewer::frame(float seconds) {
   base::Stopwatch whole;
   last_frame_ = base::wall_seconds();
   refines_ = !changing() && wants_refinement();
-  scene::FrameTimes times;
+  workspace::FrameTimes times;
   take_input(seconds);
   take_requests();
-  scene::follow_time(workspace_, seconds);
-  scene::follow_pins(workspace_);
+  workspace::follow_time(workspace_, seconds);
+  workspace::follow_pins(workspace_);
   follow_document();
   scope_messages();
   deform(times);
-  if (std::exchange(workspace_.requests.frame_finding, false)) scene::frame_finding(workspace_);
+  if (std::exchange(workspace_.requests.frame_finding, false)) workspace::frame_finding(workspace_);
   const bool new_fields = follow_fields(), inspected = analysis_.follow_vertex(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
@@ -145,11 +146,11 @@ bool Viewer::wants_refinement() const {
 }
 
 bool Viewer::keeping() const {
-  return scene::has_unsaved_edits(workspace_) && files_.kept();
+  return workspace::has_unsaved_edits(workspace_) && files_.kept();
 }
 
 bool Viewer::finish_keeping() {
-  return scene::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
+  return workspace::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
 // Windows in front of the panels need a few frames to settle their size.
@@ -164,9 +165,9 @@ void Viewer::scope_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();
   if (now.surfaces != message_revisions_.surfaces) {
-    messages.forget(scene::Scope::model, message_revision_);
+    messages.forget(workspace::Scope::model, message_revision_);
   } else if (now.cage != message_revisions_.cage) {
-    messages.forget(scene::Scope::cage, message_revision_);
+    messages.forget(workspace::Scope::cage, message_revision_);
   }
   message_revisions_ = now;
   message_revision_ = messages.revision();
@@ -186,7 +187,7 @@ bool Viewer::wants_frame() const {
 }
 
 bool Viewer::changing() const {
-  const scene::Document& document = workspace_.document;
+  const document::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
   return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
          workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
@@ -212,28 +213,28 @@ void Viewer::take_requests() {
   }
   cages_.follow(workspace_, !pointer_.active());
   if (std::exchange(workspace_.requests.stop_work, false) && model_.binding()) {
-    model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", scene::Severity::info);
+    model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", workspace::Severity::info);
     settle(3);
   }
 }
 
 void Viewer::follow_document() {
-  const scene::Document& document = workspace_.document;
+  const document::Document& document = workspace_.document;
   commit_cage_edit();
   if (model_.is_due(document) || model_.has_result()) settle(3);
   const LiveModel::Changed changed = model_.follow(workspace_, cages_.take_bound());
   if (changed.document || changed.cage) {
     fields_.forget();
     sides_.forget();
-    for (scene::View& side : workspace_.split.sides()) side.shown = {}, side.stats.clear();
+    for (workspace::View& side : workspace_.split.sides()) side.shown = {}, side.stats.clear();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
     for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
-      workspace_.messages.warn(warning, {.scope = scene::Scope::model});
+      workspace_.messages.warn(warning, {.scope = workspace::Scope::model});
     if (changed.document) renderer_.set_document(document, files_.shading());
     if (changed.cage && !changed.document) {
-      scene::forget_findings(workspace_.checks);
+      workspace::forget_findings(workspace_.checks);
       renderer_.set_another_cage(document, files_.shading());
     }
     cage_drawn_.reset();
@@ -246,11 +247,11 @@ void Viewer::follow_document() {
 void Viewer::commit_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
-    if (!scene::commit_cage_edit(workspace_.document)) return;
+    if (!document::commit_cage_edit(workspace_.document)) return;
     workspace_.messages.succeeded("change the cage");
     settle(3);
   } catch (const std::exception& error) {
-    workspace_.messages.error(error.what(), {"change the cage", scene::Scope::cage});
+    workspace_.messages.error(error.what(), {"change the cage", workspace::Scope::cage});
   }
 }
 
@@ -264,14 +265,14 @@ void Viewer::finish_checks() {
   analysis_.finish_checks(workspace_);
 }
 
-void Viewer::deform(scene::FrameTimes& times) {
+void Viewer::deform(workspace::FrameTimes& times) {
   deformed_ = model_.deform(workspace_, times);
   deformed_ |= sides_.follow(workspace_, model_);
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
 // The model as drawn; empty: at rest. A side view without a frame uses the first view's.
-scene::PosedModel Viewer::posed_in(std::size_t view) const {
+document::PosedModel Viewer::posed_in(std::size_t view) const {
   const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
   if (!workspace_.view.deformed || !model.ran()) return {};
   return {model.deformer()->vertices(), model.deformer()->origin(), model.frames()};
@@ -282,8 +283,8 @@ const ViewModel& Viewer::model_of(std::size_t view) const {
 }
 
 FieldSubject Viewer::field_subject(std::size_t view) const {
-  return {workspace_.document, scene::shown_field(workspace_, view),
-          model_of(view),      scene::shown_way(workspace_, view).method,
+  return {workspace_.document, workspace::shown_field(workspace_, view),
+          model_of(view),      workspace::shown_way(workspace_, view).method,
           posed_in(view),      posed_in(0)};
 }
 
@@ -305,15 +306,15 @@ bool Viewer::follow_fields() {
 // A colour means the same in all views of one field.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
-    scene::FieldView& shown = workspace_.split.views[view].shown;
-    lab::FieldStats& stats = shown.stats;
+    workspace::FieldView& shown = workspace_.split.views[view].shown;
+    analysis::FieldStats& stats = shown.stats;
     if (!shown.values) continue;
     for (std::size_t other = 0; other < workspace_.split.count(); ++other) {
-      const scene::FieldView& beside = workspace_.split.views[other].shown;
+      const workspace::FieldView& beside = workspace_.split.views[other].shown;
       if (!beside.values || beside.stats.field != stats.field || shown.holds_range) continue;
       stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
     }
-    lab::fit_counts(*shown.values, stats);
+    analysis::fit_counts(*shown.values, stats);
   }
 }
 
@@ -328,15 +329,16 @@ void Viewer::finish_views() {
 
 // A drag continues in the view where it began.
 void Viewer::enter_view_under_cursor() {
-  if (workspace_.split.active >= workspace_.split.count()) scene::enter_view(workspace_, 0);
+  if (workspace_.split.active >= workspace_.split.count()) workspace::enter_view(workspace_, 0);
   if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (ImGui::IsMousePosValid(&at))
-    scene::enter_view(workspace_, scene::view_at(workspace_.split, workspace_.viewport, {at.x, at.y}));
+    workspace::enter_view(workspace_,
+                          workspace::view_at(workspace_.split, workspace_.viewport, {at.x, at.y}));
 }
 
-void Viewer::upload(scene::FrameTimes& times) {
-  const scene::Document& document = workspace_.document;
+void Viewer::upload(workspace::FrameTimes& times) {
+  const document::Document& document = workspace_.document;
   if (!document.model.surface) return;
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions().pose;
@@ -351,7 +353,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   renderer_.set_views(workspace_.split.count(), document, files_.shading());
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
     const bool news = view == 0 ? model_.take_news() : sides_[view - 1].take_news();
-    const scene::PosedModel posed = posed_in(view);
+    const document::PosedModel posed = posed_in(view);
     if ((news || switched) && !posed.vertices.empty())
       renderer_.set_model(view, posed.vertices, posed.origin);
   }
@@ -359,7 +361,7 @@ void Viewer::upload(scene::FrameTimes& times) {
   times.upload = watch.lap_ms();
 }
 
-void Viewer::panels(scene::FrameTimes& times) {
+void Viewer::panels(workspace::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
   ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, field_colors_});
@@ -374,8 +376,8 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   last_change_ = base::wall_seconds();
   if (!moves_) return Fineness::plain;
   const bool repeated = last_frame_ - last_motion_ < still_seconds;
-  return options_.may_be_coarse && repeated && scene::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                 : Fineness::plain;
+  return options_.may_be_coarse && repeated && workspace::draws_coarsely(workspace_) ? Fineness::coarse
+                                                                                     : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {
@@ -390,7 +392,7 @@ render::Image Viewer::picture() {
   return image;
 }
 
-void Viewer::draw(scene::FrameTimes& times) {
+void Viewer::draw(workspace::FrameTimes& times) {
   base::Stopwatch watch;
   has_drawn_ = false;
   const ViewDrawing wanted = drawing();
@@ -412,7 +414,7 @@ void Viewer::redraw() {
   renderer_.forget();
   view_.forget();
   cage_drawn_.reset();
-  scene::FrameTimes ignored;
+  workspace::FrameTimes ignored;
   upload(ignored);
   view_.draw(renderer_, drawing(), view_.fineness());
   draw_whole();

@@ -15,10 +15,10 @@
 #include "platform/imgui_renderer.h"
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/workspace.h"
 #include "ui/context.h"
 #include "ui/input.h"
+#include "workspace/pointer.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
@@ -44,8 +44,8 @@ public:
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  scene::Workspace& workspace() { return workspace_; }
-  const scene::Workspace& workspace() const { return workspace_; }
+  workspace::Workspace& workspace() { return workspace_; }
+  const workspace::Workspace& workspace() const { return workspace_; }
   platform::InputQueue& input() { return input_; }
   ui::Recorder& recorder() { return recorder_; }
 
@@ -115,19 +115,19 @@ private:
   void commit_cage_edit();
   void scope_messages();
   void follow_notices();
-  void deform(scene::FrameTimes& times);
+  void deform(workspace::FrameTimes& times);
   void enter_view_under_cursor();
   const ViewModel& model_of(std::size_t view) const;
-  scene::PosedModel posed_in(std::size_t view) const;
+  document::PosedModel posed_in(std::size_t view) const;
   FieldSubject field_subject(std::size_t view) const;
   bool follow_fields();
   bool field_is_due() const;
   void share_ranges();
-  void upload(scene::FrameTimes& times);
-  void draw(scene::FrameTimes& times);
+  void upload(workspace::FrameTimes& times);
+  void draw(workspace::FrameTimes& times);
   Fineness fineness(const ViewDrawing& wanted);
   void draw_whole();
-  void panels(scene::FrameTimes& times);
+  void panels(workspace::FrameTimes& times);
   void place_viewport();
   void save_screenshot();
 
@@ -137,14 +137,14 @@ private:
     ImGuiOwner();
     ~ImGuiOwner();
   } imgui_;
-  scene::Workspace workspace_;
+  workspace::Workspace workspace_;
   FileDesk files_;
   LiveModel model_;
   CageMaker cages_;
   SideViews sides_;
   Analysis analysis_;
   FieldMaker fields_;
-  scene::Pointer pointer_;
+  workspace::Pointer pointer_;
   platform::InputQueue input_{ui::imgui_key};
   ui::Recorder recorder_;
   ui::Fonts fonts_;
@@ -155,16 +155,16 @@ private:
   ui::FieldColors field_colors_;
 
   std::tuple<bool, unsigned, float> notices_;  ///< in the last frame: a question, messages, height of the row
-  scene::Revisions message_revisions_;         ///< the document's, when messages were at message_revision_
+  document::Revisions message_revisions_;      ///< the document's, when messages were at message_revision_
   unsigned message_revision_ = 0;
-  std::optional<scene::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
+  std::optional<document::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all
   double last_motion_ = 0;                   ///< time of the last picture with motion
   bool refines_ = false, moves_ = false;     ///< in this frame: refining the view at rest; the view is moving
   unsigned settle_frames_ = 3;               ///< ImGui needs a few frames after a change to settle sizes
   std::optional<bool> theme_seen_;
-  scene::CameraPose camera_seen_;
+  document::CameraPose camera_seen_;
   bool at_rest_ = false;  // the drawn model is at rest, although something could move it
 };
 

@@ -5,15 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "scene/document/elements.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/split.h"
+#include "document/elements.h"
+#include "workspace/pointer.h"
+#include "workspace/split.h"
 
 namespace viete::app {
 
 namespace {
 
-glm::dmat4 file_to_view(const scene::Space& space) {
+glm::dmat4 file_to_view(const document::Space& space) {
   glm::dmat4 m(1);
   for (int i = 0; i < 3; ++i) {
     m[i][i] = space.scale;
@@ -26,20 +26,20 @@ glm::vec4 opaque(const glm::vec3& color) {
   return {color, 1};
 }
 
-render::Paint paint_of(scene::Shading shading, bool file_has_looks) {
+render::Paint paint_of(document::Shading shading, bool file_has_looks) {
   using render::Paint;
   constexpr Paint paints[] = {Paint::plain,   Paint::porcelain, Paint::jade, Paint::file,
-                              Paint::checker, Paint::normals,   Paint::zebra};  // as scene::Shading
+                              Paint::checker, Paint::normals,   Paint::zebra};  // as document::Shading
   const Paint paint = paints[static_cast<std::size_t>(shading)];
   return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
 // The share of the motion for each cage vertex; empty without soft selection.
-std::vector<float> soft_shares(const scene::Workspace& w) {
-  if (!w.tools || !w.handling.soft.on || scene::moving_vertices(w.document).empty()) return {};
+std::vector<float> soft_shares(const workspace::Workspace& w) {
+  if (!w.tools || !w.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
   const auto& drag = w.interaction.drag;
-  for (const auto& g : drag ? drag->grip().vertices : scene::grip_of(w).vertices)
+  for (const auto& g : drag ? drag->grip().vertices : workspace::grip_of(w).vertices)
     shares[g.vertex] = static_cast<float>(g.share);
   return shares;
 }
@@ -85,14 +85,14 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
   models_.push_back(std::make_unique<ModelLayer>(gl));
 }
 
-void WorkspaceRenderer::set_colors(const scene::Workspace& w) {
+void WorkspaceRenderer::set_colors(const workspace::Workspace& w) {
   bool changed = false;
   for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
-    changed |= models_[view]->set_colors(w, scene::shown_field(w, view), w.split.views[view].shown);
+    changed |= models_[view]->set_colors(w, workspace::shown_field(w, view), w.split.views[view].shown);
   if (changed) ++content_;
 }
 
-void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& document,
+void WorkspaceRenderer::set_views(std::size_t count, const document::Document& document,
                                   const ModelShading& shading) {
   if (models_.size() == count) return;
   ++content_;
@@ -103,13 +103,13 @@ void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& docu
   }
 }
 
-void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
+void WorkspaceRenderer::set_document(const document::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_document(document, shading);
   file_has_looks_ = shading.looks.has_looks;
   set_another_cage(document, shading);
 }
 
-void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
+void WorkspaceRenderer::set_another_cage(const document::Document& document, const ModelShading& shading) {
   hand_.reset();
   set_rest(document, shading);
   if (!document.has_cage()) return;
@@ -121,9 +121,9 @@ void WorkspaceRenderer::set_another_cage(const scene::Document& document, const 
 }
 
 // An edge between hidden vertices is hidden too.
-void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
+void WorkspaceRenderer::set_shown_edges(const document::Document& document) {
   hidden_ = document.groups.hidden;
-  const auto hidden = scene::hidden_elements(document, scene::ElementKind::edge);
+  const auto hidden = document::hidden_elements(document, document::ElementKind::edge);
   shown_edges_.clear();
   for (std::size_t e = 0; e < hidden.size(); ++e) {
     if (!hidden[e]) shown_edges_.push_back(document.cage->edges[e]);
@@ -133,7 +133,7 @@ void WorkspaceRenderer::set_shown_edges(const scene::Document& document) {
   hand_.reset();
 }
 
-void WorkspaceRenderer::set_rest(const scene::Document& document, const ModelShading& shading) {
+void WorkspaceRenderer::set_rest(const document::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_rest(document, shading);
   ++content_;
 }
@@ -144,7 +144,7 @@ void WorkspaceRenderer::set_model(std::size_t view, std::span<const deform::Fram
   ++content_;
 }
 
-void WorkspaceRenderer::set_cage(const scene::Workspace& w) {
+void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
   const auto& positions = w.document.pose.positions;
   cage_faces_.set_positions(positions);
   cage_lines_.set_positions(positions);
@@ -152,13 +152,13 @@ void WorkspaceRenderer::set_cage(const scene::Workspace& w) {
   ++content_;
 }
 
-void WorkspaceRenderer::set_hand(const scene::Workspace& w) {
+void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
   const render::Theme theme = render::theme(w.view.dark);
   const auto& document = w.document;
   // Vertices are less prominent if edges or faces are selected.
-  const bool vertices = !w.tools || document.selection.kind() == scene::ElementKind::vertex;
-  const auto selected =
-      w.tools ? scene::selected_vertices(*document.cage, document.selection) : std::vector<std::uint32_t>{};
+  const bool vertices = !w.tools || document.selection.kind() == document::ElementKind::vertex;
+  const auto selected = w.tools ? document::selected_vertices(*document.cage, document.selection)
+                                : std::vector<std::uint32_t>{};
   Hand hand{w.view.dark, {}, {}};
   auto& discs = hand.discs;
   discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
@@ -183,16 +183,16 @@ void WorkspaceRenderer::set_hand(const scene::Workspace& w) {
   ghost_lines_.set_color(opaque(theme.cage));
 }
 
-ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t view) const {
+ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
-  const scene::Pane pane = scene::pane_of(w.split, view);
-  const scene::Viewport& v = w.viewport;
+  const workspace::Pane pane = workspace::pane_of(w.split, view);
+  const document::Viewport& v = w.viewport;
   part.low = (v.origin + pane.at * v.size) / v.window;
   part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
-  scene::Camera camera = w.camera;
-  if (const auto pose = scene::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
+  document::Camera camera = w.camera;
+  if (const auto pose = workspace::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
-  part.projection = glm::dmat4(camera.projection(scene::viewport_of(w.split, v, view)));
+  part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.split, v, view)));
   part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
   // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
   // makes no difference.
@@ -200,12 +200,12 @@ ViewDrawing::Part WorkspaceRenderer::part(const scene::Workspace& w, std::size_t
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
   part.surface.paint = paint_of(w.view.shading, file_has_looks_);
-  part.cage = !scene::shown_way(w, view).other_blending;
+  part.cage = !workspace::shown_way(w, view).other_blending;
   models_[view]->span(part.surface, w.split.views[view].shown);
   return part;
 }
 
-ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 size, float scale) const {
+ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2 size, float scale) const {
   ViewDrawing d;
   d.size = size, d.scale = scale;
   d.dark = w.view.dark;
@@ -218,11 +218,11 @@ ViewDrawing WorkspaceRenderer::drawing(const scene::Workspace& w, glm::ivec2 siz
   d.cage = document.has_cage() && w.view.cage, d.ghost = w.view.ghost;
   const double diagonal = document.space.diagonal();
   const auto& c = document.space.center;
-  const int up = w.camera.pose().up == scene::UpAxis::z ? 2 : 1;
+  const int up = w.camera.pose().up == document::UpAxis::z ? 2 : 1;
   mesh::Point ground{c[0], c[1], c[2]};
   ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
   d.shadow = {ground, up, diagonal};
-  d.ground = {ground, scene::grid_cell(diagonal), 1.6 * diagonal, up};
+  d.ground = {ground, document::grid_cell(diagonal), 1.6 * diagonal, up};
   return d;
 }
 
@@ -297,7 +297,7 @@ bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fi
 
 namespace {
 
-using scene::ElementKind;
+using document::ElementKind;
 
 void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>& triangles,
                    const std::vector<mesh::Point>& positions) {
@@ -312,15 +312,15 @@ void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::
     segments.push_back({corners[i], corners[(i + 1) % n]});
 }
 
-std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const scene::Selection& selection) {
-  std::vector<std::uint8_t> marked(scene::element_count(cage, selection.kind()), 0);
+std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const document::Selection& selection) {
+  std::vector<std::uint8_t> marked(document::element_count(cage, selection.kind()), 0);
   for (const auto i : selection.indices()) marked[i] = 1;
   return marked;
 }
 
 }  // namespace
 
-bool CageMarks::set(const scene::Workspace& w, const render::Theme& theme) {
+bool CageMarks::set(const workspace::Workspace& w, const render::Theme& theme) {
   Marks marks;
   marks.positions = w.document.pose.positions;
   if (w.tools) add_faces(w, marks), add_edges(w, theme, marks);
@@ -339,7 +339,7 @@ void CageMarks::upload() {
   if (!edges.empty()) edges_.set_positions(positions);
 }
 
-void CageMarks::add_faces(const scene::Workspace& w, Marks& marks) {
+void CageMarks::add_faces(const workspace::Workspace& w, Marks& marks) {
   const auto& document = w.document;
   const auto& surface = document.cage->surface;
   if (document.selection.kind() != ElementKind::face) return;
@@ -352,19 +352,19 @@ void CageMarks::add_faces(const scene::Workspace& w, Marks& marks) {
 }
 
 // Edges of selected faces count as selected; hovered edges are drawn last, on top.
-void CageMarks::add_edges(const scene::Workspace& w, const render::Theme& theme, Marks& marks) {
+void CageMarks::add_edges(const workspace::Workspace& w, const render::Theme& theme, Marks& marks) {
   const auto& document = w.document;
   const auto kind = document.selection.kind();
   auto& segments = marks.edges;
   const auto add = [&](std::uint32_t element) {
-    add_outline(scene::element_vertices(*document.cage, kind, element), segments);
+    add_outline(document::element_vertices(*document.cage, kind, element), segments);
   };
   if (kind != ElementKind::probe) {
     for (const auto i : document.selection.indices()) add(i);
   }
   const std::size_t selected = segments.size();
   const auto hovered = w.interaction.hovered;
-  if (hovered && *hovered < scene::element_count(*document.cage, kind)) add(*hovered);
+  if (hovered && *hovered < document::element_count(*document.cage, kind)) add(*hovered);
   marks.colors.assign(segments.size(), glm::vec4(theme.hover, 0.85f));
   std::fill_n(marks.colors.begin(), selected, glm::vec4(theme.selection, 1));
 }
@@ -381,7 +381,7 @@ constexpr std::size_t most = 20000;  // elements drawn; more would cover the sur
 
 }  // namespace
 
-void FindingMarks::collect(const scene::Workspace& w) {
+void FindingMarks::collect(const workspace::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
   // Renumbers the vertices of a few elements, so that only those are drawn and updated.
@@ -394,12 +394,12 @@ void FindingMarks::collect(const scene::Workspace& w) {
   };
   bool vertices = false;
   if (w.checks.shown) {
-    const scene::Finding& finding = w.checks.findings[*w.checks.shown];
-    const bool of_cage = finding.subject == scene::Subject::cage;
+    const document::Finding& finding = w.checks.findings[*w.checks.shown];
+    const bool of_cage = finding.subject == document::Subject::cage;
     const mesh::Surface& surface = of_cage ? *w.document.cage_file.surface : *w.document.model.surface;
-    vertices = finding.kind == scene::ElementKind::vertex;
-    for (const auto e : scene::shown_elements(w.checks, most)) {
-      auto corners = scene::vertices_of(finding, surface, e);
+    vertices = finding.kind == document::ElementKind::vertex;
+    for (const auto e : workspace::shown_elements(w.checks, most)) {
+      auto corners = document::vertices_of(finding, surface, e);
       for (auto& v : corners) v = number(v);
       const std::size_t n = corners.size();
       for (std::size_t i = 2; i < n; ++i) triangles.push_back({corners[0], corners[i - 1], corners[i]});
@@ -413,7 +413,7 @@ void FindingMarks::collect(const scene::Workspace& w) {
   vertices_.set_discs(std::vector<render::Disc>(used_.size(), {color, vertices ? 4.0F : 2.5F, false}));
 }
 
-bool FindingMarks::set(const scene::Workspace& w, const scene::PosedModel& posed, bool moved) {
+bool FindingMarks::set(const workspace::Workspace& w, const document::PosedModel& posed, bool moved) {
   const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
   if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
@@ -423,7 +423,7 @@ bool FindingMarks::set(const scene::Workspace& w, const scene::PosedModel& posed
     vertices_.set_positions({});
     return true;
   }
-  const bool of_cage = w.checks.findings[*w.checks.shown].subject == scene::Subject::cage;
+  const bool of_cage = w.checks.findings[*w.checks.shown].subject == document::Subject::cage;
   std::vector<mesh::Point> positions;
   positions.reserve(used_.size());
   for (const auto v : used_)

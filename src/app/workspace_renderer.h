@@ -14,7 +14,7 @@
 #include "render/shadow_layer.h"
 #include "render/surface_layer.h"
 #include "render/view.h"
-#include "scene/workspace/workspace.h"
+#include "workspace/workspace.h"
 
 namespace viete::app {
 
@@ -48,7 +48,7 @@ public:
 
   /// Call every frame after the cage was posed: updates from the selection and pointer. Vertices are drawn
   /// elsewhere. Returns true on a change.
-  bool set(const scene::Workspace& workspace, const render::Theme& theme);
+  bool set(const workspace::Workspace& workspace, const render::Theme& theme);
   /// Forces an update in the next set().
   void forget() { marks_.reset(); }
   /// Call after drawing the cage's lines.
@@ -62,8 +62,8 @@ private:
     std::vector<mesh::Point> positions;
     friend bool operator==(const Marks&, const Marks&) = default;
   };
-  static void add_faces(const scene::Workspace& workspace, Marks& marks);
-  static void add_edges(const scene::Workspace& workspace, const render::Theme& theme, Marks& marks);
+  static void add_faces(const workspace::Workspace& workspace, Marks& marks);
+  static void add_edges(const workspace::Workspace& workspace, const render::Theme& theme, Marks& marks);
   void upload();
 
   std::optional<Marks> marks_;
@@ -78,12 +78,12 @@ public:
 
   /// Call every frame: updates from the shown finding. posed: the model as drawn; moved: positions changed
   /// since the last frame. Returns true if the drawing changes.
-  bool set(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved);
+  bool set(const workspace::Workspace& workspace, const document::PosedModel& posed, bool moved);
   /// Call last: drawn on top, visible through other objects.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:
-  void collect(const scene::Workspace& workspace);
+  void collect(const workspace::Workspace& workspace);
 
   render::FaceLayer faces_;
   render::LineLayer edges_;
@@ -98,40 +98,40 @@ public:
   explicit WorkspaceRenderer(const render::Gl& gl);
 
   /// New topology: model and cage of the document, the model at rest.
-  void set_document(const scene::Document& document, const ModelShading& shading);
+  void set_document(const document::Document& document, const ModelShading& shading);
   /// Another cage around the same model, which is at rest again.
-  void set_another_cage(const scene::Document& document, const ModelShading& shading);
+  void set_another_cage(const document::Document& document, const ModelShading& shading);
   /// The document's model, at rest again.
-  void set_rest(const scene::Document& document, const ModelShading& shading);
+  void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the number of views; models of new views are at rest.
-  void set_views(std::size_t count, const scene::Document& document, const ModelShading& shading);
+  void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
   /// The deformed model of that view, relative to origin in file coordinates.
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// Updates the colours of the map or mask; call before draw().
-  void set_colors(const scene::Workspace& workspace);
+  void set_colors(const workspace::Workspace& workspace);
   /// The posed cage and the colours of its vertices.
-  void set_cage(const scene::Workspace& workspace);
-  void set_hand(const scene::Workspace& workspace);
+  void set_cage(const workspace::Workspace& workspace);
+  void set_hand(const workspace::Workspace& workspace);
   /// Forces a complete upload in the next set_hand() and set_colors().
   void forget() {
     hand_.reset(), marks_.forget();
     for (const auto& model : models_) model->forget();
   }
   /// Findings of the checks; see FindingMarks::set().
-  void set_findings(const scene::Workspace& workspace, const scene::PosedModel& posed, bool moved) {
+  void set_findings(const workspace::Workspace& workspace, const document::PosedModel& posed, bool moved) {
     if (findings_.set(workspace, posed, moved)) ++content_;
   }
 
   /// The drawing of the workspace on `size` device pixels with the layers' current data.
-  ViewDrawing drawing(const scene::Workspace& workspace, glm::ivec2 size, float scale) const;
+  ViewDrawing drawing(const workspace::Workspace& workspace, glm::ivec2 size, float scale) const;
   /// Draws into the bound framebuffer of that size. Depends only on the drawing.
   void draw(const ViewDrawing& drawing);
 
 private:
-  ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
+  ViewDrawing::Part part(const workspace::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
-  void set_shown_edges(const scene::Document& document);
+  void set_shown_edges(const document::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
 
   const render::Gl& gl_;

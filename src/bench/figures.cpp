@@ -23,7 +23,7 @@ std::vector<FrameTime> frames_of(const Figures& figures, bool in_own_cage, base:
   return measure_frames(options, progress);
 }
 
-ModeComparison ways_of(const Figures& figures, const scene::Document& opened, base::Progress& progress) {
+ModeComparison ways_of(const Figures& figures, const document::Document& opened, base::Progress& progress) {
   const ModeSettings settings{.rounds = figures.sizes.rounds, .named_only = true};
   return measure_modes(*opened.model.surface, opened.cage, figures.poses, settings, progress);
 }
@@ -37,7 +37,7 @@ ReportSizes quick_sizes() {
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
   // Checks files first.
-  const scene::Document opened = open_model(files.model, files.cage);
+  const document::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
   figures.poses = read_poses(files.poses, *opened.cage, warnings);
   if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});

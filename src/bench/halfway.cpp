@@ -7,9 +7,9 @@
 #include "base/worker_pool.h"
 #include "bench/models.h"
 #include "deform/shape_space.h"
-#include "mesh/formats/read.h"
+#include "files/shape_import.h"
+#include "formats/read.h"
 #include "mesh/normals.h"
-#include "scene/files/shape_import.h"
 
 namespace viete::bench {
 
@@ -88,8 +88,8 @@ double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point
 
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes) {
-  ShapesOfModel model{mesh::read(rest).surface, {}, {}};
-  for (const auto& [name, shape] : scene::read_shapes(shapes, model.rest).shapes)
+  ShapesOfModel model{formats::read(rest).surface, {}, {}};
+  for (const auto& [name, shape] : files::read_shapes(shapes, model.rest).shapes)
     model.names.push_back(name), model.shapes.push_back(*shape);
   return model;
 }

@@ -98,14 +98,14 @@ mesh::Surface of_size(mesh::Surface model, std::size_t count) {
 
 }  // namespace
 
-scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage) {
-  scene::Document document = scene::open_document(model, cage);
-  scene::check_drawable(document);
+document::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage) {
+  document::Document document = document::open_document(model, cage);
+  document::check_drawable(document);
   return document;
 }
 
 BenchModel::BenchModel(const ModelOptions& options) {
-  const scene::Document opened = open_model(options.model, options.cage);
+  const document::Document opened = open_model(options.model, options.cage);
   model = of_size(*opened.model.surface, options.count);
   if (opened.has_cage()) {
     cages = {opened.cage};
@@ -213,7 +213,7 @@ RestModel::RestModel(const mesh::Surface& model) : positions_(model.positions), 
 void RestModel::add_faces(const mesh::Surface& model) {
   shares_.resize(positions_.size());
   for (const mesh::Triangle& t : model.triangles) {
-    const auto face = lab::flat_face(positions_, t);
+    const auto face = analysis::flat_face(positions_, t);
     if (!face) {
       ++without_area_;
       continue;
@@ -245,8 +245,8 @@ void RestModel::add_hinges(const mesh::Surface& model) {
 
 Distortion RestModel::distortion(std::span<const Point> positions) const {
   Distortion result;
-  for (const lab::FlatFace& f : faces_) {
-    const auto [x, y] = lab::plane_map(f, positions);  // columns of J, in space
+  for (const analysis::FlatFace& f : faces_) {
+    const auto [x, y] = analysis::plane_map(f, positions);  // columns of J, in space
     const bool lost = !has_area(positions, f.corners);
     const double stretch = lost ? 0 : norm(cross(x, y));  // area ratio: det J
     result.energy +=

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "analysis/strain.h"
 #include "deform/cage.h"
-#include "lab/strain.h"
+#include "document/document.h"
 #include "mesh/surface.h"
-#include "scene/document/document.h"
 
 namespace viete::bench {
 
@@ -30,7 +30,7 @@ struct ModelOptions {
 };
 
 /// A model, and its cage if given, prepared for frames in float. Throws base::Error.
-scene::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
+document::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
 
 /// The model of these options, and its cages.
 struct BenchModel {
@@ -97,7 +97,7 @@ private:
 
   std::vector<mesh::Point> positions_;
   std::vector<mesh::Triangle> triangles_;  // all triangles
-  std::vector<lab::FlatFace> faces_;
+  std::vector<analysis::FlatFace> faces_;
   std::vector<Hinge> hinges_;
   std::vector<double> shares_;
   std::size_t without_area_ = 0;

@@ -189,7 +189,7 @@ nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose
 }
 
 void bench_modes(const ModelOptions& options, ModeSettings settings) {
-  const scene::Document opened = open_model(options.model, options.cage);
+  const document::Document opened = open_model(options.model, options.cage);
   const mesh::Surface& model = *opened.model.surface;
   std::vector<std::string> warnings = opened.cage->warnings;
   const std::vector<NamedPose> poses = read_poses(options.poses, *opened.cage, warnings);

@@ -13,7 +13,7 @@
 #include "bench/frame.h"
 #include "bench/modes.h"
 #include "bench/table.h"
-#include "mesh/formats/format_table.h"
+#include "formats/format_table.h"
 #include "sym3/kernel.h"
 
 namespace viete::bench {
@@ -73,7 +73,7 @@ std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rou
   auto shared = std::make_shared<ModelOptions>();
   ModelOptions& options = *shared;
   options.rounds = rounds;
-  add_file_option(command, "MODEL", options.model, mesh::a_mesh())->default_str("the bundled dragon");
+  add_file_option(command, "MODEL", options.model, formats::a_mesh())->default_str("the bundled dragon");
   add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
   whole_in_range(command.add_option("--rounds", options.rounds, "Number of repetitions"), 1, 1000)
       ->default_str(std::to_string(rounds));
@@ -84,7 +84,7 @@ std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rou
 // Checks the files; takes the bundled model if none is given.
 void prepare(ModelOptions& options, bool posed) {
   FilesInUse inputs{options.model, options.cage};
-  for (const auto& pose : options.poses) inputs.add(pose, scene::the_pose);
+  for (const auto& pose : options.poses) inputs.add(pose, document::the_pose);
   check_output(options.json, Content::json, inputs, options.force);
   if (!options.model.empty()) return;
   const BundledModel bundled = bundled_model();

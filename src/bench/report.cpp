@@ -17,7 +17,7 @@
 #include "base/memory.h"
 #include "bench/figures.h"
 #include "bench/page.h"
-#include "mesh/formats/format_table.h"
+#include "formats/format_table.h"
 
 namespace viete::bench {
 
@@ -57,7 +57,7 @@ void complete(ReportFiles& files) {
 
 void check_outputs(const ReportOptions& options) {
   app::FilesInUse inputs{options.files.model, options.files.cage};
-  for (const auto& pose : options.files.poses) inputs.add(pose, scene::the_pose);
+  for (const auto& pose : options.files.poses) inputs.add(pose, document::the_pose);
   app::check_output(options.page(), app::Content::page, inputs, options.force);
   app::check_output(options.numbers(), app::Content::json, inputs, options.force);
 }
@@ -118,7 +118,7 @@ void add_report_command(CLI::App& app, app::Action& action) {
   auto* command = app.add_subcommand("report", app::report_text);
   auto options = std::make_shared<ReportOptions>();
   auto& files = options->files;
-  app::add_file_option(*command, "MODEL", files.model, mesh::a_mesh())->default_str("the bundled dragon");
+  app::add_file_option(*command, "MODEL", files.model, formats::a_mesh())->default_str("the bundled dragon");
   app::add_file_option(*command, "CAGE", files.cage, "Cage at rest")->default_str("the dragon's cage");
   command->add_option("POSE", files.poses, "Posed cages (same vertices, same order)")
       ->default_str("the dragon's poses, or one generated pose");

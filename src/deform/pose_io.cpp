@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "deform/cage_state.h"
-#include "mesh/formats/format_table.h"
-#include "mesh/formats/read.h"
-#include "mesh/formats/source.h"
-#include "mesh/formats/write.h"
+#include "formats/format_table.h"
+#include "formats/read.h"
+#include "formats/source.h"
+#include "formats/write.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -73,13 +73,13 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
 
 // The STL reader welds loose triangles and numbers vertices by their first use in the faces. This is the
 // cage's order only if the faces match.
-void refuse_permuted(const mesh::ReadResult& read, const Cage& cage, const std::string& file) {
-  const mesh::Format* format = mesh::format_of_description(read.format);
+void refuse_permuted(const formats::ReadResult& read, const Cage& cage, const std::string& file) {
+  const formats::Format* format = formats::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;
   throw base::Error(file,
                     std::string(format->name) +
                         " files do not preserve the vertex order, so they cannot be matched to the cage",
-                    "export the pose as " + mesh::format_names(mesh::keeps_order));
+                    "export the pose as " + formats::format_names(formats::keeps_order));
 }
 
 std::string turn_line(std::size_t part, const Vec3& v) {
@@ -95,7 +95,7 @@ std::string turn_line(std::size_t part, const Vec3& v) {
 }  // namespace
 
 Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings) {
-  mesh::ReadResult read = mesh::read(path);
+  formats::ReadResult read = formats::read(path);
   const std::string file = path.string();
   refuse_permuted(read, cage, file);
   check_pose(cage, read.surface.positions.size(), file);
@@ -111,14 +111,14 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
 
 void write_pose(const std::filesystem::path& path, const Cage& cage, const Pose& pose) {
   check_pose(cage, pose.positions.size(), path.string());
-  mesh::check_keeps_vertices(path);
+  formats::check_keeps_vertices(path);
   std::vector<std::string> comments;
   for (std::size_t part = 0; part < pose.turns.size(); ++part) {
     if (largest_abs(pose.turns[part]) > 0) comments.push_back(turn_line(part, pose.turns[part]));
   }
   mesh::Surface surface = cage.surface;
   surface.positions = pose.positions;
-  mesh::write(path, surface, comments);
+  formats::write(path, surface, comments);
 }
 
 }  // namespace viete::deform

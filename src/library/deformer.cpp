@@ -13,9 +13,9 @@
 #include "deform/deformer.h"
 #include "deform/exact.h"
 #include "deform/scheme.h"
+#include "files/export.h"
 #include "library/arguments.h"
 #include "mesh/normals.h"
-#include "scene/files/export.h"
 
 namespace viete {
 
@@ -172,7 +172,7 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
   const deform::Pose pose = impl_->pose(cage, turns);
   deform::ExactModel deformed = impl_->exact().deform(pose, {}, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
-  scene::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
+  files::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
   library::check_finite(deformed.positions, "positions", "use a pose nearer to rest");
   Impl::keep_turns(deformed.report, turns);
   write(deformed.positions, positions);

@@ -1,6 +1,6 @@
 # Installs viete::deform: the archive of this room and of the rooms that it uses, without their headers.
 # Their package dependencies are listed where the package depends on them.
-set(rooms base mesh formats cages sparse deform lab document files)
+set(rooms base mesh formats cages sparse deform analysis document files)
 foreach(room IN LISTS rooms)
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME room_${room})
 endforeach()

@@ -8,10 +8,10 @@
 #include "base/text.h"
 #include "base/worker_pool.h"
 #include "cages/make.h"
+#include "formats/printed.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "library/arguments.h"
-#include "mesh/formats/printed.h"
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
 #include "mesh/triangulation.h"
 
 namespace viete {
@@ -77,7 +77,7 @@ std::vector<Point3> outside(std::span<const mesh::Point> points) {
 
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice) {
   for (std::size_t v = 0; v < points.size(); ++v)
-    if (!mesh::is_place(points[v], std::numeric_limits<double>::max()))
+    if (!formats::is_place(points[v], std::numeric_limits<double>::max()))
       refuse(what, "vertex " + std::to_string(v) + " would have a coordinate that is not finite", advice);
 }
 
@@ -121,10 +121,10 @@ Mesh mesh_of(const mesh::Surface& surface) {
 
 }  // namespace library
 
-struct FileContent : mesh::ReadResult {};
+struct FileContent : formats::ReadResult {};
 
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes) {
-  const auto content = std::make_shared<FileContent>(FileContent{mesh::read(file)});
+  const auto content = std::make_shared<FileContent>(FileContent{formats::read(file)});
   if (notes) *notes = content->warnings;
   Mesh mesh = library::mesh_of(content->surface);
   mesh.file = content;
@@ -137,9 +137,9 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector
   const bool same = content && content->surface.positions.size() == mesh.vertices.size() &&
                     content->surface.corners == mesh.corners &&
                     content->surface.polygon_starts == mesh.starts;
-  if (!same) return mesh::write(file, surface);
-  auto losses = mesh::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
-                            content->original.get(), {});
+  if (!same) return formats::write(file, surface);
+  auto losses = formats::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
+                               content->original.get(), {});
   if (notes) *notes = std::move(losses);
 }
 

@@ -5,27 +5,27 @@
 #include "base/error.h"
 #include "base/process.h"
 #include "base/worker_pool.h"
+#include "files/animated_model.h"
+#include "files/open.h"
 #include "library/arguments.h"
-#include "scene/files/animated_model.h"
-#include "scene/files/open.h"
 
 namespace viete {
 
 struct Session::Impl {
   explicit Impl(const std::filesystem::path& file) {
-    if (!scene::is_session(file))
+    if (!files::is_session(file))
       throw base::Error(file.string(), "this is not a session", "choose a .viete file");
-    opened = scene::open_files({scene::OpenRequest::What::model, {file}}, {});
-    scene::check_deformable(opened);
-    what = scene::export_of(*opened.document, {});
-    const scene::Timeline& timeline = opened.document->timeline;
+    opened = files::open_files({files::OpenRequest::What::model, {file}}, {});
+    files::check_deformable(opened);
+    what = files::export_of(*opened.document, {});
+    const document::Timeline& timeline = opened.document->timeline;
     if (!timeline.keys.empty())
-      animated.emplace(what, timeline, scene::AnimatedModel::Precision::exact, 0, std::span<const double>{},
+      animated.emplace(what, timeline, files::AnimatedModel::Precision::exact, 0, std::span<const double>{},
                        pool);
   }
 
   std::vector<mesh::Point> positions(double frame) {
-    scene::WholePose pose{what.pose, {}, what.shape};
+    document::WholePose pose{what.pose, {}, what.shape};
     deform::Probes probes = what.probes;
     if (animated) {
       pose = animated->pose(frame);
@@ -36,14 +36,14 @@ struct Session::Impl {
                  : deform::deform_exactly(*what.model, what.cage, what.scheme, pose.cage, what.method, pool,
                                           nullptr, what.mask, probes, pose.shape);
     const auto& shape = pose.shape ? *pose.shape : what.model->positions;
-    scene::keep_at_rest(*what.cage, pose.cage, probes, shape, deformed.positions);
+    files::keep_at_rest(*what.cage, pose.cage, probes, shape, deformed.positions);
     return std::move(deformed.positions);
   }
 
   base::WorkerPool pool;
-  scene::Opened opened;
-  scene::Export what;
-  std::optional<scene::AnimatedModel> animated;
+  files::Opened opened;
+  files::Export what;
+  std::optional<files::AnimatedModel> animated;
 };
 
 Session::Session(const std::filesystem::path& file) : impl_(library::hidden<Impl>(file)) {}
@@ -53,7 +53,7 @@ Mesh Session::model() const {
 }
 
 std::array<int, 2> Session::range() const {
-  const scene::Timeline& timeline = impl_->opened.document->timeline;
+  const document::Timeline& timeline = impl_->opened.document->timeline;
   return timeline.keys.empty() ? std::array{1, 1} : std::array{timeline.first, timeline.last};
 }
 

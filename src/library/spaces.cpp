@@ -8,8 +8,8 @@
 #include "base/process.h"
 #include "base/worker_pool.h"
 #include "deform/example_posing.h"
+#include "document/animation.h"
 #include "library/arguments.h"
-#include "scene/document/animation.h"
 
 namespace viete {
 
@@ -17,21 +17,21 @@ namespace library {
 
 // Poses or shapes in order of motion, with their vectors.
 struct Sequence {
-  std::vector<scene::SharedPose> poses;
+  std::vector<document::SharedPose> poses;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors;
-  scene::VectorCache known;
-  std::optional<scene::Animation> animation;
+  document::VectorCache known;
+  std::optional<document::Animation> animation;
 
-  scene::WholePose at(double moment, bool straight) {
+  document::WholePose at(double moment, bool straight) {
     const int last = static_cast<int>(poses.size()) - 1;
     if (!(moment >= 0 && moment <= last))
       throw base::Error("at", "the value is out of range",
                         "0 is the first shape, " + std::to_string(last) + " the last");
     if (animation) return animation->at(moment, straight);
-    scene::Timeline timeline;
+    document::Timeline timeline;
     timeline.first = 0, timeline.last = last;
-    timeline.repeat = scene::Repeat::once;
-    const auto easing = last == 1 ? scene::Easing::linear : scene::Easing::smooth;
+    timeline.repeat = document::Repeat::once;
+    const auto easing = last == 1 ? document::Easing::linear : document::Easing::smooth;
     for (int frame = 0; frame <= last; ++frame)
       timeline.keys.push_back({frame, poses[static_cast<std::size_t>(frame)], easing});
     return animation.emplace(timeline, known).at(moment, straight);
@@ -53,8 +53,8 @@ struct Sequence {
     return terms;
   }
   // A single entry of weight 1, which is returned bit for bit.
-  const scene::WholePose* only(std::span<const double> weights,
-                               const std::vector<deform::LogTerm>& sum) const {
+  const document::WholePose* only(std::span<const double> weights,
+                                  const std::vector<deform::LogTerm>& sum) const {
     if (sum.size() != 1 || sum[0].factor != 1) return nullptr;
     return poses[static_cast<std::size_t>(std::ranges::find(weights, 1.0) - weights.begin())].get();
   }
@@ -79,12 +79,12 @@ struct ShapeSpace::Impl : library::Sequence {
     known.follow_model(rest);
     for (const auto& shape : all) {
       if (progress) progress->report(static_cast<double>(poses.size()) / static_cast<double>(all.size()));
-      scene::WholePose pose;
+      document::WholePose pose;
       pose.shape = std::make_shared<const std::vector<mesh::Point>>(
           library::deformable(library::inside(shape), rest->positions.size(), "a shape"));
       deform::ShapeReport report;
       vectors.push_back(known.of(pose.shape, vectors.empty() ? nullptr : vectors.back(), pool, report));
-      poses.push_back(std::make_shared<const scene::WholePose>(std::move(pose)));
+      poses.push_back(std::make_shared<const document::WholePose>(std::move(pose)));
     }
   }
   const deform::ShapeSpace& space() { return *known.shapes(pool); }
@@ -106,7 +106,7 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   const deform::LogSpace& logs = impl_->space().logs();
   if (sum.empty()) return library::outside(logs.rest());
   const deform::Held held = logs.held_from(logs.at_rest(), sum);
-  return sum_outside(*scene::blended(logs, sum, &held, impl_->pool));
+  return sum_outside(*document::blended(logs, sum, &held, impl_->pool));
 }
 
 std::vector<Point3> ShapeSpace::between(double at, bool straight) const {
@@ -151,10 +151,10 @@ struct PoseSpace::Impl : library::Sequence {
     if (all.empty()) throw base::Error("poses", "the list is empty", "pass one or more");
     known.follow(cage);
     for (const auto& positions : all) {
-      scene::WholePose pose;
+      document::WholePose pose;
       pose.cage.positions =
           library::deformable(library::inside(positions), cage->surface.positions.size(), "a pose");
-      poses.push_back(std::make_shared<const scene::WholePose>(std::move(pose)));
+      poses.push_back(std::make_shared<const document::WholePose>(std::move(pose)));
       vectors.push_back(known.of(poses.back()));
     }
   }

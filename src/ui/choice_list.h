@@ -6,9 +6,9 @@
 #include <span>
 #include <string>
 
-#include "scene/workspace/command_tables.h"
 #include "ui/context.h"
 #include "ui/widgets.h"
+#include "workspace/command_tables.h"
 
 namespace viete::ui {
 
@@ -29,7 +29,7 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   const std::span<const base::Choice> all = choices(Value{});
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto value = static_cast<Value>(i);
-    const scene::Command& command = *scene::find_command(scene::choice_command_name(value));
+    const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(value));
     if (list_entry(ui, all[i].label, words.prefix + command.name, value == now, all[i].hint) &&
         command.enabled(ui.workspace))
       command.run(ui.workspace);

@@ -1,11 +1,11 @@
 // The command palette: search by name; arrow keys and Enter, or a click.
 #include <algorithm>
 
-#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/menus.h"
 
 namespace viete::ui {
 
@@ -14,7 +14,7 @@ namespace {
 constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
 
 // True if it was clicked.
-bool row(const Context& ui, const scene::Command& command, std::size_t index, bool follow) {
+bool row(const Context& ui, const workspace::Command& command, std::size_t index, bool follow) {
   const bool highlighted = index == ui.workspace.palette.highlighted;
   const bool enabled = command.enabled(ui.workspace);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -31,13 +31,13 @@ bool row(const Context& ui, const scene::Command& command, std::size_t index, bo
   draw.AddText({at.x + 8, y}, enabled ? ui.colors.text : faded(ui.colors.faint, 0.7f), label.c_str());
   const float after = std::max(160.0f, ImGui::CalcTextSize(label.c_str()).x + 16);
   draw.AddText({at.x + 8 + after, y}, faded(ui.colors.faint, enabled ? 0.9f : 0.5f), group.c_str());
-  text_right(ui, at.x + width - 8, scene::text(ui.workspace.preferences.keymap.of(command).first),
+  text_right(ui, at.x + width - 8, workspace::text(ui.workspace.preferences.keymap.of(command).first),
              ui.colors.faint, y);
   return clicked;
 }
 
 // The hint of the highlighted command, or why it is disabled; always two lines high.
-void explanation(const Context& ui, const scene::Command* command) {
+void explanation(const Context& ui, const workspace::Command* command) {
   if (!command) return note_within(ui, 2, " ");
   const bool enabled = command->enabled(ui.workspace);
   note_within(ui, 2, std::string(enabled ? command->hint : command->enabled.otherwise),
@@ -46,7 +46,7 @@ void explanation(const Context& ui, const scene::Command* command) {
 }
 
 // Closes first: a command may open a window that takes the keyboard.
-void run(scene::Workspace& w, const scene::Command& command) {
+void run(workspace::Workspace& w, const workspace::Command& command) {
   if (!command.enabled(w)) return;
   w.palette.open = false;
   command.run(w);
@@ -55,10 +55,10 @@ void run(scene::Workspace& w, const scene::Command& command) {
 }  // namespace
 
 void command_palette(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
-  scene::Palette& palette = w.palette;
+  workspace::Workspace& w = ui.workspace;
+  workspace::Palette& palette = w.palette;
   if (!palette.open) return;
-  const scene::Viewport& v = w.viewport;
+  const document::Viewport& v = w.viewport;
   const Window window("Palette",
                       {.at = middle_at(ui, v.origin.y + 48),
                        .pivot = {0.5f, 0},
@@ -69,12 +69,12 @@ void command_palette(const Context& ui) {
   const std::string before = palette.typed;
   search_field(ui, "palette_text", palette.typed, palette.appearing);
   if (palette.typed != before) palette.highlighted = 0;
-  const auto found = scene::find_commands(w, palette.typed);
+  const auto found = workspace::find_commands(w, palette.typed);
   const int steps = arrow_steps();
   const auto n = static_cast<int>(std::max<std::size_t>(1, found.size()));
   palette.highlighted = static_cast<std::size_t>((static_cast<int>(palette.highlighted) + steps + n) % n);
   const float rows = std::min(palette_rows, std::floor((v.size.y - 180) / palette_row));
-  const scene::Command* chosen = nullptr;
+  const workspace::Command* chosen = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
   ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});
   for (std::size_t i = 0; i < found.size(); ++i) {
@@ -86,7 +86,7 @@ void command_palette(const Context& ui) {
   explanation(ui, found.empty() ? nullptr : found[palette.highlighted]);
   const bool beside = ImGui::IsMouseClicked(0) && !ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows);
   if (!found.empty() && enter_pressed()) chosen = found[palette.highlighted];
-  if ((key_pressed(scene::Key::escape) || beside) && !appeared) palette.open = false;
+  if ((key_pressed(workspace::Key::escape) || beside) && !appeared) palette.open = false;
   if (chosen) run(w, *chosen);
 }
 

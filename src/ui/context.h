@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/workspace/workspace.h"
+#include "workspace/workspace.h"
 
 namespace viete::ui {
 
@@ -56,16 +56,16 @@ struct FieldColors {
 };
 
 struct Context {
-  scene::Workspace& workspace;
+  workspace::Workspace& workspace;
   const Fonts& fonts;
   Palette colors;
   Recorder* recorder;  ///< null: not recording
   const FieldColors& field_colors;
 };
 
-inline constexpr float status_height = scene::PanelLayout::status_height;
+inline constexpr float status_height = workspace::PanelLayout::status_height;
 
 /// The colour of a stage of the deformation, used everywhere.
-ImU32 stage_color(scene::Link stage);
+ImU32 stage_color(workspace::Link stage);
 
 }  // namespace viete::ui

@@ -4,51 +4,52 @@
 #include <filesystem>
 #include <utility>
 
-#include "scene/workspace/file_browser.h"
 #include "ui/format.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/file_browser.h"
 
 namespace viete::ui {
 
 namespace {
 
-using Browser = scene::FileBrowser;
+using Browser = workspace::FileBrowser;
 using Purpose = Browser::Purpose;
-using What = scene::OpenRequest::What;
+using What = files::OpenRequest::What;
 
 /// Opening or saving the chosen file.
 struct Task {
   Purpose purpose;
   const char* title;
   std::optional<What> open{};
-  std::optional<std::filesystem::path> scene::Requests::*save = nullptr;
+  std::optional<std::filesystem::path> workspace::Requests::*save = nullptr;
 };
 
-const Task tasks[] = {{Purpose::model, "Open model or session", What::model},
-                      {Purpose::cage, "Open cage", What::cage},
-                      {Purpose::pose, "Open pose", What::pose},
-                      {Purpose::poses, "Import poses from a file or its folder", What::poses},
-                      {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
-                      {Purpose::animation, "Import animation", What::animation},
-                      {Purpose::locate_model, "Locate model of the session"},
-                      {Purpose::locate_cage, "Locate cage of the session"},
-                      {Purpose::save_session, "Save session", {}, &scene::Requests::save_session},
-                      {Purpose::save_pose, "Save pose", {}, &scene::Requests::save_pose},
-                      {Purpose::save_cage, "Save cage", {}, &scene::Requests::save_cage},
-                      {Purpose::save_model, "Export deformed mesh", {}, &scene::Requests::save_model},
-                      {Purpose::save_animation, "Export animation", {}, &scene::Requests::save_animation}};
+const Task tasks[] = {
+    {Purpose::model, "Open model or session", What::model},
+    {Purpose::cage, "Open cage", What::cage},
+    {Purpose::pose, "Open pose", What::pose},
+    {Purpose::poses, "Import poses from a file or its folder", What::poses},
+    {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
+    {Purpose::animation, "Import animation", What::animation},
+    {Purpose::locate_model, "Locate model of the session"},
+    {Purpose::locate_cage, "Locate cage of the session"},
+    {Purpose::save_session, "Save session", {}, &workspace::Requests::save_session},
+    {Purpose::save_pose, "Save pose", {}, &workspace::Requests::save_pose},
+    {Purpose::save_cage, "Save cage", {}, &workspace::Requests::save_cage},
+    {Purpose::save_model, "Export deformed mesh", {}, &workspace::Requests::save_model},
+    {Purpose::save_animation, "Export animation", {}, &workspace::Requests::save_animation}};
 
 const Task& task_of(Purpose purpose) {
   return *std::ranges::find(tasks, purpose, &Task::purpose);
 }
 
-void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
-  scene::Requests& requests = w.requests;
+void request(workspace::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
+  workspace::Requests& requests = w.requests;
   const Task& task = task_of(purpose);
   if (task.open) {
-    requests.open = scene::OpenRequest{*task.open, {path}};
+    requests.open = files::OpenRequest{*task.open, {path}};
   } else if (task.save) {
     requests.*task.save = path;
   } else if ((requests.open = std::exchange(w.unopened, std::nullopt))) {
@@ -58,32 +59,32 @@ void request(scene::Workspace& w, Purpose purpose, const std::filesystem::path& 
 }
 
 // The panel stays open until the file has been read or written.
-void ask(scene::Workspace& w, const std::filesystem::path& path) {
+void ask(workspace::Workspace& w, const std::filesystem::path& path) {
   if (!w.browser.asked.empty()) return;
   request(w, w.browser.purpose, path);
   w.browser.asked = path;
 }
 
 // Enters a folder or requests a file.
-void choose(scene::Workspace& w, const std::filesystem::path& path) {
+void choose(workspace::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return scene::enter(w.browser, path);
+  if (std::filesystem::is_directory(path, ignored)) return workspace::enter(w.browser, path);
   ask(w, path);
   w.preferences.folder = path.parent_path();
 }
 
-void choose_typed(scene::Workspace& w) {
-  if (scene::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
-  const std::filesystem::path typed = scene::typed_path(w.browser);
+void choose_typed(workspace::Workspace& w) {
+  if (workspace::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
+  const std::filesystem::path typed = workspace::typed_path(w.browser);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
-  w.browser.problem = scene::problem_of_name(w.browser);
+  w.browser.problem = workspace::problem_of_name(w.browser);
   if (w.browser.problem.empty())
-    choose(w, scene::chosen_file(w.browser));  // otherwise the name stays for correction
+    choose(w, workspace::chosen_file(w.browser));  // otherwise the name stays for correction
 }
 
 // Overwriting a file needs a second Enter.
-void confirm_typed(scene::Workspace& w) {
+void confirm_typed(workspace::Workspace& w) {
   if (w.browser.replaces() && w.browser.warned != w.browser.path) {
     w.browser.warned = w.browser.path;
   } else {
@@ -130,7 +131,7 @@ void path_field(const Context& ui) {
 // Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.browser;
-  const std::string now = scene::format_of(browser);
+  const std::string now = workspace::format_of(browser);
   for (const std::string_view format : formats) {
     std::string label(format);
     std::ranges::transform(label, label.begin(),
@@ -140,7 +141,7 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
     ImGui::PushStyleColor(ImGuiCol_Button, active ? ui.colors.card_active : ui.colors.card);
     ImGui::PushStyleColor(ImGuiCol_Text, active ? ui.colors.text : ui.colors.faint);
     if (button(ui, label.c_str(), "format_" + std::string(format), "Write " + label + "."))
-      scene::set_format(browser, std::string(format));
+      workspace::set_format(browser, std::string(format));
     ImGui::PopStyleColor(2);
   }
 }
@@ -148,7 +149,7 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
 void filter_row(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (button(ui, "Up", "file_up", "Go to the parent folder.  (Backspace)"))
-    scene::enter(browser, browser.folder.parent_path());
+    workspace::enter(browser, browser.folder.parent_path());
   ImGui::SameLine();
   if (browser.appearing && !browser.saves()) ImGui::SetKeyboardFocusHere();
   const auto formats = browser.saves() ? browser.formats() : std::vector<std::string_view>();
@@ -189,15 +190,15 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   }
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
-  note(ui, scene::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
-           : !ui.workspace.browser.filter.empty()       ? "No file matches."
-           : sessions                                   ? "No session in this folder."
-                      : "No " + scene::format_list(ui.workspace.browser) + " file in this folder.");
+  note(ui, workspace::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
+           : !ui.workspace.browser.filter.empty()           ? "No file matches."
+           : sessions                                       ? "No session in this folder."
+                      : "No " + workspace::format_list(ui.workspace.browser) + " file in this folder.");
   return clicked;
 }
 
 // Enters a folder or opens a file; when saving, proposes to replace that file.
-void take(scene::Workspace& w, const Browser::Entry& entry) {
+void take(workspace::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
   if (w.browser.path == path.string()) return confirm_typed(w);
@@ -205,9 +206,9 @@ void take(scene::Workspace& w, const Browser::Entry& entry) {
 }
 
 // A click selects, a double click confirms, but never overwrites a file.
-void click_entry(scene::Workspace& w, std::size_t index) {
-  scene::highlight(w.browser, index);
-  const Browser::Entry& entry = *scene::shown(w.browser)[index];
+void click_entry(workspace::Workspace& w, std::size_t index) {
+  workspace::highlight(w.browser, index);
+  const Browser::Entry& entry = *workspace::shown(w.browser)[index];
   if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
 }
 
@@ -216,21 +217,21 @@ void click_entry(scene::Workspace& w, std::size_t index) {
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
   const int steps = arrow_steps();
-  if (steps != 0) scene::move_highlight(browser, steps);
-  if (key_pressed(scene::Key::escape)) browser.open = false;
+  if (steps != 0) workspace::move_highlight(browser, steps);
+  if (key_pressed(workspace::Key::escape)) browser.open = false;
   if (typing_path) return steps != 0;
-  if (key_pressed(scene::Key::backspace) && browser.filter.empty())
-    scene::enter(browser, browser.folder.parent_path());
-  if (key_pressed(scene::Key::enter) && !browser.saves() && scene::filters_by_path(browser)) {
+  if (key_pressed(workspace::Key::backspace) && browser.filter.empty())
+    workspace::enter(browser, browser.folder.parent_path());
+  if (key_pressed(workspace::Key::enter) && !browser.saves() && workspace::filters_by_path(browser)) {
     choose_typed(ui.workspace);
     browser.appearing = browser.open;
     return false;
   }
-  const auto entries = scene::shown(browser);
-  if (key_pressed(scene::Key::enter) && browser.highlighted < entries.size()) {
+  const auto entries = workspace::shown(browser);
+  if (key_pressed(workspace::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
     browser.appearing = browser.open;  // keeps the keyboard in the list
-  } else if (key_pressed(scene::Key::enter) && browser.saves()) {
+  } else if (key_pressed(workspace::Key::enter) && browser.saves()) {
     confirm_typed(ui.workspace);
   }
   return steps != 0;
@@ -242,7 +243,7 @@ bool shows_pictures(const Browser& browser) {
 
 // Options of morph targets.
 void morph_row(const Context& ui) {
-  scene::MorphChoice& morphs = ui.workspace.browser.morphs;
+  workspace::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
@@ -258,7 +259,7 @@ void morph_row(const Context& ui) {
 
 // Options of pictures.
 void picture_choices(const Context& ui) {
-  scene::PictureChoice& choice = *ui.workspace.browser.pictures;
+  workspace::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
     checkbox(ui, label, name, on, what);
     ImGui::SameLine(0, 18);
@@ -268,7 +269,7 @@ void picture_choices(const Context& ui) {
   box("Light theme", "picture_light", choice.light, "Use the light theme.");
   box("Panels", "picture_panels", choice.panels, "Include the panels and bars of the window.");
   const auto side = [&](const char* name, int& pixels) {
-    constexpr double least = scene::least_picture, most = scene::largest_picture;
+    constexpr double least = workspace::least_picture, most = workspace::largest_picture;
     if (const auto typed = number_field(ui, name, pixels, 64, "Width and height in pixels, 16 to 8192."))
       pixels = static_cast<int>(std::clamp(*typed, least, most));
   };
@@ -287,7 +288,7 @@ void path_note(const Context& ui) {
     note(ui, browser.problem, ui.colors.bad);
     record(ui, "file_problem");
   } else if (browser.replaces()) {
-    const std::string name = scene::chosen_file(browser).filename().string();
+    const std::string name = workspace::chosen_file(browser).filename().string();
     note(ui,
          name + (browser.warned == browser.path ? " already exists; press Enter again to replace it."
                                                 : " already exists and will be replaced."),
@@ -313,7 +314,7 @@ void button_row(const Context& ui) {
       ask(ui.workspace, browser.folder);
   }
   if (!confirmed) return;
-  const auto entries = scene::shown(browser);
+  const auto entries = workspace::shown(browser);
   const bool untouched = !browser.saves() && browser.path == browser.folder.string();
   untouched&& browser.highlighted < entries.size() ? take(ui.workspace, *entries[browser.highlighted])
                                                    : choose_typed(ui.workspace);
@@ -326,7 +327,7 @@ void file_panel(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
   bool open = true;
-  scene::refresh(browser);
+  workspace::refresh(browser);
   const Window window((std::string(task_of(browser.purpose).title) + "###file_panel").c_str(),
                       {.at = {std::clamp(middle.x, 0.5f * size.x, display.x - 0.5f * size.x),
                               std::clamp(middle.y, 0.5f * size.y, display.y - 0.5f * size.y)},
@@ -341,7 +342,7 @@ void file_panel(const Context& ui) {
   const float row = ImGui::GetFrameHeight() + 12;
   ImGui::BeginChild("entries", {0, browser.makes_morphs() || shows_pictures(browser) ? -2 * row : -row},
                     true);
-  const auto clicked = entry_list(ui, scene::shown(browser), moved);
+  const auto clicked = entry_list(ui, workspace::shown(browser), moved);
   ImGui::EndChild();
   if (clicked) click_entry(ui.workspace, *clicked);
   if (browser.makes_morphs()) morph_row(ui);

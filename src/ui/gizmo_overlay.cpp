@@ -2,14 +2,14 @@
 #include <cmath>
 #include <vector>
 
-#include "scene/document/elements.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/hand/drag_guides.h"
-#include "scene/hand/gizmo.h"
-#include "scene/hand/transform.h"
-#include "scene/workspace/pointer.h"
+#include "document/elements.h"
+#include "interact/cursor_projection.h"
+#include "interact/drag_guides.h"
+#include "interact/gizmo.h"
+#include "interact/transform.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
+#include "workspace/pointer.h"
 
 namespace viete::ui {
 
@@ -17,17 +17,17 @@ namespace viete::ui {
 
 namespace {
 
-using scene::Constraint;
+using interact::Constraint;
 using Kind = Constraint::Kind;
 
 // The complete gizmo, or the one handle in use.
 class GizmoDrawing {
 public:
-  GizmoDrawing(const Context& ui, OverlayPainter& painter, const scene::Gizmo& gizmo)
+  GizmoDrawing(const Context& ui, OverlayPainter& painter, const interact::Gizmo& gizmo)
       : ui_(ui), painter_(painter), gizmo_(gizmo), interaction_(ui.workspace.interaction) {}
 
   void draw() {
-    if (gizmo_.tool == scene::Tool::rotate) return rings();
+    if (gizmo_.tool == interact::Tool::rotate) return rings();
     for (const int axis : gizmo_.far_to_near) plane(axis);
     for (const int axis : gizmo_.far_to_near) arm(axis);
     if (shown({})) center();
@@ -52,14 +52,14 @@ private:
     if (!shown(handle) || arm.opacity <= 0) return;
     const ImU32 c = color(handle);
     painter_.line(arm.base, arm.tip, c, lit(handle) ? 3.0f : 2.25f, arm.opacity);
-    if (gizmo_.tool == scene::Tool::scale) {
+    if (gizmo_.tool == interact::Tool::scale) {
       painter_.polygon(square(0.5f * (arm.tip + arm.end), 5), c, arm.opacity);
     } else {
       arrow_head(arm, c);
     }
   }
 
-  void arrow_head(const scene::Gizmo::Arm& arm, ImU32 c) {
+  void arrow_head(const interact::Gizmo::Arm& arm, ImU32 c) {
     const glm::vec2 shaft = arm.tip - arm.base;
     const float length = glm::length(shaft);
     if (!(length > 0)) return;
@@ -79,11 +79,11 @@ private:
     const ImU32 c = color({});
     const float width = lit({}) ? 2.25f : 1.5f;
     if (lit({})) painter_.tint(square(gizmo_.center, 5), faded(c, 0.25f));
-    if (gizmo_.tool == scene::Tool::scale) {
-      painter_.line(square(gizmo_.center, scene::gizmo_center - 1), c, width, true);
+    if (gizmo_.tool == interact::Tool::scale) {
+      painter_.line(square(gizmo_.center, interact::gizmo_center - 1), c, width, true);
     } else {
       // A diamond, because a ring marks the hovered vertex.
-      painter_.line(diamond(gizmo_.center, scene::gizmo_center + 1), c, width, true);
+      painter_.line(diamond(gizmo_.center, interact::gizmo_center + 1), c, width, true);
     }
   }
 
@@ -92,7 +92,7 @@ private:
       if (shown({Kind::axis, axis})) ring_side(axis, false);
     }
     if (shown({}))
-      painter_.circle(gizmo_.center, scene::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
+      painter_.circle(gizmo_.center, interact::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
                       lit({}) ? 1 : 0.6f);
     for (const int axis : gizmo_.far_to_near) {
       if (shown({Kind::axis, axis})) ring_side(axis, true);
@@ -122,11 +122,11 @@ private:
 
   const Context& ui_;
   OverlayPainter& painter_;
-  const scene::Gizmo& gizmo_;
-  const scene::Interaction& interaction_;
+  const interact::Gizmo& gizmo_;
+  const workspace::Interaction& interaction_;
 };
 
-void guides(const Context& ui, OverlayPainter& painter, const scene::DragGuides& guides) {
+void guides(const Context& ui, OverlayPainter& painter, const interact::DragGuides& guides) {
   constexpr float beyond_any_window = 6000;
   for (std::size_t i = 0; i < guides.axes.size(); ++i) {
     const glm::vec2 reach = beyond_any_window * guides.axis_directions[i];
@@ -164,8 +164,8 @@ void gizmo_overlay(const Context& ui) {
   if (w.interaction.box) return;
   OverlayPainter painter(ui);
   if (w.interaction.drag)
-    guides(ui, painter, scene::drag_guides(*w.interaction.drag, w.document.space, w.camera, w.viewport));
-  if (const auto gizmo = scene::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
+    guides(ui, painter, interact::drag_guides(*w.interaction.drag, w.document.space, w.camera, w.viewport));
+  if (const auto gizmo = workspace::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
   if (w.interaction.drag) readout(ui, w.interaction.drag->readout());
 }
 
@@ -181,23 +181,23 @@ void cross(const Context& ui, OverlayPainter& painter, const glm::vec2& at, ImU3
   painter.disc(at, 1.5f, ui.colors.text);
 }
 
-void placed_pivot(const Context& ui, OverlayPainter& painter, const scene::Projector& project) {
-  const scene::Workspace& w = ui.workspace;
+void placed_pivot(const Context& ui, OverlayPainter& painter, const interact::Projector& project) {
+  const workspace::Workspace& w = ui.workspace;
   if (w.interaction.placing_pivot && w.interaction.cursor) {
-    if (const auto at = project(scene::pivot_place(w, *w.interaction.cursor)))
+    if (const auto at = project(workspace::pivot_place(w, *w.interaction.cursor)))
       cross(ui, painter, glm::vec2(*at), ui.colors.highlight);
     return;
   }
-  if (w.handling.pivot != scene::Pivot::point || !w.handling.point) return;
+  if (w.handling.pivot != document::Pivot::point || !w.handling.point) return;
   if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
 // Rings at the mirror partners of the selection, and warning rings at its unpaired vertices.
-void partners_of_selection(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
-                           const scene::Mirror& mirror) {
-  const scene::Document& document = ui.workspace.document;
-  for (const auto v : scene::moving_vertices(document)) {
-    const bool lacks = mirror.partners[v] == scene::Mirror::none;
+void partners_of_selection(const Context& ui, OverlayPainter& painter, const interact::Projector& project,
+                           const document::Mirror& mirror) {
+  const document::Document& document = ui.workspace.document;
+  for (const auto v : document::moving_vertices(document)) {
+    const bool lacks = mirror.partners[v] == document::Mirror::none;
     if (!lacks && !mirror.is_paired(v)) continue;
     if (const auto at = project(document.pose.positions[lacks ? v : mirror.partners[v]]))
       painter.circle(glm::vec2(*at), 7.5f, lacks ? ui.colors.bad : ui.colors.highlight, 1.25f);
@@ -205,10 +205,10 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const sce
 }
 
 // Not drawn if a corner is behind the camera.
-void mirror_plane(const Context& ui, OverlayPainter& painter, const scene::Projector& project,
-                  const scene::Mirror& mirror) {
+void mirror_plane(const Context& ui, OverlayPainter& painter, const interact::Projector& project,
+                  const document::Mirror& mirror) {
   std::vector<glm::vec2> corners;
-  for (const auto& corner : scene::rectangle_in_plane(mirror, ui.workspace.document.pose.positions)) {
+  for (const auto& corner : document::rectangle_in_plane(mirror, ui.workspace.document.pose.positions)) {
     const auto at = project(corner);
     if (!at) return;
     corners.emplace_back(*at);
@@ -218,11 +218,11 @@ void mirror_plane(const Context& ui, OverlayPainter& painter, const scene::Proje
 }
 
 void soft_circle(const Context& ui, OverlayPainter& painter) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   const glm::dvec3 center = w.interaction.drag->grip().anchor.center + w.interaction.drag->transform().shift;
   const glm::dvec3 at(w.document.space.to_view({center.x, center.y, center.z}));
   if (!(w.camera.depth(glm::vec3(at)) > 0)) return;
-  const scene::CursorProjection seen(at, w.camera, w.viewport);
+  const interact::CursorProjection seen(at, w.camera, w.viewport);
   const auto pixels = static_cast<float>(w.handling.soft.radius * w.document.space.diagonal() *
                                          w.document.space.scale / seen.per_pixel());
   if (pixels < 4000) painter.circle(glm::vec2(seen.at()), pixels, ui.colors.highlight, 1.25f, 0.5f);
@@ -231,11 +231,11 @@ void soft_circle(const Context& ui, OverlayPainter& painter) {
 }  // namespace
 
 void hand_overlay(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
   OverlayPainter painter(ui);
-  const scene::Projector project(w.document.space, w.camera, w.viewport);
-  const scene::Mirror* const mirror = scene::mirror_of(w);
+  const interact::Projector project(w.document.space, w.camera, w.viewport);
+  const document::Mirror* const mirror = workspace::mirror_of(w);
   if (w.view.cage && mirror && w.document.has_cage()) {
     if (w.interaction.drag)
       mirror_plane(ui, painter, project, *mirror);

@@ -5,17 +5,17 @@
 #include <utility>
 #include <vector>
 
-#include "scene/workspace/command.h"
-#include "scene/workspace/menus.h"
 #include "ui/imgui_bridge.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
+#include "workspace/menus.h"
 
 namespace viete::ui {
 
 namespace {
 
-void add_looking(const scene::Keymap& keymap, std::vector<MouseLine>& lines) {
+void add_looking(const workspace::Keymap& keymap, std::vector<MouseLine>& lines) {
   if (keymap.left_orbits()) {
     lines.push_back({"Middle or Alt+left drag", "orbit; with Shift pan, with Ctrl zoom"});
     lines.push_back({"Right drag", "pan"});
@@ -31,13 +31,13 @@ void add_looking(const scene::Keymap& keymap, std::vector<MouseLine>& lines) {
 
 }  // namespace
 
-std::string key_or_label(const scene::Keymap& keymap, std::string_view name) {
-  const scene::Command& command = *scene::find_command(name);
-  const std::string key = scene::text(keymap.of(command).first);
+std::string key_or_label(const workspace::Keymap& keymap, std::string_view name) {
+  const workspace::Command& command = *workspace::find_command(name);
+  const std::string key = workspace::text(keymap.of(command).first);
   return key.empty() ? '"' + std::string(command.label) + '"' : key;
 }
 
-std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap) {
+std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap) {
   std::vector<MouseLine> lines = {
       {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
       {"Left drag on it", "move the selection (select faces and dense vertices first)"}};
@@ -57,13 +57,13 @@ std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap) {
   return lines;
 }
 
-std::string looking_words(const scene::Keymap& keymap) {
+std::string looking_words(const workspace::Keymap& keymap) {
   if (keymap.left_orbits()) return "left or middle drag orbits,  right drag pans,  wheel zooms";
   if (keymap.alt_moves_camera()) return "Alt and left drag orbits,  Alt and middle pans,  wheel zooms";
   return "middle or right drag orbits,  Shift pans,  wheel zooms";
 }
 
-std::string empty_space_words(const scene::Keymap& keymap) {
+std::string empty_space_words(const workspace::Keymap& keymap) {
   if (!keymap.left_orbits()) return "on empty space selects;  " + looking_words(keymap);
   return "on empty space orbits;  right drag pans,  wheel zooms,  Shift selects with a box";
 }
@@ -73,15 +73,15 @@ namespace {
 constexpr float list_width = 620, keys_width = 170, back_width = 64, mouse_width = 220;
 
 // The preset without user changes.
-scene::Keymap plain_preset(const scene::Keymap& keymap) {
-  scene::Keymap plain;
+workspace::Keymap plain_preset(const workspace::Keymap& keymap) {
+  workspace::Keymap plain;
   plain.set_preset(keymap.preset());
   return plain;
 }
 
-void key_of_command(const Context& ui, const scene::Command& command) {
-  scene::Workspace& w = ui.workspace;
-  const std::string name(command.name), keys = scene::text(w.preferences.keymap.of(command));
+void key_of_command(const Context& ui, const workspace::Command& command) {
+  workspace::Workspace& w = ui.workspace;
+  const std::string name(command.name), keys = workspace::text(w.preferences.keymap.of(command));
   const bool waits = w.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
@@ -91,18 +91,18 @@ void key_of_command(const Context& ui, const scene::Command& command) {
   if (waits) ImGui::PopStyleColor();
 }
 
-void give_back(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
-  scene::Keymap& keymap = ui.workspace.preferences.keymap;
+void give_back(const Context& ui, const workspace::Keymap& plain, const workspace::Command& command) {
+  workspace::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().contains(command.name)) return;
   ImGui::SameLine();
-  const std::string preset = scene::text(plain.of(command));
+  const std::string preset = workspace::text(plain.of(command));
   const std::string name(command.name);
   if (button(ui, ("Reset##" + name).c_str(), "key/" + name + "/reset",
              "Reset to the key of the keymap: " + (preset.empty() ? "none" : preset), {back_width, 0}))
     keymap.take_back(command.name);
 }
 
-void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command& command) {
+void key_row(const Context& ui, const workspace::Keymap& plain, const workspace::Command& command) {
   const float right = ImGui::GetContentRegionMax().x;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(std::string(command.label).c_str());
@@ -113,8 +113,8 @@ void key_row(const Context& ui, const scene::Keymap& plain, const scene::Command
 }
 
 // Commands of transient questions, which have a button only.
-bool is_transient_answer(const Context& ui, const scene::Command& command) {
-  return command.passing && scene::text(ui.workspace.preferences.keymap.of(command)).empty();
+bool is_transient_answer(const Context& ui, const workspace::Command& command) {
+  return command.passing && workspace::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
 // The mouse buttons, and the program itself.
@@ -125,7 +125,7 @@ void mouse_rows(const Context& ui) {
     ImGui::SameLine(mouse_width);
     note(ui, line.what);
   }
-  const scene::About& about = ui.workspace.about;
+  const workspace::About& about = ui.workspace.about;
   heading(ui, "About");
   note(ui, "Viete " + about.version + ", " + about.build + ".  Kernel: " + about.kernel +
                ".  OpenGL: " + about.renderer);
@@ -134,25 +134,25 @@ void mouse_rows(const Context& ui) {
 // Grouped by menus, or the matches of the search, best first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
-  const scene::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
+  const workspace::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
-    for (const scene::Menu& menu : scene::menus()) {
+    for (const workspace::Menu& menu : workspace::menus()) {
       heading(ui, std::string(menu.title).c_str());
-      for (const scene::Command* command : menu.items) {
+      for (const workspace::Command* command : menu.items) {
         if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
       }
     }
     return mouse_rows(ui);
   }
-  const auto found = scene::find_commands(ui.workspace, typed);
-  for (const scene::Command* command : found) key_row(ui, plain, *command);
+  const auto found = workspace::find_commands(ui.workspace, typed);
+  for (const workspace::Command* command : found) key_row(ui, plain, *command);
   if (found.empty()) note(ui, "No command matches.");
 }
 
 // Removes all changes at once; can be undone while the list is open.
 void reset_all_button(const Context& ui) {
-  scene::KeyList& list = ui.workspace.key_list;
-  scene::Keymap& keymap = ui.workspace.preferences.keymap;
+  workspace::KeyList& list = ui.workspace.key_list;
+  workspace::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
   const char* what = brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.";
@@ -167,7 +167,7 @@ void reset_all_button(const Context& ui) {
   }
 }
 
-void close_keys(scene::Workspace& w) {
+void close_keys(workspace::Workspace& w) {
   w.key_list = {};
   w.interaction.setting_key.clear();
 }
@@ -175,9 +175,9 @@ void close_keys(scene::Workspace& w) {
 }  // namespace
 
 void key_list(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.key_list.open) return;
-  const scene::Viewport& v = w.viewport;
+  const document::Viewport& v = w.viewport;
   bool open = true;
   const Window window("Keys and mouse",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
@@ -194,13 +194,13 @@ void key_list(const Context& ui) {
   if (button(ui, "Close", "close_keys", "")) open = false;
   const bool waits = !w.interaction.setting_key.empty();
   // An Esc that cancels entering a key does not close the list.
-  if (key_pressed(scene::Key::escape) && !waits && !w.key_list.waiting) open = false;
+  if (key_pressed(workspace::Key::escape) && !waits && !w.key_list.waiting) open = false;
   w.key_list.waiting = waits;
   if (!open) close_keys(w);
 }
 
 float key_question(const Context& ui, float bottom) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.view.hints) w.ask_keys = false;  // the user is already working
   if (!w.ask_keys || !w.view.panels || w.key_list.open || w.loading.running || w.browser.open || w.question ||
       offers_next_step(w))
@@ -209,12 +209,12 @@ float key_question(const Context& ui, float bottom) {
                       {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},
                       card_flags);
   ImGui::TextUnformatted("Choose a keymap");
-  const auto presets = scene::choices(scene::KeyPreset{});
+  const auto presets = workspace::choices(workspace::KeyPreset{});
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (button(ui, presets[i].label.data(), "ask_keys/" + std::string(presets[i].word),
                std::string(presets[i].hint) + " Change it later in Help, Keymap.", {72, 0})) {
-      w.preferences.keymap.set_preset(static_cast<scene::KeyPreset>(i));
+      w.preferences.keymap.set_preset(static_cast<workspace::KeyPreset>(i));
       w.ask_keys = false;
     }
   }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "scene/workspace/keymap.h"
+#include "workspace/keymap.h"
 
 namespace viete::ui {
 
@@ -13,14 +13,14 @@ struct MouseLine {
 };
 
 /// The complete list for the help.
-std::vector<MouseLine> mouse_lines(const scene::Keymap& keymap);
+std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap);
 
 /// Camera navigation, in phrases separated by two spaces.
-std::string looking_words(const scene::Keymap& keymap);
+std::string looking_words(const workspace::Keymap& keymap);
 /// Dragging on empty space, and camera navigation.
-std::string empty_space_words(const scene::Keymap& keymap);
+std::string empty_space_words(const workspace::Keymap& keymap);
 
 /// "F1", or if it has no key its label in quotes.
-std::string key_or_label(const scene::Keymap& keymap, std::string_view command);
+std::string key_or_label(const workspace::Keymap& keymap, std::string_view command);
 
 }  // namespace viete::ui

@@ -4,11 +4,12 @@
 #include <imgui.h>
 #include <span>
 
-#include "scene/workspace/command.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
-/// ImGui's key for a key code (see scene::Key); 0 if unused by the program. Old versions use the code itself.
+/// ImGui's key for a key code (see workspace::Key); 0 if unused by the program. Old versions use the code
+/// itself.
 inline int imgui_key(int code) {
 #if IMGUI_VERSION_NUM < 18700
   return code;
@@ -29,17 +30,17 @@ inline int imgui_key(int code) {
 }
 
 /// True if the key was pressed in this frame; with `repeat` also for key repeats.
-inline bool key_pressed(scene::Key key, bool repeat = false) {
+inline bool key_pressed(workspace::Key key, bool repeat = false) {
   const int k = imgui_key(static_cast<int>(key));
   return k > 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(k), repeat);
 }
 
 /// 1 if the down arrow was pressed or repeated, -1 for the up arrow.
 inline int arrow_steps() {
-  return (key_pressed(scene::Key::down, true) ? 1 : 0) - (key_pressed(scene::Key::up, true) ? 1 : 0);
+  return (key_pressed(workspace::Key::down, true) ? 1 : 0) - (key_pressed(workspace::Key::up, true) ? 1 : 0);
 }
 inline bool enter_pressed() {
-  return key_pressed(scene::Key::enter) || key_pressed(scene::Key::pad_enter);
+  return key_pressed(workspace::Key::enter) || key_pressed(workspace::Key::pad_enter);
 }
 
 }  // namespace viete::ui

@@ -5,53 +5,53 @@
 #include <string>
 #include <utility>
 
-#include "scene/workspace/command.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
 namespace {
 
-bool matches(const scene::Shortcut& shortcut, const ImGuiIO& io) {
-  return shortcut.key != scene::Key::none && shortcut.ctrl == io.KeyCtrl && shortcut.shift == io.KeyShift &&
-         shortcut.alt == io.KeyAlt && key_pressed(shortcut.key);
+bool matches(const workspace::Shortcut& shortcut, const ImGuiIO& io) {
+  return shortcut.key != workspace::Key::none && shortcut.ctrl == io.KeyCtrl &&
+         shortcut.shift == io.KeyShift && shortcut.alt == io.KeyAlt && key_pressed(shortcut.key);
 }
 
-std::optional<scene::Shortcut> pressed_shortcut() {
+std::optional<workspace::Shortcut> pressed_shortcut() {
   const ImGuiIO& io = ImGui::GetIO();
-  for (const auto& [key, name] : scene::all_keys()) {
-    if (key_pressed(key)) return scene::Shortcut{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
+  for (const auto& [key, name] : workspace::all_keys()) {
+    if (key_pressed(key)) return workspace::Shortcut{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
   }
   return std::nullopt;
 }
 
 // Esc keeps the key, Delete removes it.
-void set_key(scene::Workspace& workspace) {
+void set_key(workspace::Workspace& workspace) {
   const auto pressed = pressed_shortcut();
   if (!pressed) return;
   const std::string name = std::exchange(workspace.interaction.setting_key, "");
-  const scene::Command* const command = scene::find_command(name);
-  if (!command || *pressed == scene::Shortcut{scene::Key::escape}) return;
-  const bool none = *pressed == scene::Shortcut{scene::Key::delete_key};
-  scene::Keymap& keymap = workspace.preferences.keymap;
+  const workspace::Command* const command = workspace::find_command(name);
+  if (!command || *pressed == workspace::Shortcut{workspace::Key::escape}) return;
+  const bool none = *pressed == workspace::Shortcut{workspace::Key::delete_key};
+  workspace::Keymap& keymap = workspace.preferences.keymap;
   std::string losers;
-  for (const scene::Command* loser :
-       none ? std::vector<const scene::Command*>{} : keymap.losers(name, *pressed))
+  for (const workspace::Command* loser :
+       none ? std::vector<const workspace::Command*>{} : keymap.losers(name, *pressed))
     losers += (losers.empty() ? " It was taken from \"" : ", \"") + std::string(loser->label) + '"';
-  keymap.change(name, none ? scene::Shortcut{} : *pressed);
+  keymap.change(name, none ? workspace::Shortcut{} : *pressed);
   workspace.messages.info('"' + std::string(command->label) + "\" has " +
-                          (none ? "no key now." : "the key " + scene::text(*pressed) + " now.") + losers +
+                          (none ? "no key now." : "the key " + workspace::text(*pressed) + " now.") + losers +
                           (losers.empty() ? "" : "."));
 }
 
 // Shortcuts are disabled during a mouse gesture: they must not change its objects.
-void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
+void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
       workspace.question)
     return;
-  for (const auto& command : scene::commands()) {
-    const scene::Shortcuts keys = workspace.preferences.keymap.of(command);
+  for (const auto& command : workspace::commands()) {
+    const workspace::Shortcuts keys = workspace.preferences.keymap.of(command);
     if (!matches(keys.first, io) && !matches(keys.second, io)) continue;
     if (!command.enabled(workspace)) continue;  // another command may have this key in another mode
     return command.run(workspace);
@@ -59,9 +59,9 @@ void run_shortcuts(scene::Workspace& workspace, const scene::Pointer& pointer) {
 }
 
 // A modal question captures the keyboard.
-scene::PointerInput pointer_input(bool keys) {
+workspace::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
-  scene::PointerInput input;
+  workspace::PointerInput input;
   input.position = {io.MousePos.x, io.MousePos.y};
   for (int i = 0; i < 3; ++i) input.down[i] = io.MouseDown[i];
   input.double_click = ImGui::IsMouseDoubleClicked(0);
@@ -70,10 +70,10 @@ scene::PointerInput pointer_input(bool keys) {
   input.ctrl = io.KeyCtrl;
   input.alt = io.KeyAlt;
   input.over_view = !io.WantCaptureMouse && ImGui::IsMousePosValid();
-  input.escape = keys && key_pressed(scene::Key::escape);
+  input.escape = keys && key_pressed(workspace::Key::escape);
   if (io.WantTextInput || !keys) return input;
   input.enter = enter_pressed();
-  input.backspace = key_pressed(scene::Key::backspace);
+  input.backspace = key_pressed(workspace::Key::backspace);
   for (const ImWchar c : io.InputQueueCharacters) {
     if (c > 0 && c < 128) input.typed += static_cast<char>(c);
   }
@@ -82,7 +82,7 @@ scene::PointerInput pointer_input(bool keys) {
 
 }  // namespace
 
-void handle_input(scene::Workspace& workspace, scene::Pointer& pointer) {
+void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer) {
   if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
   const bool escaped = take_escape(workspace), keys = !workspace.question && !escaped;
   pointer.frame(workspace, pointer_input(keys));

@@ -3,16 +3,16 @@
 
 #include <imgui.h>
 
-#include "scene/workspace/command.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/workspace.h"
 #include "ui/imgui_bridge.h"
+#include "workspace/command.h"
+#include "workspace/pointer.h"
+#include "workspace/workspace.h"
 
 namespace viete::ui {
 
 /// Call once a frame after ImGui::NewFrame(): runs commands for keys and passes the mouse to the pointer.
 /// Panels keep captured input (WantCaptureMouse, a text field); a gesture that began in the view continues
 /// over panels.
-void handle_input(scene::Workspace& workspace, scene::Pointer& pointer);
+void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer);
 
 }  // namespace viete::ui

@@ -7,17 +7,17 @@
 #include <utility>
 #include <vector>
 
-#include "scene/document/record.h"
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/menus.h"
+#include "document/record.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command_conditions.h"
+#include "workspace/menus.h"
 
 namespace viete::ui {
 
 namespace {
 
-bool is_shown(const Context& ui, const scene::Command& command) {
+bool is_shown(const Context& ui, const workspace::Command& command) {
   return !command.passing || command.enabled(ui.workspace);
 }
 
@@ -29,10 +29,10 @@ std::string capitalised(std::string text) {
 // The last edits, newest first: the current one is marked, and a click goes to another.
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   const std::vector<std::string> labels = w.document.history.labels();
   const std::size_t position = w.document.history.position();
-  const bool open = ImGui::BeginMenu("History", !labels.empty() && !scene::is_dragging(w));
+  const bool open = ImGui::BeginMenu("History", !labels.empty() && !workspace::is_dragging(w));
   record(ui, "menu/history");
   if (!open) return;
   std::size_t wanted = position;
@@ -44,18 +44,18 @@ void history_menu(const Context& ui) {
   }
   ImGui::EndMenu();
   if (wanted == position) return;
-  scene::go_to_edit(w.document, wanted);
+  document::go_to_edit(w.document, wanted);
   w.interaction.hovered.reset();
 }
 
 void recent_menu(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   const bool open = ImGui::BeginMenu("Open recent", !w.preferences.recent.empty());
   record(ui, "menu/recent");
   if (!open) return;
   std::optional<std::size_t> chosen;
   for (std::size_t i = 0; i < w.preferences.recent.size(); ++i) {
-    const scene::RecentFile& recent = w.preferences.recent[i];
+    const workspace::RecentFile& recent = w.preferences.recent[i];
     const std::string name = recent.file.filename().string() + "##" + std::to_string(i);
     const std::string folder = shortened(recent.file.parent_path().filename().string(), 160);
     if (ImGui::MenuItem(name.c_str(), folder.c_str())) chosen = i;
@@ -67,16 +67,16 @@ void recent_menu(const Context& ui) {
 }
 
 // Submenus with dynamic entries after a command.
-void list_behind(const Context& ui, const scene::Command& command) {
+void list_behind(const Context& ui, const workspace::Command& command) {
   if (command.name == "open_model") recent_menu(ui);
   if (command.name == "redo") history_menu(ui);
 }
 
 // Consecutive commands of one choice share a submenu.
-void items(const Context& ui, const scene::Menu& menu) {
+void items(const Context& ui, const workspace::Menu& menu) {
   std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
   bool open = false;
-  for (const scene::Command* command : menu.items) {
+  for (const workspace::Command* command : menu.items) {
     if (!is_shown(ui, *command)) continue;
     const std::string_view title = command->submenu;
     if (title != submenu) {
@@ -102,12 +102,12 @@ constexpr const char* offers =
 
 }  // namespace
 
-bool menu_item(const Context& ui, const scene::Command& command, std::string_view called) {
+bool menu_item(const Context& ui, const workspace::Command& command, std::string_view called) {
   const bool enabled = command.enabled(ui.workspace);
   const bool on = command.on(ui.workspace);
   const std::string label = command.label_now(ui.workspace, called.empty() ? command.label : called) + "##" +
                             std::string(command.name);
-  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
+  const std::string keys = workspace::text(ui.workspace.preferences.keymap.of(command).first);
   const bool chosen = ImGui::MenuItem(label.c_str(), keys.c_str(), on, enabled);
   record(ui, "menu/" + std::string(command.name), enabled);
   hint(hint_of(ui, command));
@@ -116,13 +116,13 @@ bool menu_item(const Context& ui, const scene::Command& command, std::string_vie
 }
 
 void menu_bar(const Context& ui) {
-  constexpr float height = scene::PanelLayout::menu_height;
+  constexpr float height = workspace::PanelLayout::menu_height;
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {8, 0.5f * (height - ImGui::GetFontSize())});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   const bool open = ImGui::BeginMainMenuBar();
   ImGui::PopStyleVar(2);
   if (!open) return;
-  for (const scene::Menu& menu : scene::menus()) {
+  for (const workspace::Menu& menu : workspace::menus()) {
     const bool shown = ImGui::BeginMenu(std::string(menu.title).c_str());
     record(ui, "menu/" + std::string(menu.title));
     if (!shown) continue;
@@ -150,7 +150,7 @@ void context_menu(const Context& ui) {
   const auto cursor = std::exchange(w.interaction.cursor, w.interaction.menu_at);  // for the commands
   std::istringstream words(offers);
   for (std::string offer; words >> offer;) {
-    const scene::Command* command = scene::find_command(offer);
+    const workspace::Command* command = workspace::find_command(offer);
     line |= !command;
     if (!command || !command->enabled(w)) continue;
     if (line && any) ImGui::Separator();

@@ -5,13 +5,13 @@
 #include <ctime>
 #include <string>
 
-#include "scene/files/recovery.h"
-#include "scene/workspace/command.h"
-#include "scene/workspace/workspace.h"
+#include "files/recovery.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
+#include "workspace/workspace.h"
 
 namespace viete::ui {
 
@@ -24,27 +24,29 @@ struct SeverityLook {
   ImU32 Palette::*color;
 };
 
-const SeverityLook& look_of(scene::Severity severity) {
+const SeverityLook& look_of(workspace::Severity severity) {
   static constexpr SeverityLook error{"Error: ", &Palette::bad}, warning{"Warning: ", &Palette::warn},
       info{"", &Palette::text};
-  return severity == scene::Severity::error ? error : severity == scene::Severity::warning ? warning : info;
+  return severity == workspace::Severity::error     ? error
+         : severity == workspace::Severity::warning ? warning
+                                                    : info;
 }
 
 }  // namespace
 
-ImU32 severity_color(const Context& ui, scene::Severity severity) {
+ImU32 severity_color(const Context& ui, workspace::Severity severity) {
   return ui.colors.*look_of(severity).color;
 }
 
-std::string message_text(const scene::Message& message) {
+std::string message_text(const workspace::Message& message) {
   const std::string times = message.times > 1 ? "  (" + std::to_string(message.times) + " times)" : "";
   return look_of(message.severity).word + message.text + times;
 }
 
 void message_log(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.show_messages) return;
-  const scene::Viewport& v = w.viewport;
+  const document::Viewport& v = w.viewport;
   bool open = true;
   const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
   const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
@@ -60,17 +62,17 @@ void message_log(const Context& ui) {
   ImGui::EndChild();
   if (button(ui, "Clear", "clear_messages", "Clear the list of messages.")) w.messages.clear();
   ImGui::SameLine();
-  if (button(ui, "Close", "close_messages", "") || key_pressed(scene::Key::escape)) open = false;
+  if (button(ui, "Close", "close_messages", "") || key_pressed(workspace::Key::escape)) open = false;
   w.show_messages = open;
 }
 
 namespace {
 
-std::string name_of(const scene::RecoveryFile& leftover) {
-  return leftover.name + ", " + scene::when(leftover.time);
+std::string name_of(const files::RecoveryFile& leftover) {
+  return leftover.name + ", " + files::when(leftover.time);
 }
 
-void hint_at(const scene::RecoveryFile& leftover) {
+void hint_at(const files::RecoveryFile& leftover) {
   hint("Folder: " + leftover.folder.string());
 }
 
@@ -109,13 +111,13 @@ void notice_bar(const Context& ui) {
   if (!w.has_user) return;
   w.notice_height = 0;
   if (!w.offers_recovery || w.recovery_files.empty()) return;
-  const float top = w.view.panels ? scene::PanelLayout::menu_height : 0;
+  const float top = w.view.panels ? workspace::PanelLayout::menu_height : 0;
   const ImVec2 size(w.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
   recovery_text(ui);
   for (const char* command : {"restore_leftover", "discard_leftovers", "put_off_leftovers"}) {
-    flow(width_of(scene::find_command(command)->brief));
+    flow(width_of(workspace::find_command(command)->brief));
     command_button(ui, command);
   }
   w.notice_height = ImGui::GetWindowSize().y;
@@ -174,7 +176,7 @@ bool toast(const Context& ui, const std::string& name, const std::string& text, 
 }
 
 // Newest first.
-std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
+std::vector<std::size_t> visible_messages(const workspace::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
     if (messages.all()[i].visible) newest.push_back(i);
@@ -185,13 +187,13 @@ std::vector<std::size_t> visible_messages(const scene::Messages& messages) {
 }  // namespace
 
 void toasts(const Context& ui, float bottom) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.has_user) return;
   const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
-    const scene::Message& message = w.messages.all()[newest[i]];
+    const workspace::Message& message = w.messages.all()[newest[i]];
     const ImU32 color =
-        message.severity == scene::Severity::info ? ui.colors.good : severity_color(ui, message.severity);
+        message.severity == workspace::Severity::info ? ui.colors.good : severity_color(ui, message.severity);
     if (toast(ui, "toast/" + std::to_string(i), message_text(message), color, true, bottom))
       w.messages.dismiss(newest[i]);
   }
@@ -202,7 +204,7 @@ void toasts(const Context& ui, float bottom) {
 
 namespace {
 
-using scene::Answer;
+using workspace::Answer;
 
 constexpr std::array answers = {Answer::save, Answer::cancel, Answer::proceed};
 constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
@@ -210,14 +212,14 @@ constexpr float question_width = 440;
 
 // The default answer is filled.
 bool answer_button(const Context& ui, std::size_t i) {
-  const scene::Question& question = *ui.workspace.question;
+  const workspace::Question& question = *ui.workspace.question;
   const bool chosen = question.chosen == i;
   if (chosen) {
     for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
       ImGui::PushStyleColor(color, ui.colors.accent);
     ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.on_axis);
   }
-  const bool clicked = button(ui, scene::label(question.kind, answers[i]), names[i], "");
+  const bool clicked = button(ui, workspace::label(question.kind, answers[i]), names[i], "");
   if (chosen) ImGui::PopStyleColor(4);
   return clicked;
 }
@@ -230,15 +232,15 @@ std::optional<Answer> answer_row(const Context& ui) {
     if (i > 0) ImGui::SameLine();
     if (answers[i] == Answer::proceed)
       ImGui::SetCursorPosX(left + question_width -
-                           width_of(scene::label(ui.workspace.question->kind, answers[i])));
+                           width_of(workspace::label(ui.workspace.question->kind, answers[i])));
     if (answer_button(ui, i)) answer = answers[i];
   }
   return answer;
 }
 
 // Enter gives the chosen answer, Tab and the arrows choose another, Esc cancels.
-std::optional<Answer> answer_by_key(scene::Question& question) {
-  using scene::Key;
+std::optional<Answer> answer_by_key(workspace::Question& question) {
+  using workspace::Key;
   const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
   const bool forth = key_pressed(Key::right) || (key_pressed(Key::tab) && !ImGui::GetIO().KeyShift);
   const std::size_t count = answer_count(question.kind);
@@ -249,7 +251,7 @@ std::optional<Answer> answer_by_key(scene::Question& question) {
 }
 
 void question_words(const Context& ui) {
-  const scene::Question& question = *ui.workspace.question;
+  const workspace::Question& question = *ui.workspace.question;
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + question_width);
   ImGui::PushFont(ui.fonts.strong);
   ImGui::TextUnformatted(question.title.c_str());
@@ -297,7 +299,7 @@ std::string words_of(std::optional<double> left) {
 }
 
 // The task, its progress, and a Cancel button.
-void row(const Context& ui, const scene::WorkState& work, const char* stop) {
+void row(const Context& ui, const workspace::WorkState& work, const char* stop) {
   constexpr float widest = 420, time_width = 96;
   const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);
   const float right = ImGui::GetCursorScreenPos().x + width;
@@ -308,7 +310,7 @@ void row(const Context& ui, const scene::WorkState& work, const char* stop) {
   command_button(ui, stop);
 }
 
-bool shows(const scene::WorkState& work) {
+bool shows(const workspace::WorkState& work) {
   return work.running && work.age >= silent_seconds;
 }
 
@@ -316,9 +318,9 @@ bool shows(const scene::WorkState& work) {
 
 float work_bar(const Context& ui, float bottom) {
   auto& w = ui.workspace;
-  const scene::WorkState& work = w.loading.running       ? w.loading
-                                 : w.making_cage.running ? w.making_cage
-                                                         : w.binding;
+  const workspace::WorkState& work = w.loading.running       ? w.loading
+                                     : w.making_cage.running ? w.making_cage
+                                                             : w.binding;
   if (!shows(work) && !shows(w.exporting)) return bottom;
   const Window window("Work", {.at = middle_at(ui, bottom - 16), .pivot = {0.5f, 1}}, card_flags);
   if (shows(w.exporting)) row(ui, w.exporting, "stop_export");

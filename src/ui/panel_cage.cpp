@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/document/cage_making.h"
-#include "scene/workspace/workspace.h"
+#include "document/cage_making.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/workspace.h"
 
 namespace viete::ui {
 
 namespace {
 
-std::string surface_text(const scene::Summary& summary) {
+std::string surface_text(const document::Summary& summary) {
   const std::string kind = !summary.manifold() ? "not manifold" : summary.closed() ? "watertight" : "open";
   return summary.parts > 1 ? kind + ", " + count(summary.parts) + " parts" : kind;
 }
@@ -83,11 +83,11 @@ double rounded_triangles(double value) {
   return static_cast<double>(std::lround(value / step) * std::lround(step));
 }
 
-void triangles(const Context& ui, scene::CageWish& wish) {
+void triangles(const Context& ui, document::CageWish& wish) {
   const auto chosen = slider_row(
       ui, "Triangles", making_label, "cage_triangles", static_cast<double>(wish.triangles),
       count(wish.triangles),
-      {.least = scene::least_triangles,
+      {.least = document::least_triangles,
        .most = 2000,  // beyond this, slow to bind and impractical to pose
        .tip =
            "Number of triangles of the cage. Fewer are easier to pose; more follow the model more closely.",
@@ -114,7 +114,7 @@ void share(const Context& ui, const char* text, const char* name, double& share,
   if (chosen) share = std::clamp(0.01 * *chosen, least, most);
 }
 
-void cells(const Context& ui, scene::CageWish& wish) {
+void cells(const Context& ui, document::CageWish& wish) {
   constexpr const char* names[] = {"cage_cells_x", "cage_cells_y", "cage_cells_z"};
   constexpr const char* labels[] = {"Cells X", "Y", "Z"};
   for (std::size_t k = 0; k < 3; ++k) {
@@ -138,24 +138,24 @@ void choice(const Context& ui, const char* text, const std::string& name, std::s
 }  // namespace
 
 void panel_making(const Context& ui) {
-  scene::CageMaking& making = ui.workspace.making;
-  scene::CageWish& wish = making.wish;
-  choice(ui, "Kind", "cage_kind", scene::all_kinds(), wish.kind);
-  if (wish.kind == scene::CageKind::box) {
+  document::CageMaking& making = ui.workspace.making;
+  document::CageWish& wish = making.wish;
+  choice(ui, "Kind", "cage_kind", document::all_kinds(), wish.kind);
+  if (wish.kind == document::CageKind::box) {
     cells(ui, wish);
   } else {
     triangles(ui, wish);
   }
-  share(ui, "Margin", "cage_margin", wish.margin, scene::least_margin, 0.1,
+  share(ui, "Margin", "cage_margin", wish.margin, document::least_margin, 0.1,
         "Minimum distance between cage and model, in percent of the model's diagonal.");
-  if (wish.kind == scene::CageKind::automatic) {
+  if (wish.kind == document::CageKind::automatic) {
     share(ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
           "Closes gaps of the model narrower than twice this, in percent of its diagonal. Joins close parts, "
           "for example fingers.");
-    choice(ui, "Symmetry", "cage_symmetry", scene::all_symmetries(), wish.symmetry);
+    choice(ui, "Symmetry", "cage_symmetry", document::all_symmetries(), wish.symmetry);
     checkbox(ui, "Mostly quads", "cage_quads", wish.quads, "Pair triangles that form good quads.");
   }
-  if (scene::shows_generated(ui.workspace.document, making)) {  // not after an undo
+  if (document::shows_generated(ui.workspace.document, making)) {  // not after an undo
     for (const auto& lines : {making.notes, making.lost})
       for (const std::string& line : lines) note(ui, line, ui.colors.warn);
     if (!making.lost.empty()) record(ui, "making_lost");
@@ -168,16 +168,16 @@ void panel_making(const Context& ui) {
 
 namespace {
 
-bool is_free(const scene::Workspace& w) {
+bool is_free(const workspace::Workspace& w) {
   return w.offer_cage && w.document.model.surface && !w.making.open && !w.loading.running &&
          !w.browser.open && !w.question && w.view.panels && !w.key_list.open;
 }
 
 // The finding about vertices outside the cage; null once the pose is edited.
-const scene::Finding* outside(const scene::Workspace& w) {
+const document::Finding* outside(const workspace::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
-  const auto at = scene::outside_finding(w.checks);
+  const auto at = workspace::outside_finding(w.checks);
   return at ? &w.checks.findings[*at] : nullptr;
 }
 
@@ -194,7 +194,7 @@ float words(const Context& ui, const std::string& title, const std::string& what
 }
 
 void ways_to_a_cage(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   const float width =
       words(ui, "This model has no cage", "A cage is a coarse mesh around the model. Drag it to deform.");
   if (!w.document.cage_beside.empty()) {
@@ -205,23 +205,23 @@ void ways_to_a_cage(const Context& ui) {
   command_row(ui, {"open_cage", "hide_cage_offer"});
 }
 
-void ways_around_it(const Context& ui, const scene::Finding& finding) {
-  words(ui, scene::title(finding), "The cage must enclose the model.");
+void ways_around_it(const Context& ui, const document::Finding& finding) {
+  words(ui, document::title(finding), "The cage must enclose the model.");
   command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
 }
 
 }  // namespace
 
-bool offers_next_step(const scene::Workspace& w) {
+bool offers_next_step(const workspace::Workspace& w) {
   return is_free(w) && (!w.document.is_movable() || outside(w));
 }
 
 float cage_offer(const Context& ui, float bottom) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   if (!offers_next_step(w)) return bottom;
   const Window window(
       "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
-  if (const scene::Finding* finding = outside(w)) {
+  if (const document::Finding* finding = outside(w)) {
     ways_around_it(ui, *finding);
   } else {
     ways_to_a_cage(ui);

@@ -1,10 +1,10 @@
 #include <algorithm>
 
-#include "scene/document/elements.h"
-#include "scene/workspace/workspace.h"
+#include "document/elements.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/workspace.h"
 
 namespace viete::ui {
 
@@ -13,13 +13,13 @@ namespace {
 constexpr std::size_t named = 6;  // elements listed in a card
 constexpr float inset = 10;
 
-std::size_t mattering(const scene::CheckState& checks) {
+std::size_t mattering(const workspace::CheckState& checks) {
   return static_cast<std::size_t>(
-      std::count_if(checks.findings.begin(), checks.findings.end(), scene::matters));
+      std::count_if(checks.findings.begin(), checks.findings.end(), document::matters));
 }
 
 // "2 findings", "all is well": visible while the section is closed.
-std::string summary(const scene::CheckState& checks, std::size_t of_pose) {
+std::string summary(const workspace::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
   const std::size_t n = checks.findings.size() + of_pose;
   if (n == 0) return "no problems";
@@ -31,17 +31,17 @@ float wrapped_height(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
 }
 
-std::string elements_text(const scene::Finding& finding) {
-  return scene::element_name(finding.kind) + ' ' + scene::first_elements(finding, named);
+std::string elements_text(const document::Finding& finding) {
+  return document::element_name(finding.kind) + ' ' + document::first_elements(finding, named);
 }
 
 // Title, explanation, and the first elements; a click shows them in the view.
 void finding_card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
-  const scene::Finding& finding = checks.findings[index];
+  const document::Finding& finding = checks.findings[index];
   const bool shown = checks.shown == index;
   const float width = ImGui::GetContentRegionAvail().x, wrap = width - 2 * inset;
-  const std::string means = wrapped(scene::meaning(finding), wrap), elements = elements_text(finding);
+  const std::string means = wrapped(document::meaning(finding), wrap), elements = elements_text(finding);
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float middle = wrapped_height(means, wrap);
   ImGui::PushFont(ui.fonts.numbers);
@@ -56,10 +56,10 @@ void finding_card(const Context& ui, std::size_t index) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float x = at.x + inset;
   float y = at.y + 7;
-  const ImU32 color = scene::matters(finding) ? ui.colors.warn : ui.colors.text;
+  const ImU32 color = document::matters(finding) ? ui.colors.warn : ui.colors.text;
   ImGui::PushFont(ui.fonts.strong);
-  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, scene::title(finding).c_str(), nullptr,
-               wrap);
+  draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, color, document::title(finding).c_str(),
+               nullptr, wrap);
   ImGui::PopFont();
   y += line;
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.faint, means.c_str(), nullptr, wrap);
@@ -69,18 +69,18 @@ void finding_card(const Context& ui, std::size_t index) {
                wrap);
   ImGui::PopFont();
   hint(shown ? "Click to hide them." : "Click to show them in the view.");
-  if (clicked) scene::toggle_finding(ui.workspace, index);
+  if (clicked) workspace::toggle_finding(ui.workspace, index);
 }
 
 // "< 3 of 17: edge 5-8 >": steps through the elements.
 void stepper(const Context& ui) {
   auto& checks = ui.workspace.checks;
-  const scene::Finding& finding = checks.findings[*checks.shown];
+  const document::Finding& finding = checks.findings[*checks.shown];
   if (finding.size() < 2) return;
   const float wide = 34, width = ImGui::GetContentRegionAvail().x;
   const float left = ImGui::GetCursorPosX();
   const auto step = [&](const char* label, const char* name, int by, const char* tip) {
-    if (button(ui, label, name, tip, {wide, 0})) scene::step_element(ui.workspace, by);
+    if (button(ui, label, name, tip, {wide, 0})) workspace::step_element(ui.workspace, by);
   };
   step("<##finding", "finding_previous", -1, "Show only the previous element.");
   const std::string text = checks.element ? count(*checks.element + 1) + " of " + count(finding.size())
@@ -93,7 +93,7 @@ void stepper(const Context& ui) {
 }
 
 // Findings of the cage before those of the model; important ones are sorted first anyway.
-void group(const Context& ui, scene::Subject subject, const char* heading) {
+void group(const Context& ui, document::Subject subject, const char* heading) {
   const auto& checks = ui.workspace.checks;
   bool first = true;
   for (std::size_t i = 0; i < checks.findings.size(); ++i) {
@@ -108,10 +108,10 @@ void group(const Context& ui, scene::Subject subject, const char* heading) {
 // Buttons to fit a cage that does not match the model.
 void fit_buttons(const Context& ui) {
   const auto& checks = ui.workspace.checks;
-  const auto at = scene::outside_finding(checks);
+  const auto at = workspace::outside_finding(checks);
   if (!at) return;
-  const scene::Finding& found = checks.findings[*at];
-  const std::string outside = scene::title(found) + ". ";
+  const document::Finding& found = checks.findings[*at];
+  const std::string outside = document::title(found) + ". ";
   if (ui.workspace.document.kept_pose) {  // the other buttons are shown anyway
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
@@ -144,8 +144,8 @@ void panel_checks(const Context& ui) {
                                               : "The model is a closed, oriented manifold.");
   }
   fit_buttons(ui);
-  group(ui, scene::Subject::cage, "Cage");
-  group(ui, scene::Subject::model, "Model");
+  group(ui, document::Subject::cage, "Cage");
+  group(ui, document::Subject::model, "Model");
 }
 
 }  // namespace viete::ui

@@ -5,26 +5,27 @@
 #include <span>
 #include <string>
 
-#include "scene/document/binding_plan.h"
-#include "scene/document/edit.h"
-#include "scene/workspace/command.h"
-#include "scene/workspace/command_tables.h"
+#include "document/binding_plan.h"
+#include "document/edit.h"
 #include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
+#include "workspace/command_tables.h"
 
 namespace viete::ui {
 
 namespace {
 
-using scene::entry;
+using document::entry;
 
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
 // Side effects of the highlighted entry, and its cost.
-std::string consequences(const scene::Workspace& w, const scene::Scheme& next, std::string_view chosen) {
-  const scene::Scheme& now = w.document.scheme;
+std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
+                         std::string_view chosen) {
+  const document::Scheme& now = w.document.scheme;
   std::string text;
   const auto say = [&](const char* what, std::string_view before, std::string_view after) {
     if (before != after && after != chosen) text += '\n' + std::string(what) + ": " + std::string(after);
@@ -32,20 +33,20 @@ std::string consequences(const scene::Workspace& w, const scene::Scheme& next, s
   say("Weights", entry(now.weighting.weights).label, entry(next.weighting.weights).label);
   say("Blend", entry(now.blend).label, entry(next.blend).label);
   if (w.document.has_cage() && now.weighting != next.weighting)
-    text += '\n' + scene::binding_plan(w.document, next.weighting) + " of memory.";
+    text += '\n' + document::binding_plan(w.document, next.weighting) + " of memory.";
   return text;
 }
 
 // An entry of a chooser's list.
 template <class Entry>
 void choice(const Context& ui, const Entry& choice, bool chosen) {
-  scene::Workspace& w = ui.workspace;
-  const scene::Command& command = *scene::find_command(scene::choice_command_name(choice.value));
+  workspace::Workspace& w = ui.workspace;
+  const workspace::Command& command = *workspace::find_command(workspace::choice_command_name(choice.value));
   if (chosen) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   if (ImGui::Selectable(command.brief.data(), chosen)) command.run(w);
   if (chosen) ImGui::PopStyleColor();
   record(ui, command.name.data());
-  const scene::Scheme next = scene::chosen(choice.value, w.document.scheme);
+  const document::Scheme next = document::chosen(choice.value, w.document.scheme);
   hint(std::string(choice.sentence) + consequences(w, next, choice.label));
 }
 
@@ -67,9 +68,9 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
 
 // A slider that stops at these fractions; other values can be typed, in percent.
 void number_slider(const Context& ui, const char* name, std::span<const double> stops) {
-  scene::Document& document = ui.workspace.document;
-  scene::Scheme scheme = document.scheme;
-  const auto& number = scene::number(name);
+  document::Document& document = ui.workspace.document;
+  document::Scheme scheme = document.scheme;
+  const auto& number = document::number(name);
   const bool used = number.need.met(scheme);
   double& value = number.of(scheme);
   const double shown = used ? value : 1;
@@ -89,18 +90,18 @@ void number_slider(const Context& ui, const char* name, std::span<const double> 
   ImGui::EndDisabled();
   hint((used ? std::string(number.sentence) : "Not available: " + std::string(number.need.problem)) + '.');
   ImGui::BeginDisabled(!used);
-  value_beside(right, scene::text_of_percent(shown));
+  value_beside(right, document::text_of_percent(shown));
   ImGui::EndDisabled();
   if (!slid.moved && !slid.typed) return;
   value = slid.typed ? 0.01 * *slid.typed : stops[static_cast<std::size_t>(stop)];
-  scene::set_radius(document, scheme.weighting.radius);
-  scene::set_amounts(document, scheme.amounts);
-  scene::set_holding(document, scheme.holding);
+  document::set_radius(document, scheme.weighting.radius);
+  document::set_amounts(document, scheme.amounts);
+  document::set_holding(document, scheme.holding);
 }
 
 void stitching(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  const scene::Condition& condition = scene::find_command("toggle_stitched")->enabled;
+  document::Document& document = ui.workspace.document;
+  const workspace::Condition& condition = workspace::find_command("toggle_stitched")->enabled;
   const bool possible = condition(ui.workspace), stitched = document.scheme.stitched();
   row_label("Shape", chooser_label);
   ImGui::BeginDisabled(!possible);
@@ -111,13 +112,13 @@ void stitching(const Context& ui) {
   ImGui::SameLine();
   ImGui::SetNextItemWidth(-1);
   int iterations = document.scheme.iterations;
-  const Slid slid = slider(ui, "iterations", iterations, 1, scene::most_iterations, [&] {
-    return ImGui::SliderInt("##iterations", &iterations, 1, scene::most_iterations,
+  const Slid slid = slider(ui, "iterations", iterations, 1, document::most_iterations, [&] {
+    return ImGui::SliderInt("##iterations", &iterations, 1, document::most_iterations,
                             iterations == 1 ? "%d iteration" : "%d iterations",
                             ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput);
   });
   if (slid.typed) iterations = static_cast<int>(std::lround(*slid.typed));
-  if (slid.moved || slid.typed) scene::set_iterations(document, iterations);
+  if (slid.moved || slid.typed) document::set_iterations(document, iterations);
   hint(
       "Number of solves per frame. Each further solve refits the triangles' rotations, which spreads bends "
       "more evenly.");
@@ -129,16 +130,16 @@ void stitching(const Context& ui) {
 
 void panel_custom(const Context& ui) {
   if (!section(ui, "Custom deformer", false)) return;
-  const scene::Scheme& scheme = ui.workspace.document.scheme;
-  chooser(ui, "weights", "Weights", scene::all_weights(), std::optional(scheme.weighting.weights));
-  chooser(ui, "blend", "Blend", scene::all_blends(), std::optional(scheme.blend));
+  const document::Scheme& scheme = ui.workspace.document.scheme;
+  chooser(ui, "weights", "Weights", document::all_weights(), std::optional(scheme.weighting.weights));
+  chooser(ui, "blend", "Blend", document::all_blends(), std::optional(scheme.blend));
   stitching(ui);
 }
 
 void panel_deformer(const Context& ui) {
-  const scene::Scheme& scheme = ui.workspace.document.scheme;
+  const document::Scheme& scheme = ui.workspace.document.scheme;
   heading(ui, "Deformer");
-  chooser(ui, "way", "", scene::all_ways(), scene::way_of(scheme));
+  chooser(ui, "way", "", document::all_ways(), document::way_of(scheme));
   constexpr std::array radii{0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2, 0.25, 0.3, 0.4, 0.5, 0.7, 1.0};
   if (scheme.weighting.partial()) number_slider(ui, "radius", radii);
   std::array<double, 41> amounts;

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "scene/document/brush.h"
-#include "scene/workspace/split.h"
+#include "document/brush.h"
 #include "ui/choice_list.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/split.h"
 
 namespace viete::ui {
 
@@ -35,17 +35,17 @@ void panel_display(const Context& ui) {
 }
 
 void panel_map(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
-  const lab::Field wanted = w.view.field;
+  const analysis::Field wanted = w.view.field;
   const bool open = section(ui, "Map", false);
-  section_note(ui, wanted == lab::Field::none ? "" : std::string(base::entry_of(wanted).label));
+  section_note(ui, wanted == analysis::Field::none ? "" : std::string(base::entry_of(wanted).label));
   if (!open) return;
   choice_list(ui, "map", std::optional(wanted), ImGui::GetContentRegionAvail().x);
-  if (wanted == lab::Field::none) return note(ui, "Colours the model by a measure of the deformation.");
-  if (scene::shown_field(w) == lab::Field::none)
+  if (wanted == analysis::Field::none) return note(ui, "Colours the model by a measure of the deformation.");
+  if (workspace::shown_field(w) == analysis::Field::none)
     return note(ui, "Not available here: this map needs a cage and the blend Log space.");
-  const bool needs_selection = wanted == lab::Field::influence && w.document.selection.empty();
+  const bool needs_selection = wanted == analysis::Field::influence && w.document.selection.empty();
   note_within(
       ui, 2,
       needs_selection ? "Select part of the cage or a probe." : std::string(base::entry_of(wanted).hint));
@@ -66,7 +66,7 @@ constexpr Size whole{264, 134, bars}, small{216, 84, 0};
 struct Legend {
   const Context& ui;
   ImDrawList& draw;
-  const lab::FieldStats& stats;
+  const analysis::FieldStats& stats;
   ImVec2 at;  // the upper left of the colours
   Size size;
 
@@ -107,23 +107,23 @@ void tick(const Legend& l, double value, const std::string& text) {
 
 void ticks(const Legend& l) {
   ImGui::PushFont(l.ui.fonts.numbers);
-  if (lab::entry(l.stats.field).scale == lab::Scale::log10) {
+  if (analysis::entry(l.stats.field).scale == analysis::Scale::log10) {
     const int low = static_cast<int>(l.stats.low), high = static_cast<int>(l.stats.high);
     for (int at = low + 1; at < high; at += (high - low + 4) / 5) tick(l, at, "1e" + std::to_string(at));
   } else {
     for (const double share : {0.0, 0.5, 1.0}) {
       const double value = l.stats.low + share * (l.stats.high - l.stats.low);
-      tick(l, value, lab::text(l.stats.field, value));
+      tick(l, value, analysis::text(l.stats.field, value));
     }
   }
   ImGui::PopFont();
 }
 
 // The value of `shown` at the point of the model under the cursor, which may be in any view.
-std::optional<double> pointed_value(const scene::Workspace& w, const scene::FieldView& shown) {
+std::optional<double> pointed_value(const workspace::Workspace& w, const workspace::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
   if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
-  const auto hit = scene::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
+  const auto hit = document::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
   if (!hit) return std::nullopt;
   const auto& corners = w.document.model.surface->triangles[hit->triangle];
   double value = 0;
@@ -135,7 +135,7 @@ std::optional<double> pointed_value(const scene::Workspace& w, const scene::Fiel
 void pointer(const Legend& l, double value) {
   const float x = l.x_of(value), y = l.at.y - 1;
   l.draw.AddTriangleFilled({x - 5, y - 7}, {x + 5, y - 7}, {x, y}, l.ui.colors.text);
-  const std::string text = lab::text(l.stats.field, value);
+  const std::string text = analysis::text(l.stats.field, value);
   ImGui::PushFont(l.ui.fonts.numbers);
   const float wide = ImGui::CalcTextSize(text.c_str()).x;
   l.draw.AddText({l.at.x + l.length() - wide, l.at.y - l.size.bars - (l.size.bars > 0 ? 48 : 27)},
@@ -143,27 +143,28 @@ void pointer(const Legend& l, double value) {
   ImGui::PopFont();
 }
 
-std::string title(const scene::FieldView& shown, lab::Field field, scene::Method method) {
+std::string title(const workspace::FieldView& shown, analysis::Field field, workspace::Method method) {
   std::string text(base::entry_of(field).label);
-  if (field == lab::Field::exp_error)
+  if (field == analysis::Field::exp_error)
     text += " by " + method_label(shown.stats.vertices ? shown.stats.method : method);
-  const std::string_view unit = lab::entry(field).unit;
+  const std::string_view unit = analysis::entry(field).unit;
   return unit.empty() ? text : text + ", " + std::string(unit);
 }
 
-std::string extent(const scene::FieldView& shown, float room) {
-  const lab::FieldStats& stats = shown.stats;
+std::string extent(const workspace::FieldView& shown, float room) {
+  const analysis::FieldStats& stats = shown.stats;
   if (!shown.problem.empty()) return shortened(shown.problem, room);
   if (!shown.values) return "computing";
   if (stats.is_nan) return "some values are NaN";
-  const std::string ends = lab::text(stats.field, stats.least) + " to " + lab::text(stats.field, stats.most);
-  const std::string with_median = ends + ", median " + lab::text(stats.field, stats.median);
+  const std::string ends =
+      analysis::text(stats.field, stats.least) + " to " + analysis::text(stats.field, stats.most);
+  const std::string with_median = ends + ", median " + analysis::text(stats.field, stats.median);
   return ImGui::CalcTextSize(with_median.c_str()).x <= room ? with_median : ends;
 }
 
 // Draws the legend with its lower right corner near `corner`.
-void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab::Field field,
-            scene::Method method, const Size& size) {
+void legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown, analysis::Field field,
+            workspace::Method method, const Size& size) {
   const ImVec2 low{corner.x - size.width - 16, corner.y - size.height - 16};
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
   draw.AddRectFilled(low, {low.x + size.width, low.y + size.height}, faded(ui.colors.card, 0.92f), 8);
@@ -175,7 +176,7 @@ void legend(const Context& ui, ImVec2 corner, const scene::FieldView& shown, lab
   ImGui::PopFont();
   const Legend made{
       ui, draw, shown.stats, {low.x + legend_margin, low.y + 52 + size.bars + (size.bars > 0 ? 4 : 0)}, size};
-  colors(made, lab::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
+  colors(made, analysis::entry(field).symmetric ? ui.field_colors.diverging : ui.field_colors.even);
   if (!shown.values) return;
   if (size.bars > 0) counts(made);
   ticks(made);
@@ -191,13 +192,13 @@ float map_legend(const Context& ui, float bottom) {
   if (ui.field_colors.even.empty()) return bottom;
   float top = bottom;
   for (std::size_t view = 0; view < w.split.count(); ++view) {
-    const lab::Field field = scene::shown_field(w, view);
-    if (field == lab::Field::none) continue;
-    const scene::Pane pane = scene::pane_of(w.split, view);
+    const analysis::Field field = workspace::shown_field(w, view);
+    if (field == analysis::Field::none) continue;
+    const workspace::Pane pane = workspace::pane_of(w.split, view);
     const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
     const Size& size = w.split.on() ? small : whole;
     if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
-    legend(ui, vec(corner), w.split.views[view].shown, field, scene::shown_way(w, view).method, size);
+    legend(ui, vec(corner), w.split.views[view].shown, field, workspace::shown_way(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;

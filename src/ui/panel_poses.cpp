@@ -4,20 +4,20 @@
 #include <cstring>
 #include <string>
 
-#include "scene/document/pose_edit.h"
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/playing.h"
+#include "document/pose_edit.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command_conditions.h"
+#include "workspace/playing.h"
 
 namespace viete::ui {
 
 namespace {
 
-using scene::pose_picture_size;
+using workspace::pose_picture_size;
 
 constexpr const char* dragged_pose = "pose";
 constexpr float percent_width = 54;
@@ -36,7 +36,7 @@ ImU32 darkened(ImU32 color, float tone) {
 }
 
 // Relative to a corner of the current window.
-void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& shape) {
+void draw_shape(const Context& ui, ImVec2 corner, const workspace::PictureShape& shape) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::vector<ImVec2> points;
   for (const glm::vec2& p : shape.points) points.push_back({corner.x + p.x, corner.y + p.y});
@@ -55,8 +55,8 @@ void draw_shape(const Context& ui, ImVec2 corner, const scene::PictureShape& sha
   list.AddPolyline(points.data(), count, edge, ImDrawFlags_Closed, 1);
 }
 
-void draw_pose(const Context& ui, const scene::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
-  scene::Workspace& w = ui.workspace;
+void draw_pose(const Context& ui, const document::NamedPose& named, ImVec2 low, bool chosen, bool hovered) {
+  workspace::Workspace& w = ui.workspace;
   const ImVec2 high{low.x + pose_picture_size.x, low.y + pose_picture_size.y};
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
@@ -84,7 +84,7 @@ void drag_row(std::size_t row, PoseWish& wish) {
   ImGui::EndDragDropTarget();
 }
 
-void picture(const Context& ui, std::size_t row, const scene::NamedPose& named, PoseWish& wish) {
+void picture(const Context& ui, std::size_t row, const document::NamedPose& named, PoseWish& wish) {
   const std::string id = "pose/" + std::to_string(row);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   if (ImGui::InvisibleButton(id.c_str(), {pose_picture_size.x, pose_picture_size.y})) wish.chosen = row;
@@ -101,8 +101,8 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   const double percent = 1e-6 * std::round(1e8 * shown);
   auto slid = static_cast<float>(percent);
   ImGui::SetNextItemWidth(-percent_width - ImGui::GetStyle().ItemInnerSpacing.x);
-  constexpr double least = 100 * scene::PoseLibrary::least_weight,
-                   most = 100 * scene::PoseLibrary::largest_weight;
+  constexpr double least = 100 * document::PoseLibrary::least_weight,
+                   most = 100 * document::PoseLibrary::largest_weight;
   const Slid done = slider(ui, id, percent, least, most, [&] {
     return ImGui::SliderFloat(("##" + id).c_str(), &slid, -50, 150, "", ImGuiSliderFlags_NoInput);
   });
@@ -116,7 +116,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
 }
 
 void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
-  const scene::NamedPose& named = ui.workspace.document.library.poses[index];
+  const document::NamedPose& named = ui.workspace.document.library.poses[index];
   const std::string id = std::to_string(index);
   picture(ui, index, named, wish);
   ImGui::SameLine();
@@ -132,19 +132,19 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
   ImGui::EndGroup();
 }
 
-void grant(scene::Workspace& w, const PoseWish& wish) {
+void grant(workspace::Workspace& w, const PoseWish& wish) {
   if (wish.chosen) w.chosen_pose = wish.chosen;
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
-    scene::change_mix(w, [&] {
-      return scene::set_weight(w.document, w.playback.vectors, pose, weight, scene::shown_weights(w));
+    workspace::change_mix(w, [&] {
+      return document::set_weight(w.document, w.playback.vectors, pose, weight, workspace::shown_weights(w));
     });
   }
-  if (wish.name) scene::rename_pose(w.document, wish.name->first, wish.name->second);
-  if (wish.applied) scene::apply_pose(w, *wish.applied);
+  if (wish.name) document::rename_pose(w.document, wish.name->first, wish.name->second);
+  if (wish.applied) workspace::apply_pose(w, *wish.applied);
   if (wish.moved) {
     const auto [from, to] = *wish.moved;
-    scene::move_pose(w.document, from, to);
+    document::move_pose(w.document, from, to);
     w.chosen_pose = to > from ? to - 1 : to;
   }
 }
@@ -157,20 +157,20 @@ void no_poses(const Context& ui) {
 }  // namespace
 
 void panel_poses(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
   const std::size_t poses = w.document.library.poses.size();
   const bool open = section(ui, "Poses");
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
   if (poses == 0) return no_poses(ui);
-  const bool free = !scene::is_dragging(w) && !scene::is_editing_cage(w.document);
+  const bool free = !workspace::is_dragging(w) && !document::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
   // Above the list, which grows downward: clicked items do not move.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);
-  const std::vector<double> shown = scene::shown_weights(w);  // for poses changed by a button
+  const std::vector<double> shown = workspace::shown_weights(w);  // for poses changed by a button
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
   if (free) grant(w, wish);

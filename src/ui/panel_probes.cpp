@@ -1,14 +1,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scene/document/probes.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/workspace/command_conditions.h"
+#include "document/probes.h"
+#include "interact/cursor_projection.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command_conditions.h"
 
 namespace viete::ui {
 
@@ -18,18 +18,18 @@ namespace {
 
 constexpr float probe_label = 76;
 
-void influence(const Context& ui, const char* label, const char* name, scene::Part part) {
-  scene::Document& document = ui.workspace.document;
-  scene::Influence shown = document.probes.all[document.selection.indices().front()].*part;
+void influence(const Context& ui, const char* label, const char* name, document::Part part) {
+  document::Document& document = ui.workspace.document;
+  document::Influence shown = document.probes.all[document.selection.indices().front()].*part;
   row_label(label, probe_label);
   const std::string prefix = std::string("probe_") + name;
   constexpr float falloff_width = 92;
   ImGui::SetNextItemWidth(falloff_width);
-  const auto falloff = entry_list(ui, prefix, scene::all_falloffs(), shown.falloff);
+  const auto falloff = entry_list(ui, prefix, document::all_falloffs(), shown.falloff);
   ImGui::SameLine();
-  const double unit = 0.01 * document.space.diagonal(), least = scene::least_probe_radius(document),
-               most = scene::largest_probe_radius(document);
-  const bool used = shown.falloff != scene::Falloff::none;
+  const double unit = 0.01 * document.space.diagonal(), least = document::least_probe_radius(document),
+               most = document::largest_probe_radius(document);
+  const bool used = shown.falloff != document::Falloff::none;
   constexpr float value_width = 44;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   ImGui::BeginDisabled(!used);
@@ -44,8 +44,8 @@ void influence(const Context& ui, const char* label, const char* name, scene::Pa
                               -value_width);
   value_beside(right, std::to_string(std::lround(shown.radius / unit)) + " %");
   ImGui::EndDisabled();
-  if (falloff) scene::set_falloff(document, part, *falloff);
-  if (percent) scene::set_radius(document, part, std::clamp(unit * *percent, least, most));
+  if (falloff) document::set_falloff(document, part, *falloff);
+  if (percent) document::set_radius(document, part, std::clamp(unit * *percent, least, most));
 }
 
 // How closely pins keep the model to the listed shapes.
@@ -63,37 +63,38 @@ void freedom(const Context& ui) {
 }
 
 void mix(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
+  document::Document& document = ui.workspace.document;
   row_label("Combine", probe_label);
   ImGui::SetNextItemWidth(-1);
-  const auto chosen = entry_list(ui, "probe_mix", scene::all_probe_mixes(), document.probes.mix);
-  if (chosen) scene::set_mix(document, *chosen);
+  const auto chosen = entry_list(ui, "probe_mix", document::all_probe_mixes(), document.probes.mix);
+  if (chosen) document::set_mix(document, *chosen);
 }
 
 }  // namespace
 
 void panel_probes(const Context& ui) {
-  const scene::Document& document = ui.workspace.document;
+  const document::Document& document = ui.workspace.document;
   const std::size_t probes = document.probes.all.size();
   if (probes == 0) return;
   const bool open = section(ui, "Probes", false);
   section_note(ui, count(probes));
   if (!open) return;
   command_row(ui, {"mirror_probe", "remove_probe"});
-  const bool selected = document.selection.kind() == scene::ElementKind::probe && !document.selection.empty();
-  if (scene::has_pins(document)) freedom(ui);
-  if (selected && scene::has_pins_selected(ui.workspace)) {
+  const bool selected =
+      document.selection.kind() == document::ElementKind::probe && !document.selection.empty();
+  if (document::has_pins(document)) freedom(ui);
+  if (selected && workspace::has_pins_selected(ui.workspace)) {
     command_toggle(ui, "toggle_pulls");
   } else if (selected) {
-    influence(ui, "Rotation", "turn", &scene::Probe::turn);
-    influence(ui, "Stretch", "stretch", &scene::Probe::stretch);
-    influence(ui, "Translation", "move", &scene::Probe::move);
+    influence(ui, "Rotation", "turn", &document::Probe::turn);
+    influence(ui, "Stretch", "stretch", &document::Probe::stretch);
+    influence(ui, "Translation", "move", &document::Probe::move);
   } else {
-    note(ui, document.selection.kind() == scene::ElementKind::probe
+    note(ui, document.selection.kind() == document::ElementKind::probe
                  ? "Click a probe in the view to select it."
                  : "Press 4 and click a probe to select it.");
   }
-  if (!std::ranges::all_of(document.probes.all, [](const scene::Probe& p) { return p.pin.has_value(); }))
+  if (!std::ranges::all_of(document.probes.all, [](const document::Probe& p) { return p.pin.has_value(); }))
     mix(ui);
   if (!selected) return;
   command_row(ui, {"reset_selected"});
@@ -113,16 +114,16 @@ struct Shown {
 };
 
 // Draws the axes rotated and stretched like the probe, with screen lengths limited for legibility.
-void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProjection& at,
-          const glm::dvec3& center, const scene::ProbePose& pose, float opacity) {
+void axes(const Context& ui, OverlayPainter& painter, const interact::CursorProjection& at,
+          const glm::dvec3& center, const document::ProbePose& pose, float opacity) {
   const auto& w = ui.workspace;
-  const auto m = scene::linear_part(pose);
+  const auto m = document::linear_part(pose);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const glm::dvec3 column(m[axis], m[3 + axis], m[6 + axis]);
     const double length = glm::length(column);
     const glm::dvec3 along =
         double(axis_length) * at.per_pixel() * std::clamp(length, 0.4, 2.0) / length * column;
-    const scene::CursorProjection end(center + along, w.camera, w.viewport);
+    const interact::CursorProjection end(center + along, w.camera, w.viewport);
     painter.line(glm::vec2(at.at()), glm::vec2(end.at()), ui.colors.axis[axis], 2.25f, opacity);
   }
 }
@@ -130,10 +131,10 @@ void axes(const Context& ui, OverlayPainter& painter, const scene::CursorProject
 // A ring at the pin's target, filled if the pin holds, and a line from its vertex.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
-  const scene::Probe& probe = w.document.probes.all[i];
+  const document::Probe& probe = w.document.probes.all[i];
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
-  const auto vertex = scene::pinned_vertex(w.document, i);
-  const scene::CursorProjection at(glm::dvec3(w.document.space.to_view(vertex)), w.camera, w.viewport);
+  const auto vertex = document::pinned_vertex(w.document, i);
+  const interact::CursorProjection at(glm::dvec3(w.document.space.to_view(vertex)), w.camera, w.viewport);
   painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
   if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);
   painter.circle(middle, dot + 2, color, 2);
@@ -142,14 +143,14 @@ void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 mi
 
 void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Shown& shown) {
   const auto& w = ui.workspace;
-  const scene::Probe& probe = w.document.probes.all[i];
-  const glm::dvec3 center(w.document.space.to_view(scene::probe_center(w.document, i)));
+  const document::Probe& probe = w.document.probes.all[i];
+  const glm::dvec3 center(w.document.space.to_view(document::probe_center(w.document, i)));
   if (!(w.camera.depth(glm::vec3(center)) > 0)) return;
-  const scene::CursorProjection at(center, w.camera, w.viewport);
+  const interact::CursorProjection at(center, w.camera, w.viewport);
   const glm::vec2 middle(at.at());
   const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
   if (probe.pin) return pin(ui, painter, i, middle, shown);
-  if (shown.selected && !scene::shows_mask(w)) {
+  if (shown.selected && !workspace::shows_mask(w)) {
     const double radius = std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
     const auto pixels = static_cast<float>(radius * w.document.space.scale / at.per_pixel());
     if (pixels < 4000) painter.circle(middle, pixels, ui.colors.highlight, 1.25f, 0.5f);
@@ -170,7 +171,7 @@ void probe_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (!w.view.cage || w.document.probes.empty()) return;
   OverlayPainter painter(ui);
-  const bool chosen = w.document.selection.kind() == scene::ElementKind::probe;
+  const bool chosen = w.document.selection.kind() == document::ElementKind::probe;
   for (std::size_t i = 0; i < w.document.probes.all.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     frame(ui, painter, i,

@@ -4,12 +4,12 @@
 #include <optional>
 #include <string>
 
-#include "scene/document/edit.h"
-#include "scene/workspace/command.h"
+#include "document/edit.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
@@ -18,8 +18,8 @@ namespace {
 constexpr const char* command_names[] = {"method_diag", "method_sd", "method_improved_sd", "method_fast"};
 
 // True for the single best method; false at a tie, as at rest, where every result is exact.
-bool is_best(const scene::MethodStats& stats, std::size_t index, double scene::MethodSample::*value) {
-  const scene::MethodSample& own = stats.samples[index];
+bool is_best(const workspace::MethodStats& stats, std::size_t index, double workspace::MethodSample::*value) {
+  const workspace::MethodSample& own = stats.samples[index];
   return !std::isnan(own.*value) && std::ranges::all_of(stats.samples, [&](const auto& other) {
     return &other == &own || !(other.*value <= own.*value);
   });
@@ -28,12 +28,12 @@ bool is_best(const scene::MethodStats& stats, std::size_t index, double scene::M
 // Errors from this size on are highlighted: they are visible, or accumulate to visible ones.
 constexpr double visible_error = 1e-10;
 
-bool fails(const scene::MethodSample& sample) {
+bool fails(const workspace::MethodSample& sample) {
   return !(sample.worst_error < visible_error);
 }
 
 void card_text(const Context& ui, ImVec2 at, float width, const char* title,
-               const scene::MethodSample* sample, bool used, bool fastest, bool most_exact, bool active) {
+               const workspace::MethodSample* sample, bool used, bool fastest, bool most_exact, bool active) {
   constexpr float margin = 10, second_line = 25;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const ImU32 text = used ? ui.colors.text : ui.colors.faint;
@@ -55,39 +55,39 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
 
 // A large toggle: the method's name, its time per matrix and worst error, coloured where it is best.
 void method_card(const Context& ui, std::size_t index, float width, bool used) {
-  scene::Workspace& w = ui.workspace;
-  const scene::Command& command = *scene::find_command(command_names[index]);
-  const bool active = w.document.method == scene::compared_methods[index];
+  workspace::Workspace& w = ui.workspace;
+  const workspace::Command& command = *workspace::find_command(command_names[index]);
+  const bool active = w.document.method == analysis::compared_methods[index];
   const ImVec2 at = ImGui::GetCursorScreenPos(), size{width, 46};
   if (ImGui::InvisibleButton(command_names[index], size)) command.run(w);
   record(ui, command_names[index], used);
   card(ui, at, {at.x + size.x, at.y + size.y}, active && used);
   const bool measured = running_sample(w) != nullptr;
   card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used,
-            is_best(w.methods, index, &scene::MethodSample::ns_per_matrix),
-            is_best(w.methods, index, &scene::MethodSample::worst_error), active);
-  hint(std::string(command.hint) + "  (" + scene::text(w.preferences.keymap.of(command).first) + ")");
+            is_best(w.methods, index, &workspace::MethodSample::ns_per_matrix),
+            is_best(w.methods, index, &workspace::MethodSample::worst_error), active);
+  hint(std::string(command.hint) + "  (" + workspace::text(w.preferences.keymap.of(command).first) + ")");
 }
 
 }  // namespace
 
 void panel_method(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   const bool used = w.document.scheme.exponential();
   heading(ui, "Method");
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - gap) / 2;
   ImGui::BeginDisabled(!used);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
-  for (std::size_t i = 0; i < scene::compared_methods.size(); ++i) {
+  for (std::size_t i = 0; i < analysis::compared_methods.size(); ++i) {
     method_card(ui, i, width, used);
     if (i % 2 == 0) ImGui::SameLine();
   }
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
-  note(ui, !used                                  ? "This deformer uses no exponential."
-           : scene::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
-                                                  : "At rest every method is exact.");
+  note(ui, !used                                     ? "This deformer uses no exponential."
+           : document::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
+                                                     : "At rest every method is exact.");
   hint("Medians over " + count(w.methods.matrices) +
        " matrices of this frame. Errors are relative to 106-bit results. Colour marks the best and errors "
        "above 1e-10.");
@@ -97,15 +97,15 @@ void panel_method(const Context& ui) {
 
 namespace {
 
-using scene::compared_methods;
-using scene::Link;
+using analysis::compared_methods;
+using workspace::Link;
 using Stage = std::optional<Link>;
 
 constexpr std::size_t all_methods = compared_methods.size();
 
 // Describes the stage in one sentence.
-const char* stage_hint(scene::Link stage) {
-  static constexpr std::array<const char*, scene::link_count> hints = {
+const char* stage_hint(workspace::Link stage) {
+  static constexpr std::array<const char*, workspace::link_count> hints = {
       "Affine map x -> M x + l of each element of the cage, from rest to pose.",
       "Polar decomposition M = R S of each map, and the logarithms Y = log R and X = log S.",
       "Weighted sums of the logarithms at each vertex.",
@@ -121,7 +121,7 @@ const char* stage_hint(scene::Link stage) {
 }
 
 // The stage's colour; fainter while another stage is hovered.
-ImU32 lit_stage_color(const Context& ui, scene::Link stage) {
+ImU32 lit_stage_color(const Context& ui, workspace::Link stage) {
   const auto& lit = ui.workspace.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);
 }
@@ -131,11 +131,11 @@ bool is_under_cursor(ImVec2 low, ImVec2 high) {
 }
 
 // One segment per stage, scaled to the slowest method's time.
-Stage segments(const Context& ui, const scene::LinkTimes& times, double longest, ImVec2 at, float width) {
+Stage segments(const Context& ui, const workspace::LinkTimes& times, double longest, ImVec2 at, float width) {
   constexpr float height = 14;
   Stage under_cursor;
   float x = at.x;
-  for (std::size_t i = 0; i < scene::link_count; ++i) {
+  for (std::size_t i = 0; i < workspace::link_count; ++i) {
     const float w = static_cast<float>(times.ms[i] / longest) * width;
     const ImVec2 low{x, at.y + 2}, high{x + w, at.y + 2 + height};
     ImGui::GetWindowDrawList()->AddRectFilled(low, high, lit_stage_color(ui, static_cast<Link>(i)));
@@ -147,8 +147,8 @@ Stage segments(const Context& ui, const scene::LinkTimes& times, double longest,
 
 Stage bar(const Context& ui, std::size_t index, double longest) {
   constexpr float label_width = 88, value_width = 68;
-  const scene::MethodTimes& all = ui.workspace.method_times;
-  const scene::LinkTimes& times = all.links[index];
+  const workspace::MethodTimes& all = ui.workspace.method_times;
+  const workspace::LinkTimes& times = all.links[index];
   const bool runs = compared_methods[index] == ui.workspace.document.method;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x, room = width - label_width - value_width;
@@ -164,20 +164,20 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   return std::nullopt;
 }
 
-bool is_measured(const scene::MethodTimes& all, Link stage) {
+bool is_measured(const workspace::MethodTimes& all, Link stage) {
   return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
 }
 
 // The stages of all bars, four per line.
 Stage legend(const Context& ui) {
   constexpr std::size_t columns = 4, rows = 2;
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x / columns, line = ImGui::GetTextLineHeight() + 2;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   Stage under_cursor;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < scene::link_count; ++i) {
+  for (std::size_t i = 0; i < workspace::link_count; ++i) {
     const Link stage = static_cast<Link>(i);
     if (!is_measured(w.method_times, stage)) continue;
     const ImVec2 low{at.x + static_cast<float>(count % columns) * width,
@@ -238,14 +238,14 @@ void rest_of_frame(const Context& ui) {
 
 // The errors of the exponential and of the drawn positions.
 void errors(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const scene::MethodSample* sample = running_sample(w);
+  const workspace::Workspace& w = ui.workspace;
+  const workspace::MethodSample* sample = running_sample(w);
   const bool fits = ImGui::GetContentRegionAvail().x >
                     ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
   std::string text = sample ? "exp " + rough_error(sample->worst_error) : "", frame;
   if (const double fused = w.split.views[0].fused_error; fused > 0)
     frame = "frame " + rough_error(fused) + (fits ? ", single precision" : ", single");
-  else if (scene::shows_links(w))
+  else if (workspace::shows_links(w))
     frame = "frame in double precision";
   text += (text.empty() || frame.empty() ? "" : " \u00b7 ") + frame;
   if (text.empty()) text = " ";
@@ -259,7 +259,7 @@ void errors(const Context& ui) {
 }  // namespace
 
 void panel_timings(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   heading(ui, "Timings of the deformation");
   double longest = 1e-9;
   for (const auto& times : w.method_times.links) longest = std::max(longest, times.total());

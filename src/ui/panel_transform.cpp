@@ -3,14 +3,14 @@
 #include <optional>
 #include <string>
 
-#include "scene/document/elements.h"
-#include "scene/hand/placing.h"
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/pointer.h"
+#include "document/elements.h"
+#include "interact/placing.h"
 #include "ui/choice_list.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command_conditions.h"
+#include "workspace/pointer.h"
 
 namespace viete::ui {
 
@@ -20,14 +20,14 @@ namespace {
 
 // One row per set. Changes to the list are made after it was drawn.
 void sets(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
+  document::Document& document = ui.workspace.document;
   const auto& all = document.groups.sets;
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
   const float select_width = 64, close = ImGui::GetFrameHeight();
   const float width = ImGui::GetContentRegionAvail().x - select_width - close - 2 * gap;
   std::optional<std::size_t> selected, removed, renamed;
   std::string name;
-  ImGui::BeginDisabled(scene::is_dragging(ui.workspace));
+  ImGui::BeginDisabled(workspace::is_dragging(ui.workspace));
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string id = "set/" + std::to_string(i);
     if (const auto typed =
@@ -43,9 +43,9 @@ void sets(const Context& ui) {
       removed = i;
   }
   ImGui::EndDisabled();
-  if (renamed) scene::rename_set(document, *renamed, name);
-  if (selected) scene::select_set(document, *selected, select_mode());
-  if (removed) scene::remove_set(document, *removed);
+  if (renamed) document::rename_set(document, *renamed, name);
+  if (selected) document::select_set(document, *selected, select_mode());
+  if (removed) document::remove_set(document, *removed);
   if (selected || removed) ui.workspace.interaction.hovered.reset();
 }
 
@@ -82,7 +82,7 @@ float half_of_rest() {
 }
 
 void pivot_row(const Context& ui) {
-  const scene::Handling& handling = ui.workspace.handling;
+  const document::Handling& handling = ui.workspace.handling;
   label_row(ui, "Pivot");
   const float width = half_of_rest();
   choice_list(ui, "pivot", std::optional(handling.pivot), width);
@@ -90,14 +90,14 @@ void pivot_row(const Context& ui) {
   choice_list(ui, "axes", std::optional(handling.axes), width);
 }
 
-std::string pairs_text(const scene::MirrorCache& known) {
+std::string pairs_text(const document::MirrorCache& known) {
   if (!known.mirror) return "";
   const std::size_t without = known.mirror->unpaired();
   return without == 0 ? "all paired" : count(without) + " unpaired";
 }
 
 void mirror_row(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   label_row(ui, "Mirror");
   const float width = half_of_rest();
   choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
@@ -112,9 +112,9 @@ void mirror_row(const Context& ui) {
 
 // The soft radius in the file's units.
 void soft_radius(const Context& ui) {
-  scene::SoftSelection& soft = ui.workspace.handling.soft;
+  document::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
-  constexpr double least = scene::SoftSelection::least_radius;
+  constexpr double least = document::SoftSelection::least_radius;
   const auto chosen = slider(ui, "soft_radius", soft.radius * diagonal,
                              {.least = least * diagonal,
                               .most = diagonal,
@@ -126,7 +126,7 @@ void soft_radius(const Context& ui) {
 }
 
 void soft_rows(const Context& ui) {
-  const scene::SoftSelection& soft = ui.workspace.handling.soft;
+  const document::SoftSelection& soft = ui.workspace.handling.soft;
   const float left = ImGui::GetCursorPosX(), column = left + transform_label;
   command_toggle(ui, "toggle_soft", soft.on);
   ImGui::BeginDisabled(!soft.on);
@@ -141,9 +141,9 @@ void soft_rows(const Context& ui) {
 }
 
 // Shown while the section is folded.
-std::string transform_text(const scene::Workspace& w) {
-  std::string text(scene::entry_of(w.handling.pivot).label);
-  if (scene::mirror_of(w)) text += ", mirrored";
+std::string transform_text(const workspace::Workspace& w) {
+  std::string text(document::entry_of(w.handling.pivot).label);
+  if (workspace::mirror_of(w)) text += ", mirrored";
   if (w.handling.soft.on) text += ", soft selection";
   return text;
 }
@@ -155,10 +155,10 @@ void panel_transform(const Context& ui) {
   const bool open = section(ui, "Transform", false);
   section_note(ui, transform_text(ui.workspace));
   if (!open) return;
-  const scene::Selection& selection = ui.workspace.document.selection;
+  const document::Selection& selection = ui.workspace.document.selection;
   value_row(ui, "Selected",
             count(selection.size()) + " of " +
-                count(scene::element_count(ui.workspace.document, selection.kind())));
+                count(document::element_count(ui.workspace.document, selection.kind())));
   transform_fields(ui);
   pivot_row(ui);
   if (!ui.workspace.document.has_cage()) return;
@@ -183,43 +183,43 @@ glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
   return glm::transpose(axes) * place;
 }
 
-Fields fields(const scene::Workspace& w) {
-  const scene::Tool tool = w.tool;
-  if (tool == scene::Tool::rotate)
+Fields fields(const workspace::Workspace& w) {
+  const interact::Tool tool = w.tool;
+  if (tool == interact::Tool::rotate)
     return {"Rotate by (degrees)", "Rotate about this axis. Type an angle and press Enter.", {0, 0, 0}};
-  if (tool == scene::Tool::scale)
+  if (tool == interact::Tool::scale)
     return {"Scale by", "Scale along this axis. Type a factor and press Enter.", {1, 1, 1}};
   glm::dvec3 place(0);
   if (!w.document.selection.empty()) {
-    const scene::Anchor anchor = scene::grip_of(w).anchor;
+    const interact::Anchor anchor = workspace::grip_of(w).anchor;
     place = along(anchor.axes, anchor.center);
   }
-  return {w.handling.pivot == scene::Pivot::median ? "Centre" : "Pivot",
+  return {w.handling.pivot == document::Pivot::median ? "Centre" : "Pivot",
           "Position of the selection along the chosen axes. Type a coordinate and press Enter.", place};
 }
 
-void apply(scene::Workspace& workspace, int axis, double value) {
-  scene::Document& document = workspace.document;
-  scene::Tool tool = workspace.tool;
-  scene::Transform transform;
-  const scene::Grip grip = scene::grip_of(workspace);
+void apply(workspace::Workspace& workspace, int axis, double value) {
+  document::Document& document = workspace.document;
+  interact::Tool tool = workspace.tool;
+  interact::Transform transform;
+  const interact::Grip grip = workspace::grip_of(workspace);
   transform.pivot = grip.anchor.center;
   transform.axes = grip.anchor.axes;
-  if (tool == scene::Tool::rotate) {
+  if (tool == interact::Tool::rotate) {
     transform.axis = grip.anchor.axes[axis];
-    transform.degrees = std::clamp(value, -scene::most_degrees, scene::most_degrees);
+    transform.degrees = std::clamp(value, -interact::most_degrees, interact::most_degrees);
     if (transform.degrees != value)
-      workspace.messages.info("Rotated by " + count(static_cast<std::size_t>(scene::most_degrees)) +
+      workspace.messages.info("Rotated by " + count(static_cast<std::size_t>(interact::most_degrees)) +
                               " degrees, the maximum at once");
-  } else if (tool == scene::Tool::scale) {
+  } else if (tool == interact::Tool::scale) {
     transform.factors[axis] = value;
   } else {
     const double way = value - along(grip.anchor.axes, grip.anchor.center)[axis];
     transform.shift = way * grip.anchor.axes[axis];
-    tool = scene::Tool::move;
+    tool = interact::Tool::move;
   }
-  if (scene::transform_selection(document, tool, grip, transform)) return;
-  workspace.messages.warn(tool == scene::Tool::rotate
+  if (interact::transform_selection(document, tool, grip, transform)) return;
+  workspace.messages.warn(tool == interact::Tool::rotate
                               ? "The cage cannot rotate any further; nothing was changed"
                               : "This position is too far from the model; nothing was moved");
 }
@@ -233,12 +233,12 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
 
 // The same height as the fields of other tools.
 void brush_fields(const Context& ui) {
-  scene::Brush& brush = ui.workspace.brush;
+  document::Brush& brush = ui.workspace.brush;
   command_row(ui, {"mask_clear", "mask_invert"});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
   if (const auto radius = slider(ui, "brush_radius", brush.radius,
-                                 {.least = scene::Brush::least_radius,
+                                 {.least = document::Brush::least_radius,
                                   .most = 150,
                                   .format = "%.0f px",
                                   .tip = "Brush radius on screen. Shift and wheel change it too."},
@@ -263,7 +263,7 @@ void transform_fields(const Context& ui) {
   const auto kind = static_cast<std::size_t>(w.document.selection.kind());
   if (w.document.has_cage())
     command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
-  if (w.tool == scene::Tool::paint) return brush_fields(ui);
+  if (w.tool == interact::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w);
   note(ui, shown.label);
   ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/hand/cursor_projection.h"
+#include "interact/cursor_projection.h"
 #include "ui/format.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
@@ -17,7 +17,7 @@ namespace viete::ui {
 
 namespace {
 
-using scene::VertexView;
+using workspace::VertexView;
 
 constexpr std::size_t most_bars = 8;
 
@@ -108,14 +108,15 @@ void ways(const Context& ui, const VertexView& view) {
 }  // namespace
 
 void panel_vertex(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   if (!w.document.has_cage() || !section(ui, "Vertex inspector", false)) return;
   if (std::exchange(w.vertex.appearing, false)) ImGui::SetScrollHereY(0);
   const VertexView& view = w.vertex;
   if (!view.vertex)
-    return note(ui, "Point at the model and press " +
-                        scene::text(w.preferences.keymap.of(*scene::find_command("pick_vertex")).first) +
-                        " to inspect a vertex.");
+    return note(ui,
+                "Point at the model and press " +
+                    workspace::text(w.preferences.keymap.of(*workspace::find_command("pick_vertex")).first) +
+                    " to inspect a vertex.");
   value_row(ui, "Vertex", std::to_string(*view.vertex));
   command_row(ui, {"pick_worst", "drop_vertex"});
   if (view.terms.empty()) return note(ui, "The cage does not influence this vertex.");
@@ -140,10 +141,10 @@ constexpr std::size_t most_elements = 16;
 }  // namespace
 
 void vertex_overlay(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const scene::VertexView& view = w.vertex;
+  const workspace::Workspace& w = ui.workspace;
+  const workspace::VertexView& view = w.vertex;
   if (!view.vertex || !w.document.model.surface) return;
-  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.camera, w.viewport);
   const auto at = project(w.posed.at(*w.document.model.surface, *view.vertex));
   if (!at) return;
   OverlayPainter painter(ui);

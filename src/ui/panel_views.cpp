@@ -2,44 +2,44 @@
 #include <optional>
 #include <string>
 
-#include "scene/workspace/playing.h"
 #include "ui/choice_list.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/playing.h"
 
 namespace viete::ui {
 
 namespace {
 
-void way_list(const Context& ui, const std::string& name, scene::View& side) {
-  const auto now = scene::way_of(side.scheme);
-  if (!begin_list(ui, name, now ? scene::entry(*now).label.data() : "Custom", "")) return;
-  for (const auto& entry : scene::all_ways())
+void way_list(const Context& ui, const std::string& name, workspace::View& side) {
+  const auto now = document::way_of(side.scheme);
+  if (!begin_list(ui, name, now ? document::entry(*now).label.data() : "Custom", "")) return;
+  for (const auto& entry : document::all_ways())
     if (list_entry(ui, entry.label, name + '_' + std::string(entry.name), now == entry.value, entry.sentence))
-      side.scheme = scene::chosen(entry.value, ui.workspace.document.scheme);
+      side.scheme = document::chosen(entry.value, ui.workspace.document.scheme);
   ImGui::EndCombo();
 }
 
-void method_list(const Context& ui, const std::string& name, scene::View& side) {
+void method_list(const Context& ui, const std::string& name, workspace::View& side) {
   if (!begin_list(ui, name, method_label(side.method).c_str(), "")) return;
-  for (const scene::Method method : scene::compared_methods) {
+  for (const workspace::Method method : analysis::compared_methods) {
     const std::string label = method_label(method);
     if (list_entry(ui, label, name + '_' + label, side.method == method, "")) side.method = method;
   }
   ImGui::EndCombo();
 }
 
-void map_list(const Context& ui, const std::string& name, scene::View& side) {
+void map_list(const Context& ui, const std::string& name, workspace::View& side) {
   if (!begin_list(ui, name, base::entry_of(side.field).label.data(), "")) return;
   for (const base::Choice& choice : choices(side.field)) {
-    const auto field = *base::value_of_word<lab::Field>(choice.word);
+    const auto field = *base::value_of_word<analysis::Field>(choice.word);
     if (list_entry(ui, choice.label, name + '_' + std::string(choice.word), side.field == field, choice.hint))
       side.field = field;
   }
   ImGui::EndCombo();
 }
 
-void side_rows(const Context& ui, std::size_t number, scene::View& side) {
+void side_rows(const Context& ui, std::size_t number, workspace::View& side) {
   constexpr float label = 74;
   const std::string name = "side/" + std::to_string(number);
   const auto row = [&](const char* words, auto list, const char* what) {
@@ -53,7 +53,7 @@ void side_rows(const Context& ui, std::size_t number, scene::View& side) {
   if (ui.workspace.document.has_cage()) row("Deformer", way_list, "/way");
   if (side.scheme.exponential()) row("Method", method_list, "/method");
   row("Map", map_list, "/map");
-  if (side.other_blending || scene::has_blended_pose(ui.workspace)) {
+  if (side.other_blending || workspace::has_blended_pose(ui.workspace)) {
     const char* const words =
         ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
@@ -66,7 +66,7 @@ void side_rows(const Context& ui, std::size_t number, scene::View& side) {
 }  // namespace
 
 void panel_views(const Context& ui) {
-  scene::Split& split = ui.workspace.split;
+  workspace::Split& split = ui.workspace.split;
   if (!ui.workspace.document.model.surface || !section(ui, "Views", false)) return;
   command_choice(ui, {"views_1", "views_2", "views_3", "views_4"}, split.count() - 1);
   if (!split.on()) return note(ui, "Split the view to compare deformers, methods and maps of one pose.");

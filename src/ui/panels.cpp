@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "scene/workspace/command.h"
-#include "scene/workspace/preferences.h"
 #include "ui/overlay_painter.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
+#include "workspace/preferences.h"
 
 namespace viete::ui {
 
@@ -13,8 +13,9 @@ namespace {
 
 // A window next to the view, over its whole height.
 Window::Place column(const Context& ui, float x, float width) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  return {.at = {x, v.origin.y}, .pivot = {0, 0}, .size = {width, scene::column_height(v)}, .rounding = 0};
+  const document::Viewport& v = ui.workspace.viewport;
+  return {
+      .at = {x, v.origin.y}, .pivot = {0, 0}, .size = {width, workspace::column_height(v)}, .rounding = 0};
 }
 
 constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
@@ -49,7 +50,7 @@ void analysis(const Context& ui) {
 
 // The right column: method, timings and accuracy.
 void methods(const Context& ui) {
-  const scene::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
   if (v.window.x <= x) return;
   const Window window("Methods", column(ui, x, v.window.x - x), column_flags);
@@ -78,7 +79,7 @@ void draw_panels(const Context& ui) {
     status_bar(ui);
   }
   context_menu(ui);
-  const scene::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.viewport;
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
   const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
@@ -96,7 +97,7 @@ void draw_panels(const Context& ui) {
 
 namespace {
 
-using scene::Column;
+using workspace::Column;
 
 constexpr float edge_thickness = 6, tab_width = 14, tab_height = 48;
 
@@ -110,7 +111,7 @@ constexpr Side sides[] = {{Column::tools, "tools", "toggle_tools", 1},
                           {Column::methods, "methods", "toggle_methods", -1}};
 
 // The border between column and view; at the window's edge while the column is hidden.
-float edge_x(const scene::Viewport& v, const Side& side) {
+float edge_x(const document::Viewport& v, const Side& side) {
   return side.inward > 0 ? v.origin.x : v.origin.x + v.size.x;
 }
 
@@ -123,11 +124,11 @@ Window::Place edge_strip(const Side& side, ImVec2 at, ImVec2 size) {
 constexpr auto strip_flags = passive_flags | ImGuiWindowFlags_NoBackground;
 
 void edge(const Context& ui, const Side& side) {
-  scene::Workspace& w = ui.workspace;
-  const scene::Viewport& v = w.viewport;
+  workspace::Workspace& w = ui.workspace;
+  const document::Viewport& v = w.viewport;
   const float x = edge_x(v, side);
   const std::string name = std::string("edge/") + side.name;
-  const ImVec2 size{edge_thickness, scene::column_height(v)};
+  const ImVec2 size{edge_thickness, workspace::column_height(v)};
   const Window window(name.c_str(), edge_strip(side, {x, v.origin.y}, size), strip_flags);
   ImGui::InvisibleButton("strip", size);
   record(ui, name);
@@ -135,13 +136,13 @@ void edge(const Context& ui, const Side& side) {
   if (held || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
     ImGui::GetWindowDrawList()->AddRectFilled({x, v.origin.y},
-                                              {x + side.inward * 2, v.origin.y + scene::column_height(v)},
+                                              {x + side.inward * 2, v.origin.y + workspace::column_height(v)},
                                               faded(ui.colors.accent, held ? 0.9f : 0.5f));
   }
   if (held) {
     const float mouse = ImGui::GetIO().MousePos.x;
-    scene::set_width(w.preferences.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
-                     v.window.x);
+    workspace::set_width(w.preferences.layout, side.column, side.inward > 0 ? mouse : v.window.x - mouse,
+                         v.window.x);
   }
 }
 
@@ -154,8 +155,8 @@ void chevron(ImDrawList& draw, ImVec2 middle, float direction, ImU32 color) {
 }
 
 void tab(const Context& ui, const Side& side, bool shown) {
-  const scene::Viewport& v = ui.workspace.viewport;
-  const scene::Command& command = *scene::find_command(side.command);
+  const document::Viewport& v = ui.workspace.viewport;
+  const workspace::Command& command = *workspace::find_command(side.command);
   const ImVec2 at{edge_x(v, side), v.origin.y + 0.5f * (v.size.y - tab_height)};
   const std::string name = std::string("tab/") + side.name;
   const ImVec2 size{tab_width, tab_height};
@@ -178,8 +179,8 @@ void tab(const Context& ui, const Side& side, bool shown) {
 }  // namespace
 
 void column_edges(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const auto widths = scene::shown_columns(w.preferences.layout, w.viewport.window.x);
+  const workspace::Workspace& w = ui.workspace;
+  const auto widths = workspace::shown_columns(w.preferences.layout, w.viewport.window.x);
   for (const Side& side : sides) {
     const bool shown = widths.of(side.column) > 0;
     if (shown) edge(ui, side);

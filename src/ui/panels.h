@@ -5,7 +5,7 @@
 
 #include "ui/context.h"
 
-namespace viete::scene {
+namespace viete::workspace {
 struct Command;
 }
 
@@ -16,7 +16,7 @@ void draw_panels(const Context& ui);
 
 void menu_bar(const Context& ui);
 /// A menu line that runs a command, by its label or another name. True if chosen.
-bool menu_item(const Context& ui, const scene::Command& command, std::string_view called = "");
+bool menu_item(const Context& ui, const workspace::Command& command, std::string_view called = "");
 void context_menu(const Context& ui);  ///< at the right click
 void tool_strip(const Context& ui);    ///< in the view
 void command_palette(const Context& ui);
@@ -53,7 +53,7 @@ void toasts(const Context& ui, float bottom);  ///< recent messages, above `bott
 /// At the bottom of the view; return their top edge, or `bottom` if hidden.
 float cage_offer(const Context& ui,
                  float bottom);  ///< the next step: get a cage, or fix model parts outside it
-bool offers_next_step(const scene::Workspace& workspace);
+bool offers_next_step(const workspace::Workspace& workspace);
 /// The available width for notices in the middle of the view, next to the tools.
 float notice_room(const Context& ui);
 float work_bar(const Context& ui,
@@ -66,10 +66,10 @@ void gizmo_overlay(const Context& ui);
 void axis_overlay(const Context& ui);
 void torn_overlay(const Context& ui);               ///< edges where the mesh may fold, see pose_notes()
 float map_legend(const Context& ui, float bottom);  ///< colours of the mesh
-scene::SelectMode select_mode();                    ///< from Shift and Ctrl
+document::SelectMode select_mode();                 ///< from Shift and Ctrl
 void select_overlay(const Context& ui);             ///< box, lasso and brush
-std::string select_hint(const scene::Workspace& workspace);  ///< mouse help for them; empty: none
-std::string mouse_text(const scene::Workspace& workspace);   ///< current mouse actions, in phrases
-void view_overlay(const Context& ui);                        ///< box selection, first-start hints
+std::string select_hint(const workspace::Workspace& workspace);  ///< mouse help for them; empty: none
+std::string mouse_text(const workspace::Workspace& workspace);   ///< current mouse actions, in phrases
+void view_overlay(const Context& ui);                            ///< box selection, first-start hints
 
 }  // namespace viete::ui

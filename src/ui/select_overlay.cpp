@@ -9,7 +9,7 @@ namespace viete::ui {
 
 namespace {
 
-using scene::SelectMode, scene::SelectShape;
+using document::SelectMode, interact::SelectShape;
 
 // The sign for adding or removing, next to the cursor.
 void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 color) {
@@ -20,7 +20,7 @@ void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 c
 }
 
 // A tint, and a line with contrast over a cage of the same colour.
-void box_between(const Context& ui, OverlayPainter& painter, const scene::Interaction::Box& box) {
+void box_between(const Context& ui, OverlayPainter& painter, const workspace::Interaction::Box& box) {
   const glm::vec2 a = box.corner, b = box.opposite;
   const std::array corners = {a, glm::vec2(b.x, a.y), b, glm::vec2(a.x, b.y)};
   painter.tint(corners, faded(ui.colors.accent, 0.10f));
@@ -34,7 +34,7 @@ void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) 
   painter.line({at.x, v.origin.y}, {at.x, v.origin.y + v.size.y}, ui.colors.text, 1, 0.5f);
 }
 
-void lasso_line(const Context& ui, OverlayPainter& painter, const scene::Lasso& lasso) {
+void lasso_line(const Context& ui, OverlayPainter& painter, const interact::Lasso& lasso) {
   const auto& line = lasso.line;
   if (line.size() < 2) return;
   painter.line(line, ui.colors.text, 1.5f);
@@ -46,7 +46,8 @@ void lasso_line(const Context& ui, OverlayPainter& painter, const scene::Lasso& 
                  1.25f, 0.7f);
 }
 
-void circle(const Context& ui, OverlayPainter& painter, const scene::Interaction& hand, const glm::vec2& at) {
+void circle(const Context& ui, OverlayPainter& painter, const workspace::Interaction& hand,
+            const glm::vec2& at) {
   const bool works = hand.brushing.has_value();
   if (works)
     ImGui::GetBackgroundDrawList()->AddCircleFilled(vec(at), hand.select_radius,
@@ -83,7 +84,7 @@ void select_overlay(const Context& ui) {
   sign(painter, at, hand.brushing.value_or(select_mode()), ui.colors.text);
 }
 
-std::string select_hint(const scene::Workspace& w) {
+std::string select_hint(const workspace::Workspace& w) {
   const auto& hand = w.interaction;
   if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to cancel";
   if (!hand.armed) return "";

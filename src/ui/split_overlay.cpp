@@ -17,8 +17,8 @@ constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of t
 constexpr float least_room = 170;  // with less room beside the axes, a caption is at the bottom
 
 // Empty unless some view blends differently (linear or log space) from the document.
-std::string blending_words(const scene::Workspace& w, bool other) {
-  if (std::ranges::none_of(w.split.sides(), &scene::View::other_blending)) return "";
+std::string blending_words(const workspace::Workspace& w, bool other) {
+  if (std::ranges::none_of(w.split.sides(), &workspace::View::other_blending)) return "";
   return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
@@ -31,15 +31,15 @@ struct Caption {
   void add_number(const std::string& part) { numbers += (numbers.empty() ? "" : "   ") + part; }
 };
 
-std::string way_words(const scene::Scheme& scheme) {
-  const auto way = scene::way_of(scheme);
-  return way ? std::string(scene::entry(*way).label) : "Custom";
+std::string way_words(const document::Scheme& scheme) {
+  const auto way = document::way_of(scheme);
+  return way ? std::string(document::entry(*way).label) : "Custom";
 }
 
 // The numbers are like "1.9 ms", "exp 3e-16", "frame 2e-08".
-Caption shown_in(const scene::Workspace& w, std::size_t number) {
-  const scene::SideWay way = scene::shown_way(w, number);
-  const scene::View& view = w.split.views[number];
+Caption shown_in(const workspace::Workspace& w, std::size_t number) {
+  const document::SideWay way = workspace::shown_way(w, number);
+  const workspace::View& view = w.split.views[number];
   Caption shown;
   if (w.document.has_cage()) {
     shown.add_title(way_words(way.scheme));
@@ -51,7 +51,7 @@ Caption shown_in(const scene::Workspace& w, std::size_t number) {
     return shown;
   }
   if (const auto times = view.stats.deforming_median()) shown.add_number(milliseconds(times->links.total()));
-  const scene::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
+  const workspace::MethodSample* running = number == 0 ? running_sample(w) : nullptr;
   if (const auto exp = running ? std::optional(running->worst_error) : view.exp_error)
     shown.add_number("exp " + error(*exp));
   if (view.fused_error > 0) shown.add_number("frame " + error(view.fused_error));
@@ -85,8 +85,8 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
   draw.PopClipRect();
 }
 
-void frame(const Context& ui, const scene::Pane& pane) {
-  const scene::Viewport& v = ui.workspace.viewport;
+void frame(const Context& ui, const workspace::Pane& pane) {
+  const document::Viewport& v = ui.workspace.viewport;
   const glm::vec2 low = glm::round(v.origin + pane.at * v.size);
   const glm::vec2 high = glm::round(v.origin + (pane.at + pane.size) * v.size);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -97,10 +97,10 @@ void frame(const Context& ui, const scene::Pane& pane) {
 }  // namespace
 
 void split_overlay(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
+  const workspace::Workspace& w = ui.workspace;
   if (!w.split.on() || !w.document.model.surface) return;
   for (std::size_t view = 0; view < w.split.count(); ++view) {
-    const scene::Pane pane = scene::pane_of(w.split, view);
+    const workspace::Pane pane = workspace::pane_of(w.split, view);
     frame(ui, pane);
     const float beside = pane.at.x == 0 && w.view.panels ? tools_room : 0;
     const bool by_axes = w.view.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;

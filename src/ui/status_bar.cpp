@@ -1,7 +1,7 @@
 #include <cctype>
 
-#include "scene/document/elements.h"
-#include "scene/hand/gizmo.h"
+#include "document/elements.h"
+#include "interact/gizmo.h"
 #include "ui/format.h"
 #include "ui/help_overlay.h"
 #include "ui/panels.h"
@@ -11,40 +11,41 @@ namespace viete::ui {
 
 namespace {
 
-std::string hovered_text(const scene::Selection& selection, std::uint32_t element, bool crowded) {
-  std::string name = scene::element_name(selection.kind()) + ' ' + std::to_string(element);
+std::string hovered_text(const document::Selection& selection, std::uint32_t element, bool crowded) {
+  std::string name = document::element_name(selection.kind()) + ' ' + std::to_string(element);
   name[0] = static_cast<char>(name[0] - 'a' + 'A');
   const bool first_click =
-      (crowded || selection.kind() == scene::ElementKind::face) && !selection.contains(element);
+      (crowded || selection.kind() == document::ElementKind::face) && !selection.contains(element);
   return name + (first_click ? ":  click selects, drag draws a box" : ":  click selects, drag moves");
 }
 
-std::string bend_words(const scene::Constraint& about) {
-  if (about.kind == scene::Constraint::Kind::free) return "X Y Z choose the bend axis,  ";
+std::string bend_words(const interact::Constraint& about) {
+  if (about.kind == interact::Constraint::Kind::free) return "X Y Z choose the bend axis,  ";
   const std::string axis(1, static_cast<char>('X' + about.axis));
   return "bends about " + axis + " (" + axis + " again: view axis),  ";
 }
 
-std::string shape_words(const scene::TransformDrag& drag) {
-  const scene::Shaping& shaping = drag.grip().shaping;
-  const std::string about = shaping.shape == scene::Shape::bend ? bend_words(drag.constraint()) : "";
+std::string shape_words(const interact::TransformDrag& drag) {
+  const interact::Shaping& shaping = drag.grip().shaping;
+  const std::string about = shaping.shape == interact::Shape::bend ? bend_words(drag.constraint()) : "";
   return "Digits or horizontal motion set the amount,  " + about +
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
 // Logs of rotations depend on the frame of reference: see the manual, blending.
-bool rotates_posed_cage(const scene::Workspace& w) {
-  const scene::Document& d = w.document;
-  return w.tool == scene::Tool::rotate && d.has_cage() && d.selection.kind() != scene::ElementKind::probe &&
-         d.scheme.exponential() && d.pose.positions != d.cage->surface.positions &&
-         scene::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
+bool rotates_posed_cage(const workspace::Workspace& w) {
+  const document::Document& d = w.document;
+  return w.tool == interact::Tool::rotate && d.has_cage() &&
+         d.selection.kind() != document::ElementKind::probe && d.scheme.exponential() &&
+         d.pose.positions != d.cage->surface.positions &&
+         document::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
 }
 
 }  // namespace
 
-std::string mouse_text(const scene::Workspace& w) {
-  const scene::Keymap& keymap = w.preferences.keymap;
-  if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != scene::Shape::none)
+std::string mouse_text(const workspace::Workspace& w) {
+  const workspace::Keymap& keymap = w.preferences.keymap;
+  if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != interact::Shape::none)
     return shape_words(*w.interaction.drag);
   if (w.interaction.drag)
     return w.handling.soft.on ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl "
@@ -62,20 +63,20 @@ std::string mouse_text(const scene::Workspace& w) {
     return "The model is shown at rest;  " + key_or_label(keymap, "toggle_deformed") +
            " shows the deformation";
   if (w.interaction.stroke) return "Release to confirm;  Esc or right button cancels";
-  if (scene::shows_mask(w))
+  if (workspace::shows_mask(w))
     return "Drag paints vertices that stay at rest,  Ctrl erases;  Shift and wheel change the brush;  middle "
            "or right drag " +
            std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
   if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
   if (w.interaction.handle && rotates_posed_cage(w))
-    return scene::handle_name(w.tool, *w.interaction.handle) +
+    return interact::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  can slightly change the model's shape: orbit the camera to see another side";
   if (w.interaction.handle)
-    return scene::handle_name(w.tool, *w.interaction.handle) +
+    return interact::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
   if (w.interaction.hovered)
     return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
-  if (w.document.selection.kind() == scene::ElementKind::probe && !w.document.probes.empty())
+  if (w.document.selection.kind() == document::ElementKind::probe && !w.document.probes.empty())
     return "Drag a probe to move it,  " + empty_space_words(keymap);
   if (w.document.has_cage())
     return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
@@ -96,7 +97,7 @@ std::string fitting(std::string text, float width) {
   return text;
 }
 
-std::string numbers_text(const scene::Workspace& w) {
+std::string numbers_text(const workspace::Workspace& w) {
   const auto median = w.split.views[0].stats.median();
   const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
   const std::string kernel = w.about.kernel.empty() ? "" : "kernel " + w.about.kernel;

@@ -146,10 +146,10 @@ Palette palette(bool dark) {
 }
 
 // Okabe and Ito's palette, softened; distinguishable for colour-blind readers.
-ImU32 stage_color(scene::Link stage) {
-  static constexpr std::array<unsigned, scene::link_count> colors = {0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c,
-                                                                     0x3fb09a, 0x6fc3df, 0xe07b54, 0x8f7fd1,
-                                                                     0xcf5f7a, 0xc58bb5, 0xb0a45a};
+ImU32 stage_color(workspace::Link stage) {
+  static constexpr std::array<unsigned, workspace::link_count> colors = {
+      0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,
+      0xe07b54, 0x8f7fd1, 0xcf5f7a, 0xc58bb5, 0xb0a45a};
   return rgb(colors[static_cast<std::size_t>(stage)]);
 }
 

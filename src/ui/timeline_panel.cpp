@@ -5,16 +5,16 @@
 #include <utility>
 #include <vector>
 
-#include "scene/document/time_edit.h"
-#include "scene/workspace/command_conditions.h"
-#include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
-#include "scene/workspace/time_view.h"
+#include "document/time_edit.h"
 #include "ui/choice_list.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command_conditions.h"
+#include "workspace/playing.h"
+#include "workspace/time_gestures.h"
+#include "workspace/time_view.h"
 
 namespace viete::ui {
 
@@ -69,7 +69,7 @@ void export_icon(const Pen& pen, bool) {
 }
 
 void icon_button(const Context& ui, const char* name, void (*draw)(const Pen&, bool)) {
-  const scene::Command& command = *scene::find_command(name);
+  const workspace::Command& command = *workspace::find_command(name);
   const bool enabled = command.enabled(ui.workspace), on = command.on(ui.workspace);
   if (on) ImGui::PushStyleColor(ImGuiCol_Button, ui.colors.card_active);
   if (button(ui, (std::string("##") + name).c_str(), std::string("time/") + name,
@@ -91,16 +91,16 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
   }
   const auto typed = number_field(ui, name, value, width, what);
   if (!typed || !std::isfinite(*typed)) return std::nullopt;
-  constexpr double largest = scene::Timeline::largest_frame;
+  constexpr double largest = document::Timeline::largest_frame;
   return static_cast<int>(std::lround(std::clamp(*typed, -largest, largest)));
 }
 
 void frame_shown(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   const double shown = std::round(w.document.frame * 10) / 10;
   if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame")) {
-    scene::stop_playing(w);
-    scene::go_to_frame(w, *frame);
+    workspace::stop_playing(w);
+    workspace::go_to_frame(w, *frame);
   }
 }
 
@@ -113,7 +113,7 @@ struct ToolPiece {
 
 ToolPiece button_piece(const Context& ui, const char* name, void (*icon)(const Pen&, bool), float gap = 4) {
   return {28, gap, [&ui, name, icon] { icon_button(ui, name, icon); },
-          [&ui, name] { menu_item(ui, *scene::find_command(name)); }};
+          [&ui, name] { menu_item(ui, *workspace::find_command(name)); }};
 }
 
 std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
@@ -135,7 +135,7 @@ void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece>
     ImGui::GetWindowDrawList()->AddCircleFilled({0.5f * (low.x + high.x) + x, 0.5f * (low.y + high.y)}, 1.6f,
                                                 ui.colors.text);
   if (!ImGui::BeginPopup(name)) return;
-  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
+  if (key_pressed(workspace::Key::escape)) ImGui::CloseCurrentPopup();
   for (const ToolPiece& piece : others) piece.in_menu();
   ImGui::EndPopup();
 }
@@ -175,7 +175,7 @@ void transport(const Context& ui, float right) {
 // The two kinds of blending, side by side.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
-  const scene::Command& command = *scene::find_command("toggle_straight");
+  const workspace::Command& command = *workspace::find_command("toggle_straight");
   const char* labels[] = {"Log space", "Linear"};
   const char* hints[] = {"Interpolate maps between poses in log space: halfway to 180 degrees is 90 degrees.",
                          "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
@@ -193,8 +193,8 @@ void way_choice(const Context& ui) {
 }
 
 void rate_field(const Context& ui) {
-  scene::Document& document = ui.workspace.document;
-  scene::Playing play = document.timeline;
+  document::Document& document = ui.workspace.document;
+  document::Playing play = document.timeline;
   const auto rate =
       number_field(ui, "time/rate", play.rate, 40, "Playback rate in frames per second, 1 to 240.");
   ImGui::SameLine(0, 4);
@@ -202,13 +202,14 @@ void rate_field(const Context& ui) {
   text_in(ui.colors.faint, "fps");
   if (!rate || !std::isfinite(*rate)) return;
   play.rate = *rate;
-  scene::set_play(document, play);
+  document::set_play(document, play);
 }
 
 void easing_choice(const Context& ui) {
-  const scene::Workspace& w = ui.workspace;
-  const std::vector<int> eased = scene::eased_keys(w);
-  const scene::PoseKey* key = eased.empty() ? nullptr : scene::key_at(w.document.timeline, eased.front());
+  const workspace::Workspace& w = ui.workspace;
+  const std::vector<int> eased = workspace::eased_keys(w);
+  const document::PoseKey* key =
+      eased.empty() ? nullptr : document::key_at(w.document.timeline, eased.front());
   ImGui::BeginDisabled(!key);
   choice_list(ui, "time/easing", key ? std::optional(key->easing) : std::nullopt, 92,
               {"time/", "Easing",
@@ -217,8 +218,8 @@ void easing_choice(const Context& ui) {
 }
 
 void range(const Context& ui, float right) {
-  scene::Document& document = ui.workspace.document;
-  scene::Playing play = document.timeline;
+  document::Document& document = ui.workspace.document;
+  document::Playing play = document.timeline;
   if (const auto first =
           frame_field(ui, "From", "time/first", play.first, 52, "First frame of the playback range."))
     play.first = *first, play.last = std::max(play.last, *first + 1);
@@ -226,7 +227,7 @@ void range(const Context& ui, float right) {
   if (const auto last =
           frame_field(ui, "to", "time/last", play.last, 52, "Last frame of the playback range."))
     play.last = *last, play.first = std::min(play.first, *last - 1);
-  scene::set_play(document, play);
+  document::set_play(document, play);
   const ToolPiece pieces[] = {{76, 8, [&] { rate_field(ui); }},
                               {92, 8,
                                [&] {
@@ -241,15 +242,15 @@ void range(const Context& ui, float right) {
 }  // namespace
 
 void timeline_panel(const Context& ui) {
-  scene::Workspace& w = ui.workspace;
+  workspace::Workspace& w = ui.workspace;
   w.time_view.hovered = false;
   if (!w.preferences.layout.timeline) return;
-  const scene::Viewport& v = w.viewport;
+  const document::Viewport& v = w.viewport;
   const float edge = v.origin.y + v.size.y;
   const Window window("Timeline",
                       {.at = {v.origin.x, edge},
                        .pivot = {0, 0},
-                       .size = {v.size.x, scene::PanelLayout::timeline_height},
+                       .size = {v.size.x, workspace::PanelLayout::timeline_height},
                        .rounding = 0,
                        .padding = {10, 8}},
                       fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |

@@ -3,13 +3,13 @@
 #include <cmath>
 #include <string>
 
-#include "scene/workspace/playing.h"
-#include "scene/workspace/time_gestures.h"
-#include "scene/workspace/time_view.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/playing.h"
+#include "workspace/time_gestures.h"
+#include "workspace/time_view.h"
 
 namespace viete::ui {
 
@@ -22,7 +22,7 @@ struct Track {
   const Context& ui;
   ImVec2 low, high;
 
-  const scene::FrameWindow& seen() const { return ui.workspace.time_view.seen; }
+  const workspace::FrameWindow& seen() const { return ui.workspace.time_view.seen; }
   float width() const { return high.x - low.x; }
   float x_of(double frame) const { return low.x + static_cast<float>(seen().share_of(frame)) * width(); }
   double share_at(float x) const { return static_cast<double>((x - low.x) / width()); }
@@ -33,7 +33,7 @@ struct Track {
 
 void ruler(const Track& t, ImDrawList& draw) {
   const auto& colors = t.ui.colors;
-  const int step = scene::ruler_step(t.seen(), t.width() / 52);
+  const int step = workspace::ruler_step(t.seen(), t.width() / 52);
   const auto first = static_cast<long>(std::ceil(t.seen().first / step));
   const auto last = static_cast<long>(std::floor(t.seen().last / step));
   ImGui::PushFont(t.ui.fonts.numbers);
@@ -51,7 +51,7 @@ void ruler(const Track& t, ImDrawList& draw) {
 
 // Darkens frames outside the playback range.
 void outside(const Track& t, ImDrawList& draw) {
-  const scene::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline;
   const ImU32 shade = faded(t.ui.colors.halo, 0.55f);
   const float first = std::clamp(t.x_of(timeline.first), t.low.x, t.high.x);
   const float last = std::clamp(t.x_of(timeline.last), t.low.x, t.high.x);
@@ -59,26 +59,26 @@ void outside(const Track& t, ImDrawList& draw) {
   draw.AddRectFilled({last, t.low.y + ruler_height}, t.high, shade);
 }
 
-bool is_selected(const scene::Workspace& w, int frame) {
+bool is_selected(const workspace::Workspace& w, int frame) {
   return std::ranges::binary_search(w.time_view.selected, frame);
 }
 
-void key_mark(const Track& t, ImDrawList& draw, const scene::PoseKey& key, bool next) {
+void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bool next) {
   const float x = t.x_of(key.frame), y = t.key_y(), r = key_radius;
   const ImU32 color = is_selected(t.ui.workspace, key.frame) ? t.ui.colors.highlight : t.ui.colors.accent;
   if (next) {
     // A line between two keys if the pose changes, none for `hold`.
     const auto& keys = t.ui.workspace.document.timeline.keys;
-    const auto after = std::ranges::upper_bound(keys, key.frame, {}, &scene::PoseKey::frame);
-    const ImU32 way = faded(t.ui.colors.accent, key.easing == scene::Easing::hold ? 0.15f : 0.5f);
-    draw.AddLine({x, y}, {t.x_of(after->frame), y}, way, key.easing == scene::Easing::hold ? 1.0f : 2.0f);
+    const auto after = std::ranges::upper_bound(keys, key.frame, {}, &document::PoseKey::frame);
+    const ImU32 way = faded(t.ui.colors.accent, key.easing == document::Easing::hold ? 0.15f : 0.5f);
+    draw.AddLine({x, y}, {t.x_of(after->frame), y}, way, key.easing == document::Easing::hold ? 1.0f : 2.0f);
   }
   draw.AddQuadFilled({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, color);
   draw.AddQuad({x, y - r}, {x + r, y}, {x, y + r}, {x - r, y}, t.ui.colors.halo, 1);
 }
 
 void keys(const Track& t, ImDrawList& draw) {
-  const scene::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline;
   for (const auto& key : timeline.keys) key_mark(t, draw, key, &key != &timeline.keys.back());
   for (const auto& key : timeline.cameras) {
     const float x = t.x_of(key.frame), y = t.camera_y(), r = key_radius - 1;
@@ -98,7 +98,7 @@ void playhead(const Track& t, ImDrawList& draw) {
 
 void box(const Track& t, ImDrawList& draw) {
   const auto& drag = t.ui.workspace.time_view.drag;
-  if (!drag || drag->what != scene::TimeView::What::box) return;
+  if (!drag || drag->what != workspace::TimeView::What::box) return;
   const float pressed = t.x_of(drag->pressed), now = ImGui::GetIO().MousePos.x;
   draw.AddRectFilled({std::min(pressed, now), t.low.y + ruler_height}, {std::max(pressed, now), t.high.y},
                      faded(t.ui.colors.highlight, 0.15f));
@@ -112,7 +112,7 @@ std::optional<int> key_near(const Track& t, ImVec2 mouse) {
     const float distance = std::abs(t.x_of(frame) - mouse.x);
     if (distance < nearest) nearest = distance, found = frame;
   };
-  const scene::Timeline& timeline = t.ui.workspace.document.timeline;
+  const document::Timeline& timeline = t.ui.workspace.document.timeline;
   if (upper) {
     for (const auto& key : timeline.keys) look(key.frame);
   } else {
@@ -122,31 +122,31 @@ std::optional<int> key_near(const Track& t, ImVec2 mouse) {
 }
 
 void press(const Track& t, ImVec2 mouse) {
-  scene::Workspace& w = t.ui.workspace;
+  workspace::Workspace& w = t.ui.workspace;
   const double frame = t.frame_at(mouse.x);
-  if (ImGui::IsMouseClicked(2)) return scene::press_pan(w, frame);
-  if (mouse.y < t.low.y + ruler_height) return scene::press_ruler(w, frame);
-  scene::press_keys(w, frame, key_near(t, mouse), ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
+  if (ImGui::IsMouseClicked(2)) return workspace::press_pan(w, frame);
+  if (mouse.y < t.low.y + ruler_height) return workspace::press_ruler(w, frame);
+  workspace::press_keys(w, frame, key_near(t, mouse), ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
 }
 
 // A drag uses the frame window at the press.
 void follow_mouse(const Track& t) {
-  scene::Workspace& w = t.ui.workspace;
+  workspace::Workspace& w = t.ui.workspace;
   const auto& drag = w.time_view.drag;
   if (!drag) return;
-  if (key_pressed(scene::Key::escape)) return scene::cancel_time(w);
-  const bool pans = drag->what == scene::TimeView::What::pan;
-  const scene::FrameWindow& seen = pans ? drag->seen : t.seen();
+  if (key_pressed(workspace::Key::escape)) return workspace::cancel_time(w);
+  const bool pans = drag->what == workspace::TimeView::What::pan;
+  const workspace::FrameWindow& seen = pans ? drag->seen : t.seen();
   const double frame = seen.frame_at(t.share_at(ImGui::GetIO().MousePos.x));
   const bool down = ImGui::IsMouseDown(pans ? 2 : 0);
-  scene::drag_time(w, frame);
-  if (!down) scene::release_time(w);
+  workspace::drag_time(w, frame);
+  if (!down) workspace::release_time(w);
 }
 
 void key_menu(const Context& ui) {
   if (!ImGui::BeginPopup("Keys of time")) return;
   for (const char* name : {"easing_smooth", "easing_linear", "easing_hold", "delete_keys"}) {
-    const scene::Command& command = *scene::find_command(name);
+    const workspace::Command& command = *workspace::find_command(name);
     const bool deletes = std::string_view(name) == "delete_keys";
     if (deletes) ImGui::Separator();
     if (ImGui::MenuItem(command.brief.data(), "", false, deletes || command.enabled(ui.workspace)))
@@ -158,7 +158,7 @@ void key_menu(const Context& ui) {
 }
 
 void take_mouse(const Track& t) {
-  scene::Workspace& w = t.ui.workspace;
+  workspace::Workspace& w = t.ui.workspace;
   ImGui::SetCursorScreenPos(t.low);
   ImGui::InvisibleButton("track", {t.width(), t.high.y - t.low.y},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle);
@@ -170,9 +170,9 @@ void take_mouse(const Track& t) {
   follow_mouse(t);
   if (hovered && ImGui::GetIO().MouseWheel != 0) {
     const double factor = std::pow(0.85, static_cast<double>(ImGui::GetIO().MouseWheel));
-    w.time_view.seen = scene::zoomed(t.seen(), t.share_at(mouse.x), factor);
+    w.time_view.seen = workspace::zoomed(t.seen(), t.share_at(mouse.x), factor);
   }
-  if (hovered && key && ImGui::IsMouseDoubleClicked(0)) scene::go_to_frame(w, *key);
+  if (hovered && key && ImGui::IsMouseDoubleClicked(0)) workspace::go_to_frame(w, *key);
   if (hovered && key && ImGui::IsMouseClicked(1)) {
     if (!is_selected(w, *key)) w.time_view.selected = {*key};
     ImGui::OpenPopup("Keys of time");
@@ -182,7 +182,7 @@ void take_mouse(const Track& t) {
 }
 
 void way_in(const Track& t, ImDrawList& draw) {
-  const scene::Workspace& w = t.ui.workspace;
+  const workspace::Workspace& w = t.ui.workspace;
   if (!w.document.timeline.empty()) return;
   const char* text =
       w.document.is_movable()
@@ -198,8 +198,8 @@ void way_in(const Track& t, ImDrawList& draw) {
 }  // namespace
 
 void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
-  scene::TimeView& view = ui.workspace.time_view;
-  if (!view.fitted) view.seen = scene::fitting(ui.workspace.document.timeline);
+  workspace::TimeView& view = ui.workspace.time_view;
+  if (!view.fitted) view.seen = workspace::fitting(ui.workspace.document.timeline);
   view.fitted = true;
   const Track track{ui, low, high};
   take_mouse(track);

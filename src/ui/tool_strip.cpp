@@ -3,11 +3,11 @@
 #include <cmath>
 #include <span>
 
-#include "scene/workspace/command.h"
 #include "ui/imgui_bridge.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
@@ -133,7 +133,7 @@ std::size_t fitting_tools(float height) {
 }
 
 bool is_on(const Context& ui, const StripTool& entry) {
-  return scene::find_command(entry.command)->on(ui.workspace);
+  return workspace::find_command(entry.command)->on(ui.workspace);
 }
 
 // Returns true if clicked.
@@ -156,10 +156,10 @@ bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), Im
 }
 
 void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
-  const scene::Command& command = *scene::find_command(entry.command);
+  const workspace::Command& command = *workspace::find_command(entry.command);
   const bool enabled = command.enabled(ui.workspace);
   if (tool_card(ui, entry.command, entry.icon, at, enabled, is_on(ui, entry))) command.run(ui.workspace);
-  const std::string key = scene::text(ui.workspace.preferences.keymap.of(command).first);
+  const std::string key = workspace::text(ui.workspace.preferences.keymap.of(command).first);
   const float size = key.size() > 1 ? 9.0f : 11.0f;
   const ImVec2 room = ImGui::GetFont()->CalcTextSizeA(size, 100, 0, key.c_str());
   ImGui::GetWindowDrawList()->AddText(ImGui::GetFont(), size,
@@ -174,15 +174,15 @@ void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at)
   if (tool_card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");
   hint("More tools.");
   if (!ImGui::BeginPopup("More tools")) return;
-  if (key_pressed(scene::Key::escape)) ImGui::CloseCurrentPopup();
-  for (const StripTool& entry : others) menu_item(ui, *scene::find_command(entry.command));
+  if (key_pressed(workspace::Key::escape)) ImGui::CloseCurrentPopup();
+  for (const StripTool& entry : others) menu_item(ui, *workspace::find_command(entry.command));
   ImGui::EndPopup();
 }
 
 }  // namespace
 
 void tool_strip(const Context& ui) {
-  const scene::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.viewport;
   if (!ui.workspace.document.model.surface) return;
   const std::size_t count = fitting_tools(v.size.y);
   const bool all = count == std::size(strip);

@@ -1,12 +1,12 @@
-#include "scene/document/checks.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/hand/picking.h"
-#include "scene/workspace/command.h"
-#include "scene/workspace/pointer.h"
+#include "document/checks.h"
+#include "interact/cursor_projection.h"
+#include "interact/picking.h"
 #include "ui/help_overlay.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "ui/widgets.h"
+#include "workspace/command.h"
+#include "workspace/pointer.h"
 
 namespace viete::ui {
 
@@ -14,17 +14,17 @@ namespace viete::ui {
 
 namespace {
 
-const char* letter_of(const scene::AxisBall& ball) {
+const char* letter_of(const interact::AxisBall& ball) {
   constexpr const char* letters[2][3] = {{"-X", "-Y", "-Z"}, {"X", "Y", "Z"}};
   return letters[ball.positive ? 1 : 0][ball.axis];
 }
 
 // Axes pointing away are fainter.
-float opacity(const scene::AxisBall& ball) {
+float opacity(const interact::AxisBall& ball) {
   return 0.75f + 0.25f * ball.nearness;
 }
 
-void draw_ball(const Context& ui, OverlayPainter& painter, const scene::AxisBall& ball,
+void draw_ball(const Context& ui, OverlayPainter& painter, const interact::AxisBall& ball,
                const glm::vec2& center, bool hovered) {
   const ImU32 color = ui.colors.axis[ball.axis];
   if (ball.positive) {
@@ -42,21 +42,21 @@ void draw_ball(const Context& ui, OverlayPainter& painter, const scene::AxisBall
 }  // namespace
 
 void axis_overlay(const Context& ui) {
-  const auto widget = scene::axis_widget_of(ui.workspace);
+  const auto widget = workspace::axis_widget_of(ui.workspace);
   if (!widget) return;
   OverlayPainter painter(ui);
   const bool over = ui.workspace.interaction.over_axes;
   const ImVec2 cursor = ImGui::GetIO().MousePos;
-  const scene::AxisBall* hovered = over ? widget->ball({cursor.x, cursor.y}) : nullptr;
-  if (over) painter.disc(widget->center, scene::axes_radius, faded(ui.colors.card, 0.7f), 1);
+  const interact::AxisBall* hovered = over ? widget->ball({cursor.x, cursor.y}) : nullptr;
+  if (over) painter.disc(widget->center, interact::axes_radius, faded(ui.colors.card, 0.7f), 1);
   for (const auto& ball : widget->balls) draw_ball(ui, painter, ball, widget->center, &ball == hovered);
 }
 
 namespace {
 
 // Approximately the brush's radius on the model.
-void brush_ring(const Context& ui, const scene::Workspace& w) {
-  const auto center = scene::Projector(w.document.space, w.camera, w.viewport)(*w.interaction.brush);
+void brush_ring(const Context& ui, const workspace::Workspace& w) {
+  const auto center = interact::Projector(w.document.space, w.camera, w.viewport)(*w.interaction.brush);
   if (!center) return;
   OverlayPainter painter(ui);
   painter.circle(glm::vec2(*center), w.brush.radius, ui.colors.text, 1.25f, 0.9f);
@@ -87,7 +87,7 @@ void hints(const Context& ui) {
   const auto& w = ui.workspace;
   const float y = w.viewport.origin.y + w.viewport.size.y - 34;
   const ImU32 color = faded(ui.colors.text, 0.75f);
-  const std::string space = scene::text(w.preferences.keymap.of(*scene::find_command("play")).first);
+  const std::string space = workspace::text(w.preferences.keymap.of(*workspace::find_command("play")).first);
   const std::string help = key_or_label(w.preferences.keymap, "help");
   const std::string plays =
       w.document.timeline.keys.empty() || space.empty() ? "" : "     " + space + " plays it";
@@ -100,10 +100,10 @@ void hints(const Context& ui) {
 
 // An empty view shows how to get the model back.
 void restore_hint(const Context& ui) {
-  const scene::Command& command = *scene::find_command("toggle_panels");
+  const workspace::Command& command = *workspace::find_command("toggle_panels");
   const auto& v = ui.workspace.viewport;
   centered(ui, v.origin.y + v.size.y - 28,
-           scene::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again",
+           workspace::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again",
            faded(ui.colors.text, 0.5f));
 }
 
@@ -118,7 +118,7 @@ void view_overlay(const Context& ui) {
     return;  // their progress bar is displayed
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
   const bool room =  // reserved for the legend, the brush, or the next step
-      scene::shown_field(w) == lab::Field::none && !scene::shows_mask(w) && !offers_next_step(w);
+      workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 
@@ -129,9 +129,9 @@ void torn_overlay(const Context& ui) {
   if (!w.view.cage || !w.document.has_cage()) return;
   constexpr std::size_t most = 200;
   const auto& positions = w.document.pose.positions;
-  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.camera, w.viewport);
   OverlayPainter paint(ui);
-  for (const auto& [a, b] : scene::torn_edges(w.pose_report, *w.document.cage, most)) {
+  for (const auto& [a, b] : document::torn_edges(w.pose_report, *w.document.cage, most)) {
     const auto from = project(positions[a]), to = project(positions[b]);
     if (from && to) paint.line(glm::vec2(*from), glm::vec2(*to), ui.colors.bad, 2.5f);
   }

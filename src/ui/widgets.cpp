@@ -7,17 +7,17 @@
 #include <cstring>
 #include <utility>
 
-#include "scene/document/edit.h"
-#include "scene/hand/number_entry.h"
-#include "scene/workspace/command.h"
+#include "document/edit.h"
+#include "interact/number_entry.h"
 #include "ui/imgui_bridge.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
 namespace {
 
-const scene::Command& require(std::string_view name) {
-  const scene::Command* command = scene::find_command(name);
+const workspace::Command& require(std::string_view name) {
+  const workspace::Command* command = workspace::find_command(name);
   IM_ASSERT(command && "no such command");
   return *command;
 }
@@ -68,12 +68,12 @@ Window::~Window() {
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
-  const scene::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.viewport;
   return {v.origin.x + 0.5f * v.size.x, y};
 }
 
 ImVec2 middle_of_view(const Context& ui) {
-  const scene::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.viewport;
   return middle_at(ui, v.origin.y + 0.5f * v.size.y);
 }
 
@@ -115,8 +115,8 @@ void search_field(const Context& ui, const char* name, std::string& typed, bool&
   typed = text;
 }
 
-std::string hint_of(const Context& ui, const scene::Command& command) {
-  const std::string keys = scene::text(ui.workspace.preferences.keymap.of(command).first);
+std::string hint_of(const Context& ui, const workspace::Command& command) {
+  const std::string keys = workspace::text(ui.workspace.preferences.keymap.of(command).first);
   const std::string does =
       command.subject ? command.label_now(ui.workspace) + ".  " + command.hint : command.hint;
   const std::string what = does + (keys.empty() ? "" : "  (" + keys + ")");
@@ -226,9 +226,9 @@ bool wants_hint() {
          !(tooltip && tooltip->Active) && !is_behind_dialog();
 }
 
-bool take_escape(scene::Workspace& w) {
-  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) scene::begin_widget_edit(w);
-  if (w.question || !key_pressed(scene::Key::escape)) return false;
+bool take_escape(workspace::Workspace& w) {
+  if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) workspace::begin_widget_edit(w);
+  if (w.question || !key_pressed(workspace::Key::escape)) return false;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupToLevel(0, true);
     return true;
@@ -238,7 +238,7 @@ bool take_escape(scene::Workspace& w) {
     return false;
   ImGui::ClearActiveID();
   ImGui::ClearDragDrop();
-  scene::cancel_widget_edit(w);
+  workspace::cancel_widget_edit(w);
   return true;
 }
 
@@ -279,7 +279,7 @@ std::string shortened(std::string text, float width) {
 }
 
 void command_button(const Context& ui, std::string_view name, float width) {
-  const scene::Command& command = require(name);
+  const workspace::Command& command = require(name);
   const std::string label = std::string(command.brief) + "##" + std::string(name);
   if (button(ui, label.c_str(), std::string(name), hint_of(ui, command), {width, 0},
              command.enabled(ui.workspace)))
@@ -309,7 +309,7 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
 }
 
 void command_toggle(const Context& ui, std::string_view name, std::optional<bool> value) {
-  const scene::Command& command = require(name);
+  const workspace::Command& command = require(name);
   bool on = value.value_or(command.on(ui.workspace));
   const std::string label = std::string(command.brief) + "##" + std::string(name);
   if (ImGui::Checkbox(label.c_str(), &on)) command.run(ui.workspace);
@@ -317,15 +317,15 @@ void command_toggle(const Context& ui, std::string_view name, std::optional<bool
   hint(hint_of(ui, command));
 }
 
-std::string method_label(scene::Method method) {
+std::string method_label(workspace::Method method) {
   return std::string(label(method));
 }
 
-const scene::MethodSample* running_sample(const scene::Workspace& w) {
-  const auto& methods = scene::compared_methods;
+const workspace::MethodSample* running_sample(const workspace::Workspace& w) {
+  const auto& methods = analysis::compared_methods;
   const auto at = std::ranges::find(methods, w.document.method);
   const bool known = w.document.scheme.exponential() && w.methods.matrices > 0 && at != methods.end() &&
-                     scene::differs_from_rest(w.document);
+                     document::differs_from_rest(w.document);
   return known ? &w.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
 }
 
@@ -364,13 +364,13 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
   }
   ui.workspace.typed.erase(name);
   if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == 0 || text == shown) return std::nullopt;
-  const auto number = scene::number_of(text);
+  const auto number = interact::number_of(text);
   if (!number)
     ui.workspace.messages.warn('"' + std::string(text) + "\" is not a number; nothing was changed");
   return number;
 }
 
-bool types_into_slider(const scene::Workspace& w) {
+bool types_into_slider(const workspace::Workspace& w) {
   return !w.typed_slider.name.empty() && w.typed_slider.frame + 1 >= ImGui::GetFrameCount();
 }
 
@@ -380,7 +380,7 @@ constexpr int frames_to_focus = 4;
 
 // It gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
-  scene::TypedSlider& typing = ui.workspace.typed_slider;
+  workspace::TypedSlider& typing = ui.workspace.typed_slider;
   typing.frame = ImGui::GetFrameCount();
   const bool released = !ImGui::IsMouseDown(0);
   if (released && typing.waits == frames_to_focus) ImGui::SetKeyboardFocusHere();
@@ -406,7 +406,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
     const bool twice = ImGui::IsMouseDoubleClicked(0);
     if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
       ImGui::ClearActiveID();
-      if (twice) scene::cancel_widget_edit(ui.workspace);  // the first click has moved it
+      if (twice) workspace::cancel_widget_edit(ui.workspace);  // the first click has moved it
       ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
       slid.moved = false;
     }
@@ -480,13 +480,13 @@ std::optional<std::size_t> recent_list(const Context& ui) {
   return clicked;
 }
 
-std::string place_of(const scene::RecentFile& recent) {
+std::string place_of(const workspace::RecentFile& recent) {
   return recent.file.string() + (recent.cage.empty() ? "" : "  in  " + recent.cage.string());
 }
 
-void open_recent(scene::Workspace& w, std::size_t index) {
-  const scene::RecentFile& file = w.preferences.recent[index];
-  w.requests.open = scene::OpenRequest{scene::OpenRequest::What::model, {file.file, file.cage}};
+void open_recent(workspace::Workspace& w, std::size_t index) {
+  const workspace::RecentFile& file = w.preferences.recent[index];
+  w.requests.open = files::OpenRequest{files::OpenRequest::What::model, {file.file, file.cage}};
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "scene/workspace/command.h"
 #include "ui/context.h"
+#include "workspace/command.h"
 
 namespace viete::ui {
 
@@ -89,17 +89,17 @@ void command_choice(const Context& ui, std::initializer_list<std::string_view> c
 void command_toggle(const Context& ui, std::string_view command, std::optional<bool> value = {});
 
 /// The command's action, its key, and why it is disabled.
-std::string hint_of(const Context& ui, const scene::Command& command);
+std::string hint_of(const Context& ui, const workspace::Command& command);
 
-ImU32 severity_color(const Context& ui, scene::Severity severity);
+ImU32 severity_color(const Context& ui, workspace::Severity severity);
 /// "Error: ...  (3 times)".
-std::string message_text(const scene::Message& message);
+std::string message_text(const workspace::Message& message);
 
 /// The method's label on its button.
-std::string method_label(scene::Method method);
+std::string method_label(workspace::Method method);
 /// The measurements of the running method; null if it is unused, or at rest, where there is nothing to
 /// measure.
-const scene::MethodSample* running_sample(const scene::Workspace& workspace);
+const workspace::MethodSample* running_sample(const workspace::Workspace& workspace);
 
 /// "label ........ value" on one line, the value right-aligned in tabular figures.
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
@@ -119,7 +119,7 @@ bool wants_hint();
 
 /// Call before other uses of Esc in a frame: closes a popup, or cancels the active widget and restores its
 /// value. True if it did either.
-bool take_escape(scene::Workspace& workspace);
+bool take_escape(workspace::Workspace& workspace);
 
 /// A number field with a decimal point or comma: shows `value`, and returns the typed number when it loses
 /// the focus by Enter or a click elsewhere; nullopt while editing, after Esc, and if no digit changed.
@@ -153,7 +153,7 @@ std::optional<double> slider_row(const Context& ui, const char* label, float dis
                                  const std::string& name, double value, const std::string& shown,
                                  const SliderLook& look);
 /// True while a number is being typed into a slider.
-bool types_into_slider(const scene::Workspace& workspace);
+bool types_into_slider(const workspace::Workspace& workspace);
 
 /// A text field for a name, at most 199 bytes: returns the text when the field loses the focus; nullopt while
 /// editing, and after Esc.
@@ -163,9 +163,9 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
 /// The newest four recent files, one per line; returns the clicked one.
 std::optional<std::size_t> recent_list(const Context& ui);
 /// "FILE  in  CAGE".
-std::string place_of(const scene::RecentFile& recent);
+std::string place_of(const workspace::RecentFile& recent);
 /// Opens it with its cage.
-void open_recent(scene::Workspace& workspace, std::size_t index);
+void open_recent(workspace::Workspace& workspace, std::size_t index);
 
 /// Text in the numbers font, right aligned at x, on the next line or the line at y = line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);

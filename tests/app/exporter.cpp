@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "scene/files.h"
-#include "scene/files/open.h"
+#include "files/open.h"
+#include "support/files.h"
 #include "support/open.h"
 
 using namespace viete;
@@ -14,12 +14,12 @@ namespace {
 
 struct Exports {
   test::CubeFiles files;
-  scene::Workspace workspace;
-  scene::Messages messages;
+  workspace::Workspace workspace;
+  workspace::Messages messages;
   app::Exporter exporter;
 
   Exports() { REQUIRE(test::load_model(workspace, files.model, files.cage)); }
-  void add(const std::string& name) { exporter.add(scene::export_of(workspace.document, files / name)); }
+  void add(const std::string& name) { exporter.add(files::export_of(workspace.document, files / name)); }
 };
 
 }  // namespace
@@ -43,15 +43,15 @@ TEST_CASE("notes_on_an_export_are_only_listed_and_those_of_the_pose_not_repeated
   for (auto& p : pose.positions)
     if (p[1] > 0) p = {-p[0], p[1], -p[2]};  // rotates the top by 180 degrees
   e.workspace.document.put_method(sym3::Method::sd);
-  const scene::Export what = scene::export_of(e.workspace.document, e.files / "a.obj");
-  const std::vector<std::string> notes = scene::write_deformed(what);
+  const files::Export what = files::export_of(e.workspace.document, e.files / "a.obj");
+  const std::vector<std::string> notes = files::write_deformed(what);
   REQUIRE_FALSE(notes.empty());
   const auto export_with = [&](std::vector<std::string> told) {
     e.messages.clear();
     e.exporter.add(what, std::move(told));
     REQUIRE_FALSE(e.exporter.follow(e.messages, true));
     for (const auto& message : e.messages.all())
-      CHECK(message.visible == (message.severity == scene::Severity::info));
+      CHECK(message.visible == (message.severity == workspace::Severity::info));
     return e.messages.all();
   };
   const auto all = export_with({});

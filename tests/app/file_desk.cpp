@@ -9,16 +9,16 @@
 #include <thread>
 #include <utility>
 
-#include "mesh/formats/write.h"
-#include "mesh/shapes.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/files.h"
-#include "scene/workspace/saving.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "formats/write.h"
+#include "support/files.h"
+#include "support/shapes.h"
+#include "workspace/saving.h"
 
 using namespace viete;
-using What = scene::OpenRequest::What;
-using QuestionKind = scene::Question::Kind;
+using What = files::OpenRequest::What;
+using QuestionKind = workspace::Question::Kind;
 
 namespace {
 
@@ -26,7 +26,7 @@ namespace {
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
-  scene::Workspace workspace;
+  workspace::Workspace workspace;
   std::optional<app::FileDesk> desk;
 
   explicit Desk(bool remembers = true) { begin(remembers); }
@@ -40,7 +40,7 @@ struct Desk {
     desk->keep(workspace);
   }
   void open(std::vector<std::filesystem::path> paths, What what = What::model) {
-    workspace.requests.open = scene::OpenRequest{what, std::move(paths)};
+    workspace.requests.open = files::OpenRequest{what, std::move(paths)};
     frame();
     desk->finish_loading(workspace);
   }
@@ -51,13 +51,13 @@ struct Desk {
   void edit() {
     deform::Pose pose = workspace.document.pose;
     pose.positions[0][0] += 0.25;
-    scene::set_pose(workspace.document, pose);
+    document::set_pose(workspace.document, pose);
   }
   void quit() {
     workspace.requests.quit = true;
     frame();
   }
-  void answer(scene::Answer answer) {
+  void answer(workspace::Answer answer) {
     workspace.requests.answer = answer;
     frame();
   }
@@ -77,7 +77,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
 TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
   Desk d;
   d.frame();
-  d.answer(scene::Answer::proceed);
+  d.answer(workspace::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
   d.workspace.requests.save_model = d.files / "out.obj";  // without a model
   d.frame();
@@ -91,7 +91,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
 
 TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
-  d.workspace.requests.open = scene::OpenRequest{What::model, {d.files.model}};
+  d.workspace.requests.open = files::OpenRequest{What::model, {d.files.model}};
   for (int i = 0; i < 20; ++i) {
     d.frame(false);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -122,19 +122,19 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   SUBCASE("before the program closes, and it stays") {
     d.quit();
     REQUIRE(d.asks(QuestionKind::close));
-    d.answer(scene::Answer::cancel);
+    d.answer(workspace::Answer::cancel);
     CHECK_FALSE(d.workspace.question);
     CHECK_FALSE(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes without them") {
     d.quit();
-    d.answer(scene::Answer::proceed);
+    d.answer(workspace::Answer::proceed);
     CHECK(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes once they are saved") {
     d.workspace.saved.session = d.files / "a.viete";
     d.quit();
-    d.answer(scene::Answer::save);
+    d.answer(workspace::Answer::save);
     d.frame();
     CHECK(d.desk->closed());
     CHECK(std::filesystem::exists(d.files / "a.viete"));
@@ -142,7 +142,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   SUBCASE("before the program closes, and again when saving fails") {
     d.workspace.saved.session = d.files / "no" / "such" / "folder.viete";
     d.quit();
-    d.answer(scene::Answer::save);
+    d.answer(workspace::Answer::save);
     d.frame();
     CHECK(d.asks(QuestionKind::close));
     CHECK_FALSE(d.desk->closed());
@@ -150,14 +150,14 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
   SUBCASE("before another file takes their place, and it does not") {
     d.open({d.files.cage});
     REQUIRE(d.asks(QuestionKind::open));
-    d.answer(scene::Answer::cancel);
+    d.answer(workspace::Answer::cancel);
     CHECK(d.workspace.document.model.path == d.files.model);
-    CHECK(scene::has_unsaved_edits(d.workspace));
+    CHECK(workspace::has_unsaved_edits(d.workspace));
   }
   SUBCASE("before another file takes their place, and it does") {
     d.open({d.files.cage});
     CHECK(d.workspace.document.model.path == d.files.model);
-    d.answer(scene::Answer::proceed);
+    d.answer(workspace::Answer::proceed);
     CHECK(d.workspace.document.model.path == d.files.cage);
   }
 }
@@ -191,15 +191,15 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   test::put_file(session, "theirs");
   save();
   REQUIRE(d.asks(QuestionKind::replace));
-  d.answer(scene::Answer::cancel);
+  d.answer(workspace::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
   save();
-  d.answer(scene::Answer::save);  // under another name
+  d.answer(workspace::Answer::save);  // under another name
   CHECK(d.workspace.browser.open);
   CHECK(test::file_bytes(session) == "theirs");
   d.workspace.browser.open = false;
   save();
-  d.answer(scene::Answer::proceed);
+  d.answer(workspace::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
 }
 
@@ -207,7 +207,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   for (const bool fails : {false, true}) {
     CAPTURE(fails);
     Desk d;
-    mesh::write(d.files / "large.ply", test::sphere(6));  // too large to be written immediately
+    formats::write(d.files / "large.ply", test::sphere(6));  // too large to be written immediately
     d.open({d.files / "large.ply", d.files.cage});
     d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
     d.quit();
@@ -321,7 +321,7 @@ TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   std::filesystem::create_directories(d.state);
   test::put_file(d.state / "remembered.json", "nonsense");
   d.begin();
-  CHECK(d.workspace.messages.all().back().severity == scene::Severity::warning);
+  CHECK(d.workspace.messages.all().back().severity == workspace::Severity::warning);
   CHECK(d.last_message().ends_with("; starting without this file"));
   CHECK(d.workspace.view.hints);
 }
@@ -332,7 +332,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     d.open_cubes();
     d.edit();
     const auto pose = d.workspace.document.pose;
-    REQUIRE(scene::save_session(d.workspace, d.files / "a.viete"));
+    REQUIRE(workspace::save_session(d.workspace, d.files / "a.viete"));
     std::filesystem::rename(d.files.model, d.files / "new.obj");
     std::filesystem::rename(d.files.cage, d.files / "grid.obj");
     d.begin();
@@ -340,19 +340,19 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     REQUIRE(d.asks(QuestionKind::locate_model));
     CHECK(d.workspace.question->why.find("model.obj: there is no such file") != std::string::npos);
     CHECK(d.workspace.messages.all().empty());
-    d.answer(scene::Answer::cancel);
+    d.answer(workspace::Answer::cancel);
     CHECK(d.last_message() == "Cancelled opening; nothing was changed.");
     d.open({d.files / "a.viete"}, what);
     for (const auto& [kind, name] : {std::pair{QuestionKind::locate_model, "new.obj"},
                                      std::pair{QuestionKind::locate_cage, "grid.obj"}}) {
       REQUIRE(d.asks(kind));
-      d.answer(scene::Answer::save);
+      d.answer(workspace::Answer::save);
       CHECK(d.workspace.browser.open);
       const bool beside = d.workspace.browser.folder == std::filesystem::canonical(d.files.path());
       CHECK(beside == (what == What::model));
       const bool model = kind == QuestionKind::locate_model;
-      CHECK(d.workspace.browser.purpose ==
-            (model ? scene::FileBrowser::Purpose::locate_model : scene::FileBrowser::Purpose::locate_cage));
+      CHECK(d.workspace.browser.purpose == (model ? workspace::FileBrowser::Purpose::locate_model
+                                                  : workspace::FileBrowser::Purpose::locate_cage));
       d.workspace.requests.open = std::exchange(d.workspace.unopened, std::nullopt);
       auto& located = d.workspace.requests.open->located;
       (model ? located.model : located.cage) = d.files / name;
@@ -372,13 +372,13 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
   test::put_file(cage, test::file_bytes(d.files.cage) + "v 0 3 3\nf 7 8 9\n");
   d.open({cage, d.files.model}, What::dropped);
   REQUIRE(d.asks(QuestionKind::fins));
-  d.answer(scene::Answer::cancel);
+  d.answer(workspace::Answer::cancel);
   CHECK_FALSE(d.workspace.document.model.surface);
   d.open({d.files.model});
   for (const auto& [what, paths] :
        {std::pair{What::dropped, std::vector{cage, d.files.model}}, {What::cage, {cage}}}) {
     d.open(paths, what);
-    d.answer(scene::Answer::save);
+    d.answer(workspace::Answer::save);
     d.desk->finish_loading(d.workspace);
     REQUIRE(d.workspace.document.has_cage());
     CHECK(d.workspace.document.cage->surface.positions.size() == 8);
@@ -403,7 +403,7 @@ TEST_CASE("an_export_overwrites_no_open_file") {
     request = d.files / name;
     d.frame();
     d.desk->finish_exports(d.workspace);
-    CHECK(d.workspace.messages.all().back().severity == scene::Severity::error);
+    CHECK(d.workspace.messages.all().back().severity == workspace::Severity::error);
     CHECK_MESSAGE(d.last_message().find(why) != std::string::npos, d.last_message());
     CHECK(test::file_bytes(d.files / name) == before);
   };

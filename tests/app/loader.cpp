@@ -4,18 +4,19 @@
 
 #include <utility>
 
-#include "scene/document/edit.h"
-#include "scene/files.h"
-#include "scene/workspace/saving.h"
+#include "document/edit.h"
+#include "support/files.h"
+#include "workspace/saving.h"
 
 using namespace viete;
-using What = scene::OpenRequest::What;
+using What = files::OpenRequest::What;
 
 namespace {
 
 using Result = app::Loader::Result;
 
-Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scene::Document& current = {}) {
+Result loaded(app::Loader& loader, const files::OpenRequest& request,
+              const document::Document& current = {}) {
   app::start_loading(loader, request, current);
   auto result = loader.poll(true);
   REQUIRE(result);
@@ -23,7 +24,7 @@ Result loaded(app::Loader& loader, const scene::OpenRequest& request, const scen
 }
 
 // A document opened by the loader.
-scene::Document opened(app::Loader& loader, const scene::OpenRequest& request) {
+document::Document opened(app::Loader& loader, const files::OpenRequest& request) {
   const Result result = loaded(loader, request);
   REQUIRE_MESSAGE(result.value, result.problem);
   return result.value->opened.document.value();
@@ -42,7 +43,7 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   const auto result = loader.poll(true);
   REQUIRE(result);
   REQUIRE(result->value);
-  const scene::Document& document = result->value->opened.document.value();
+  const document::Document& document = result->value->opened.document.value();
   CHECK(document.model.path == files.model);
   CHECK(result->value->shading.surface == document.model.surface);
   CHECK(result->value->bound.binds(document));
@@ -75,16 +76,16 @@ TEST_CASE("only_changes_are_derived_again") {
 TEST_CASE("it_is_bound_as_what_is_open_or_as_the_session_says") {
   const test::CubeFiles files;
   app::Loader loader;
-  scene::Document current;
+  document::Document current;
   current.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.3};
   const Result model = loaded(loader, {What::model, {files.model, files.cage}}, current);
   REQUIRE(model.value);
   CHECK(model.value->bound.binding->weighting.radius == 0.3);
 
-  scene::Workspace saved;
+  workspace::Workspace saved;
   saved.document = opened(loader, {What::model, {files.model, files.cage}});
   saved.document.scheme.weighting = {deform::Elements::face, deform::Weights::cut_off, 0.2};
-  REQUIRE(scene::save_session(saved, files / "a.viete"));
+  REQUIRE(workspace::save_session(saved, files / "a.viete"));
   const Result session = loaded(loader, {What::model, {files / "a.viete"}}, current);
   REQUIRE(session.value);
   CHECK(session.value->bound.binding->weighting.radius == 0.2);

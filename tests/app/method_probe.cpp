@@ -28,10 +28,10 @@ TEST_CASE("every_method_is_measured_by_its_own_errors") {
   const auto stats = app::measure_methods(matrices);
   CHECK(stats.matrices == 101);
   CHECK(app::measure_methods({}).matrices == 0);
-  for (std::size_t m = 0; m < scene::compared_methods.size(); ++m) {
+  for (std::size_t m = 0; m < analysis::compared_methods.size(); ++m) {
     std::vector<double> errors;
     for (const auto& s : matrices)
-      errors.push_back(sym3::relative_error(sym3::exp(s, scene::compared_methods[m]), s));
+      errors.push_back(sym3::relative_error(sym3::exp(s, analysis::compared_methods[m]), s));
     std::sort(errors.begin(), errors.end());
     CHECK(stats.samples[m].worst_error == errors.back());
     CHECK(stats.samples[m].median_error == errors[50]);

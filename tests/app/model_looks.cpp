@@ -28,11 +28,11 @@ struct BentStrip {
   app::ModelLooks looks() const { return app::looks_of(surface, attributes, normals); }
 
   mesh::Surface surface;
-  mesh::Attributes attributes;
+  formats::Attributes attributes;
   std::vector<mesh::Point> normals;
 };
 
-mesh::Group group(std::uint32_t first_polygon, std::uint32_t material, bool smooth = true) {
+formats::Group group(std::uint32_t first_polygon, std::uint32_t material, bool smooth = true) {
   return {first_polygon, "", "", material, smooth};
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("grey_materials_are_ignored_and_a_bad_image_is_skipped") {
   CHECK_FALSE(strip.looks().has_looks);
   strip.attributes.materials[0].base_color_image = 0;
   const auto text = std::make_shared<const std::string>("no picture");
-  for (const auto& [image, name] : {std::pair{mesh::ImageFile{folder / "bad.png", nullptr, ""}, "bad.png"},
+  for (const auto& [image, name] : {std::pair{formats::ImageFile{folder / "bad.png", nullptr, ""}, "bad.png"},
                                     {{folder / "missing.png", nullptr, ""}, "missing.png"},
                                     {{{}, text, "within"}, "within"}}) {
     strip.attributes.images = {image};

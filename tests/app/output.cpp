@@ -6,10 +6,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/formats/format_table.h"
-#include "mesh/formats/write.h"
-#include "scene/cube.h"
-#include "scene/files.h"
+#include "formats/format_table.h"
+#include "formats/write.h"
+#include "support/cube.h"
+#include "support/files.h"
 #include "support/folder.h"
 
 using namespace viete;
@@ -82,7 +82,7 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
       {std::string("\0\1\2\3\4\5\6\7", 8), "binary data"},
       {"<!DOCTYPE html><svg></svg>", "a web page"}};
   const auto refused = [&](const fs::path& file, Content content) {
-    return test::problem_of([&] { check_output(file, content, {}, scene::Force::none); });
+    return test::problem_of([&] { check_output(file, content, {}, files::Force::none); });
   };
   for (const auto& [bytes, name] : contents) {
     const auto check = [&](const std::string& ending, Content content) {
@@ -91,7 +91,7 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
       const std::string problem = refused(file, content);
       CHECK_MESSAGE(problem.find(std::string("this file is ") + name) != std::string::npos,
                     ending << ": " << problem);
-      CHECK_NOTHROW(check_output(file, content, {}, scene::Force::given));
+      CHECK_NOTHROW(check_output(file, content, {}, files::Force::given));
     };
     for (const char* ending : {"obj", "ply", "off", "stl", "glb", "gltf"}) check(ending, Content::surface);
     for (const char* ending : {"pc2", "mdd", "glb"}) check(ending, Content::animation);
@@ -102,10 +102,10 @@ TEST_CASE("files_of_others_are_kept_whatever_their_name_is") {
 TEST_CASE("a_surface_takes_the_place_of_one_in_the_same_format_only") {
   const test::TemporaryFolder files;
   const mesh::Surface surface = test::cube(1);
-  for (const mesh::Format& from : mesh::all_formats()) {
+  for (const formats::Format& from : formats::all_formats()) {
     if (!from.write) continue;
-    mesh::write(files / ("from." + std::string(from.extension)), surface);
-    for (const mesh::Format& to : mesh::all_formats()) {
+    formats::write(files / ("from." + std::string(from.extension)), surface);
+    for (const formats::Format& to : formats::all_formats()) {
       if (!to.write) continue;
       const fs::path file = files / ("to." + std::string(to.extension));
       fs::copy_file(files / ("from." + std::string(from.extension)), file,
@@ -113,11 +113,11 @@ TEST_CASE("a_surface_takes_the_place_of_one_in_the_same_format_only") {
       CAPTURE(from.extension);
       CAPTURE(to.extension);
       if (from.name == to.name) {
-        CHECK_NOTHROW(check_output(file, Content::surface, {}, scene::Force::none));
+        CHECK_NOTHROW(check_output(file, Content::surface, {}, files::Force::none));
       } else {
         const std::string problem =
             "this file is " + std::string(from.name) + ", not " + std::string(to.name) + ", and";
-        CHECK_THROWS_WITH_AS(check_output(file, Content::surface, {}, scene::Force::none),
+        CHECK_THROWS_WITH_AS(check_output(file, Content::surface, {}, files::Force::none),
                              doctest::Contains(problem.c_str()), base::Error);
       }
     }
@@ -129,33 +129,33 @@ TEST_CASE("a_refusal_names_the_files_kind_and_another_name") {
   test::put_file(files / "a.obj", "v 0 0 0\n");
   test::put_file(files / "a-2.obj", "v 0 0 0\n");
   fs::create_hard_link(files / "a.obj", files / "second.obj");
-  scene::FilesInUse in_use;
-  in_use.add(files / "second.obj", scene::the_model);
-  const auto refused = [&](const char* name, scene::Force force) {
+  document::FilesInUse in_use;
+  in_use.add(files / "second.obj", document::the_model);
+  const auto refused = [&](const char* name, files::Force force) {
     return test::problem_of([&] { check_output(files / name, Content::surface, in_use, force); });
   };
-  CHECK(refused("a.obj", scene::Force::offered) ==
+  CHECK(refused("a.obj", files::Force::offered) ==
         (files / "a.obj").string() +
             ": this is an input file (the model) and would be replaced; choose another name, such as "
             "a-2-2.obj, or add --force");
-  CHECK(refused("a.obj", scene::Force::none).ends_with("such as a-2-2.obj"));
-  CHECK(refused("gone/../a.obj", scene::Force::none) != "");
-  in_use.add(files / "not_there.obj", scene::the_cage);
-  CHECK(refused("./not_there.obj", scene::Force::none).ends_with("such as not_there-2.obj"));
-  CHECK(refused("a-2.obj", scene::Force::none) == "");
+  CHECK(refused("a.obj", files::Force::none).ends_with("such as a-2-2.obj"));
+  CHECK(refused("gone/../a.obj", files::Force::none) != "");
+  in_use.add(files / "not_there.obj", document::the_cage);
+  CHECK(refused("./not_there.obj", files::Force::none).ends_with("such as not_there-2.obj"));
+  CHECK(refused("a-2.obj", files::Force::none) == "");
 }
 
 TEST_CASE("a_numbered_result_never_overwrites_an_input") {
   const test::TemporaryFolder files;
   test::put_file(files / "f_07.obj", "v 0 0 0\n");
-  scene::FilesInUse in_use{files / "f_07.obj"};
+  document::FilesInUse in_use{files / "f_07.obj"};
   const fs::path pattern = files / "f_##.obj";
-  for (const auto force : {scene::Force::none, scene::Force::given}) {
+  for (const auto force : {files::Force::none, files::Force::given}) {
     CHECK_THROWS_WITH_AS(check_output(pattern, {1, 10}, in_use, force),
                          doctest::Contains("such as f_##-2.obj"), base::Error);
     CHECK_NOTHROW(check_output(pattern, {1, 6}, in_use, force));
     CHECK_NOTHROW(check_output(pattern, {1, 10, 4}, in_use, force));
   }
-  CHECK_NOTHROW(check_output(pattern, scene::FrameSteps{}, in_use, scene::Force::none));
-  CHECK_THROWS_AS(check_output(files / "f_07.obj", {1, 10}, in_use, scene::Force::offered), base::Error);
+  CHECK_NOTHROW(check_output(pattern, files::FrameSteps{}, in_use, files::Force::none));
+  CHECK_THROWS_AS(check_output(files / "f_07.obj", {1, 10}, in_use, files::Force::offered), base::Error);
 }

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "formats/read.h"
 #include "mesh/defects.h"
-#include "mesh/formats/read.h"
 #include "mesh/summary.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/winding_number.h"
@@ -17,8 +17,8 @@ using namespace viete;
 
 namespace {
 
-mesh::ReadResult bundled(const std::string& name) {
-  return mesh::read(test::assets_dir() / "dragon" / name);
+formats::ReadResult bundled(const std::string& name) {
+  return formats::read(test::assets_dir() / "dragon" / name);
 }
 
 }  // namespace
@@ -84,7 +84,7 @@ TEST_CASE("poses_have_the_cage_s_vertices_and_faces_and_move_it") {
   const mesh::Surface cage = bundled("cage.obj").surface;
   for (const char* name : {"pose_alert.obj", "pose_flight.obj", "pose_coil.obj"}) {
     CAPTURE(name);
-    const mesh::ReadResult pose = bundled(name);
+    const formats::ReadResult pose = bundled(name);
     CHECK(pose.surface.positions.size() == cage.positions.size());
     CHECK(pose.surface.triangles == cage.triangles);
     CHECK(pose.surface.positions != cage.positions);

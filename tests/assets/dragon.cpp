@@ -7,7 +7,7 @@
 #include <string>
 
 #include "dragon/model.h"
-#include "mesh/formats/read.h"
+#include "formats/read.h"
 #include "mesh/summary.h"
 #include "support/data.h"
 
@@ -44,7 +44,7 @@ TEST_CASE("generator_makes_the_committed_files_byte_for_byte") {
 }
 
 TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {
-  const mesh::Summary summary = mesh::summarize(mesh::read(dragon_dir() / "dragon.ply").surface);
+  const mesh::Summary summary = mesh::summarize(formats::read(dragon_dir() / "dragon.ply").surface);
   CHECK(summary.vertices == 50000);
   CHECK(summary.triangles == 99996);  // 2 v - 4: Euler's formula for a sphere
   CHECK(summary.parts == 1);
@@ -57,7 +57,7 @@ TEST_CASE("dragon_is_one_closed_oriented_part_of_genus_0_with_50000_vertices") {
 }
 
 TEST_CASE("dragon_stands_on_the_ground_and_is_two_to_three_units_long") {
-  const mesh::Bounds box = mesh::bounds(mesh::read(dragon_dir() / "dragon.ply").surface.positions);
+  const mesh::Bounds box = mesh::bounds(formats::read(dragon_dir() / "dragon.ply").surface.positions);
   CHECK(box.low[1] == doctest::Approx(0).epsilon(1e-6));
   CHECK(box.high[0] - box.low[0] > 2);
   CHECK(box.high[0] - box.low[0] < 3);

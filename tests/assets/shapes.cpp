@@ -7,8 +7,8 @@
 
 #include "bench/halfway.h"
 #include "deform/shape_space.h"
-#include "mesh/formats/point_cache.h"
-#include "mesh/formats/read.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
 #include "mesh/summary.h"
 #include "support/data.h"
 
@@ -26,7 +26,7 @@ constexpr Shape kShapes[] = {{"folded", 0.01, 0.4}, {"coiled", 0.03, 0.5}, {"sit
 
 Places places_of(const Shape& shape) {
   const std::string file = "shape_" + std::string(shape.name) + ".pc2";
-  return mesh::PointCache(test::assets_dir() / "dragon" / file).frame(0);
+  return formats::PointCache(test::assets_dir() / "dragon" / file).frame(0);
 }
 
 Places halfway(const deform::ShapeSpace& space, const Places& places, base::WorkerPool& pool) {
@@ -47,7 +47,7 @@ double volume(mesh::Surface surface, const Places& places) {
 }  // namespace
 
 TEST_CASE("shapes_stand_on_the_ground_and_keep_nine_tenths_of_the_volume") {
-  const mesh::Surface dragon = mesh::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
+  const mesh::Surface dragon = formats::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
   const double rest = volume(dragon, dragon.positions);
   for (const Shape& shape : kShapes) {
     CAPTURE(shape.name);
@@ -60,7 +60,7 @@ TEST_CASE("shapes_stand_on_the_ground_and_keep_nine_tenths_of_the_volume") {
 }
 
 TEST_CASE("halfway_to_its_shapes_the_dragon_keeps_edges_and_volume_in_log_space_alone") {
-  const mesh::Surface dragon = mesh::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
+  const mesh::Surface dragon = formats::read(test::assets_dir() / "dragon" / "dragon.ply").surface;
   base::WorkerPool pool(2);
   const deform::ShapeSpace space(dragon, pool);
   const std::vector<mesh::Edge> edges = mesh::polygon_edges(dragon);

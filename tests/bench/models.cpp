@@ -10,10 +10,10 @@
 #include "deform/binding.h"
 #include "deform/deformer.h"
 #include "deform/shapes.h"
-#include "mesh/shapes.h"
 #include "mesh/summary.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
+#include "support/shapes.h"
 
 using namespace viete;
 

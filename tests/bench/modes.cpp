@@ -7,7 +7,7 @@
 #include "bench/models.h"
 #include "bench/modes.h"
 #include "deform/shapes.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::bench;

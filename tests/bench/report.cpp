@@ -15,10 +15,10 @@
 #include "bench/page.h"
 #include "bench/plot.h"
 #include "bench/table.h"
-#include "mesh/formats/write.h"
-#include "mesh/shapes.h"
+#include "formats/write.h"
 #include "support/data.h"
 #include "support/folder.h"
+#include "support/shapes.h"
 #include "support/text.h"
 #include "support/xml.h"
 #include "sym3/reference.h"
@@ -32,10 +32,10 @@ namespace {
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
-  mesh::write(scratch / "a & b.obj", ball);
-  mesh::write(scratch / "box.obj", test::moved(test::cube(), 1.5));
+  formats::write(scratch / "a & b.obj", ball);
+  formats::write(scratch / "box.obj", test::moved(test::cube(), 1.5));
   for (auto& p : ball.positions) p[2] *= 2;
-  mesh::write(scratch / "shape_tall.obj", ball);
+  formats::write(scratch / "shape_tall.obj", ball);
   const std::filesystem::path rest = scratch / "a & b.obj";
   base::Progress progress;
   Figures figures = measure_figures({rest, scratch / "box.obj", {}, rest, {scratch / "shape_tall.obj"}},

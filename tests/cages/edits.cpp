@@ -8,10 +8,10 @@
 
 #include "cages/enclose.h"
 #include "cages/soundness.h"
-#include "mesh/formats/read.h"
-#include "mesh/shapes.h"
+#include "formats/read.h"
 #include "mesh/summary.h"
 #include "support/folder.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using mesh::Point, mesh::Surface;
@@ -40,7 +40,7 @@ Surface letter_u() {
   }
   const test::TemporaryFolder folder;
   test::put_file(folder / "u.obj", text + "\n");
-  return mesh::read(folder / "u.obj").surface;
+  return formats::read(folder / "u.obj").surface;
 }
 
 void check(const Surface& cage, double expected, const char* edit) {

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 #include "support/skip.h"
 
 namespace viete::test {

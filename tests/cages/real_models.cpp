@@ -3,7 +3,7 @@
 
 #include "cages/judge.h"
 #include "cages/make.h"
-#include "mesh/formats/read.h"
+#include "formats/read.h"
 #include "mesh/summary.h"
 #include "support/data.h"
 
@@ -31,7 +31,7 @@ std::vector<std::filesystem::path> real_models() {
 TEST_CASE("real_models_get_cages_of_every_size" * doctest::test_suite(if_present)) {
   base::WorkerPool pool(2);
   for (const auto& path : real_models()) {
-    const auto model = std::make_shared<const mesh::Surface>(mesh::read(path).surface);
+    const auto model = std::make_shared<const mesh::Surface>(formats::read(path).surface);
     cages::Maker maker(model);
     for (const std::size_t triangles : {60, 200, 600}) {
       CAPTURE(path);
@@ -55,7 +55,7 @@ TEST_CASE("automatic_cages_are_no_larger_than_manual_ones" * doctest::test_suite
     CAPTURE(name);
     const auto path = shared_data(std::string(name) + "/mesh.obj");
     if (path.empty()) return;
-    const mesh::Surface model = mesh::read(path).surface;
+    const mesh::Surface model = formats::read(path).surface;
     const auto made = cages::make(model, {.triangles = triangles}, pool);
     CHECK(mesh::summarize(made.surface).volume < volume * mesh::summarize(model).volume);
   }

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
-#include "mesh/formats/read.h"
+#include "formats/read.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -195,10 +195,10 @@ TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_pres
   const auto folder = shared_data("shapes/horse");
   if (folder.empty()) return;
   const auto frame = [&](int i) {
-    return mesh::read(folder / ("gallop_" + std::string(i < 10 ? "0" : "") + std::to_string(i) + ".obj"))
+    return formats::read(folder / ("gallop_" + std::string(i < 10 ? "0" : "") + std::to_string(i) + ".obj"))
         .surface.positions;
   };
-  const mesh::Surface rest = mesh::read(folder / "rest.obj").surface;
+  const mesh::Surface rest = formats::read(folder / "rest.obj").surface;
   std::vector<std::uint32_t> pins;
   const Vec3 middle = (1.0 / double(rest.positions.size())) *
                       std::accumulate(rest.positions.begin(), rest.positions.end(), Vec3{0, 0, 0});

@@ -4,8 +4,8 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "support/folder.h"
 #include "support/text.h"
 
@@ -43,15 +43,15 @@ TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
   const Cage cage = make_cage(box());  // faces do not use the vertices in order
   auto posed = box();
   for (auto& p : posed.positions) p[1] *= 2;
-  viete::mesh::write(folder / "pose.stl", posed);
+  viete::formats::write(folder / "pose.stl", posed);
   for (const char* text :
        {"pose.stl: STL files do not preserve the vertex order", "export the pose as OBJ, PLY or OFF"})
     CHECK_THROWS_WITH_AS(read(folder / "pose.stl", cage), doctest::Contains(text), viete::base::Error);
   CHECK_THROWS_AS(write_pose(folder / "own.stl", cage, rest_pose(cage)), viete::base::Error);
   CHECK_FALSE(fs::exists(folder / "own.stl"));
 
-  viete::mesh::write(folder / "cage.stl", box());
-  const Cage of_stl = make_cage(viete::mesh::read(folder / "cage.stl").surface);
+  viete::formats::write(folder / "cage.stl", box());
+  const Cage of_stl = make_cage(viete::formats::read(folder / "cage.stl").surface);
   const Pose pose = read(folder / "pose.stl", of_stl);
   for (std::size_t v = 0; v < pose.positions.size(); ++v) {
     const auto& rest = of_stl.surface.positions[v];
@@ -71,7 +71,7 @@ TEST_CASE("turns_are_in_a_comment_line_at_the_head_unless_they_are_0") {
 TEST_CASE("other_numbers_of_vertices_missing_files_and_numbers_that_are_not_finite_are_refused") {
   const TemporaryFolder folder;
   const Cage cage = make_cage(box());
-  viete::mesh::write(folder / "pose.obj", tube(4, 5, 1, 1));
+  viete::formats::write(folder / "pose.obj", tube(4, 5, 1, 1));
   for (const char* text : {"pose.obj", "22 vertices", "8"})
     CHECK_THROWS_WITH_AS(read(folder / "pose.obj", cage), doctest::Contains(text), viete::base::Error);
   CHECK_THROWS_AS(read(folder / "missing.obj", cage), viete::base::Error);
@@ -87,14 +87,14 @@ TEST_CASE("other_faces_collapsed_elements_and_odd_turns_warn") {
 
   auto t = box().triangles;
   std::swap(t[0], t[1]);
-  viete::mesh::write(folder / "faces.obj", viete::mesh::from_triangles(box().positions, t));
+  viete::formats::write(folder / "faces.obj", viete::mesh::from_triangles(box().positions, t));
   read(folder / "faces.obj", cage, warnings);
   REQUIRE(warnings.size() == 1);
   CHECK(mentions(warnings[0], "faces differ"));
 
   auto collapsed = box();
   collapsed.positions.assign(8, {1, 1, 1});
-  viete::mesh::write(folder / "collapsed.obj", collapsed);
+  viete::formats::write(folder / "collapsed.obj", collapsed);
   const Pose pose = read(folder / "collapsed.obj", cage, warnings);
   CHECK(pose.positions == collapsed.positions);
   CHECK(std::any_of(warnings.begin(), warnings.end(),
@@ -102,7 +102,7 @@ TEST_CASE("other_faces_collapsed_elements_and_odd_turns_warn") {
 
   for (const char* line : {"viete turns: part 7: 1 2 3", "viete turns: part 0: 1 2",
                            "viete turns: part 0: 1 2 nan", "viete turns: x"}) {
-    viete::mesh::write(folder / "turns.obj", box(), {line});
+    viete::formats::write(folder / "turns.obj", box(), {line});
     CHECK(read(folder / "turns.obj", cage, warnings).turns.empty());
     REQUIRE(warnings.size() == 1);
     CHECK(mentions(warnings[0], "turns"));

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "deform/bound.h"
 #include "deform/pose_io.h"
-#include "mesh/formats/read.h"
+#include "formats/read.h"
 #include "support/data.h"
 
 using namespace viete;
@@ -26,7 +26,7 @@ mesh::Surface thinned(const mesh::Surface& surface, std::size_t step) {
 }
 
 mesh::Surface read(const fs::path& path) {
-  return mesh::read(path).surface;
+  return formats::read(path).surface;
 }
 
 }  // namespace

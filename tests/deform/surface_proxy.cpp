@@ -12,7 +12,7 @@
 #include "deform/shapes.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 

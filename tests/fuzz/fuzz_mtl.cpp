@@ -3,12 +3,12 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "mesh/formats/mtl.h"
+#include "formats/mtl.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const viete::mesh::Source source{"fuzz", "mtl", bytes, nullptr, nullptr, "/folder"};
-  const auto materials = viete::mesh::read_mtl(source);
+  const viete::formats::Source source{"fuzz", "mtl", bytes, nullptr, nullptr, "/folder"};
+  const auto materials = viete::formats::read_mtl(source);
   if (materials.size() > size) std::abort();
   for (const auto& m : materials) {
     for (const float x : m.material.base_color) {

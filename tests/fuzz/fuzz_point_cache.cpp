@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/formats/point_cache.h"
+#include "formats/point_cache.h"
 
 namespace {
 
@@ -18,11 +18,11 @@ void require(bool condition) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace viete;
   try {
-    const mesh::PointCache cache("fuzz", {reinterpret_cast<const char*>(data), size});
-    const mesh::PointCacheHead& head = cache.head();
+    const formats::PointCache cache("fuzz", {reinterpret_cast<const char*>(data), size});
+    const formats::PointCacheHead& head = cache.head();
     require(head.points > 0 && head.frames > 0);
     require(head.points <= size && head.frames <= size && 12 * head.points * head.frames <= size);
-    require(head.seconds.size() == (head.format == mesh::PointCacheFormat::mdd ? head.frames : 0));
+    require(head.seconds.size() == (head.format == formats::PointCacheFormat::mdd ? head.frames : 0));
     require(std::isfinite(head.start) && std::isfinite(head.rate) && head.rate > 0);
     for (const std::size_t i : {std::size_t{0}, head.frames - 1}) {
       const auto points = cache.frame(i);

@@ -11,10 +11,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/formats/codecs.h"
-#include "mesh/formats/conversion.h"
+#include "formats/codecs.h"
+#include "formats/conversion.h"
 #include "mesh/summary.h"
 
+using namespace viete::formats;
 using namespace viete::mesh;
 
 namespace {

@@ -1,6 +1,6 @@
 #include "mesh/cavity.h"
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <random>
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -6,9 +6,9 @@
 
 #include "mesh/adjacency.h"
 #include "mesh/edge_paths.h"
-#include "mesh/shapes.h"
 #include "mesh/triangulation.h"
 #include "mesh/union_find.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

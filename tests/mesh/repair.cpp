@@ -2,8 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include "mesh/shapes.h"
 #include "mesh/summary.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

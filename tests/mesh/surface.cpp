@@ -4,9 +4,9 @@
 
 #include <random>
 
-#include "mesh/shapes.h"
 #include "mesh/triangulation.h"
 #include "mesh/vector.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

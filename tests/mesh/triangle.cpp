@@ -6,7 +6,7 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

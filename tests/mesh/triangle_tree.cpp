@@ -7,9 +7,9 @@
 #include <numeric>
 #include <random>
 
-#include "mesh/shapes.h"
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -7,8 +7,8 @@
 #include <numbers>
 #include <random>
 
-#include "mesh/shapes.h"
 #include "mesh/summary.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

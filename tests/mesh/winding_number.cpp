@@ -2,7 +2,7 @@
 
 #include <doctest/doctest.h>
 
-#include "mesh/shapes.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::mesh;

@@ -45,7 +45,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   d.settle();
   const Shown plain = shown(d, empty);
 
-  d.workspace().view.field = lab::Field::exp_error;
+  d.workspace().view.field = analysis::Field::exp_error;
   d.settle();
   const Shown exact = shown(d, empty);
   const auto& map = d.workspace().split.views[0].shown.stats;
@@ -65,16 +65,16 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   const double rough_red = rough.red / rough.pixels, exact_red = exact.red / exact.pixels;
   CHECK(rough_red > 1.1 * exact_red);
 
-  d.workspace().view.field = lab::Field::none;
+  d.workspace().view.field = analysis::Field::none;
   d.click("method_fast");
   d.move({700, 20});
   d.settle();
   const Shown again = shown(d, empty);
   CHECK(again.red / again.pixels == doctest::Approx(plain.red / plain.pixels).epsilon(0.01));
-  d.workspace().view.field = lab::Field::exp_error;
+  d.workspace().view.field = analysis::Field::exp_error;
   d.choose("weights", "weights_mean_value");
   d.settle();
-  CHECK(scene::shown_field(d.workspace()) == lab::Field::none);
+  CHECK(workspace::shown_field(d.workspace()) == analysis::Field::none);
 }
 
 TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_the_picture_is_gone") {

@@ -2,13 +2,13 @@
 #include <set>
 
 #include "base/numbered_files.h"
-#include "mesh/formats/point_cache.h"
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "files/open.h"
+#include "files/session.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "program/command_line.h"
-#include "scene/animated_cube.h"
-#include "scene/files/open.h"
-#include "scene/files/session.h"
+#include "support/animated_cube.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -22,7 +22,7 @@ struct AnimatedFiles : AnimatedCube {
     for (const int frame : {1, 9, 17}) {
       mesh::Surface posed = *document.cage_file.surface;
       posed.positions = AnimatedCube::pose(frame).cage.positions;
-      mesh::write(*this / (frame < 10 ? "p_0" + std::to_string(frame) + ".obj" : "p_17.obj"), posed);
+      formats::write(*this / (frame < 10 ? "p_0" + std::to_string(frame) + ".obj" : "p_17.obj"), posed);
     }
   }
   Outcome animate(const std::string& rest, const std::string& before = "") const {
@@ -54,11 +54,11 @@ struct AnimatedDragon : TemporaryFolder {
 
 TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked_for") {
   const AnimatedFiles files;
-  scene::Session session;
+  files::Session session;
   session.model.path = files / "model.obj", session.cage_file.path = files / "cage.obj";
   session.view.panels = false;
   const auto drawn = [&](const std::string& command) {
-    put_file(files / "s.viete", scene::session_text(session, files / "s.viete"));
+    put_file(files / "s.viete", files::session_text(session, files / "s.viete"));
     const Outcome outcome = run(command + " --size 200x150 --force", "cd " + quoted(files.path()) + " &&");
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
     return read_png(files / (command.starts_with("render") ? "p.png" : "t_02.png"));
@@ -75,16 +75,17 @@ TEST_CASE("pictures_and_turntables_show_no_tool_and_the_cage_only_if_it_is_asked
     }
   };
   session.handling.soft.on = true;
-  session.handling.pivot = scene::Pivot::point;
+  session.handling.pivot = document::Pivot::point;
   session.handling.point = mesh::Point{0, 0, 0};
-  session.handling.mirror = scene::MirrorPlane::x;
-  for (const auto kind : {scene::ElementKind::vertex, scene::ElementKind::edge, scene::ElementKind::face}) {
+  session.handling.mirror = document::MirrorPlane::x;
+  for (const auto kind :
+       {document::ElementKind::vertex, document::ElementKind::edge, document::ElementKind::face}) {
     CAPTURE(static_cast<int>(kind));
-    session.selection = scene::Selection(kind, std::vector<std::uint32_t>{0, 1});
+    session.selection = document::Selection(kind, std::vector<std::uint32_t>{0, 1});
     shows_no_tool();
   }
   session.probes.all.emplace_back();
-  session.selection = scene::Selection(scene::ElementKind::probe, std::vector<std::uint32_t>{0});
+  session.selection = document::Selection(document::ElementKind::probe, std::vector<std::uint32_t>{0});
   shows_no_tool();
 }
 
@@ -98,7 +99,7 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   for (const char* name : {"a.pc2", "a.mdd"}) {
     outcome = files.animate(std::string("-o ") + name + " --frames 3-12");
     CHECK_MESSAGE(outcome.code == 0, outcome.text);
-    CHECK(mesh::PointCache(files / name).head().frames == 10);
+    CHECK(formats::PointCache(files / name).head().frames == 10);
   }
   outcome = files.animate("-o a.glb --tolerance 0.001");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
@@ -128,7 +129,7 @@ TEST_CASE("an_animation_that_was_killed_has_whole_frames") {
     const auto there = name.find();
     CHECK(there.size() >= 3);
     CHECK(there.size() < 41);
-    for (const auto& file : there) CHECK(mesh::read(file.path).surface.positions.size() == 3000);
+    for (const auto& file : there) CHECK(formats::read(file.path).surface.positions.size() == 3000);
   }
 }
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "deform/scheme.h"
-#include "mesh/formats/write.h"
-#include "mesh/shapes.h"
+#include "formats/write.h"
 #include "program/command_line.h"
+#include "support/shapes.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -46,10 +46,10 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   const fs::path json = scratch / "modes.json", ball = scratch / "ball.obj", box = scratch / "box.obj",
                  tall = scratch / "pose_tall.obj";
   auto cube = test::moved(test::cube(), 1.5);
-  mesh::write(ball, test::sphere(2));
-  mesh::write(box, cube);
+  formats::write(ball, test::sphere(2));
+  formats::write(box, cube);
   for (auto& p : cube.positions) p[2] *= 2;
-  mesh::write(tall, cube);
+  formats::write(tall, cube);
   const std::string files = quoted(ball) + " " + quoted(box) + " " + quoted(tall) + " " + quoted(box);
   const auto outcome = run("bench modes --rounds 1 --radius 1000 " + files + " --json " + quoted(json));
   REQUIRE_MESSAGE(outcome.code == 0, outcome.text);

@@ -2,18 +2,18 @@
 #include <cmath>
 
 #include "base/numbered_files.h"
-#include "mesh/formats/point_cache.h"
-#include "mesh/formats/read.h"
-#include "mesh/morph_keys.h"
+#include "document/pose_edit.h"
+#include "formats/morph_keys.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
 #include "program/command_line.h"
-#include "scene/document/pose_edit.h"
-#include "scene/files.h"
-#include "scene/posed_cube.h"
-#include "scene/workspace/apply_opened.h"
-#include "scene/workspace/command.h"
-#include "scene/workspace/playing.h"
-#include "scene/workspace/saving.h"
+#include "support/files.h"
 #include "support/pictures.h"
+#include "support/posed_cube.h"
+#include "workspace/apply_opened.h"
+#include "workspace/command.h"
+#include "workspace/playing.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -35,8 +35,10 @@ struct ShapeFiles : WorkFolder {
     points[7][2] += pull;
     return turned(points, degrees);
   }
-  void write(const std::string& name, const Points& points) const { mesh::write(*this / name, cube, points); }
-  Points read(const std::string& name) const { return mesh::read(*this / name).surface.positions; }
+  void write(const std::string& name, const Points& points) const {
+    formats::write(*this / name, cube, points);
+  }
+  Points read(const std::string& name) const { return formats::read(*this / name).surface.positions; }
 };
 
 }  // namespace
@@ -78,7 +80,7 @@ TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes
   CHECK(base::NumberedName(f / "f_##.ply").find().size() == 25);
   for (const std::string name : {"c.pc2", "c.mdd"}) {
     f.done("between rest.obj a.obj b.obj -o " + name + " --frames 9 --rate 12");
-    const mesh::PointCache cache(f / name);
+    const formats::PointCache cache(f / name);
     CHECK(cache.head().frames == 9);
     CHECK(distance(cache.frame(4), f.shape(100)) < 1e-6);
     f.done("between --rest rest.obj " + name + " -o 'n_#.obj' --frames 9 --force");
@@ -142,7 +144,7 @@ TEST_CASE("a_shape_of_a_file_that_holds_several_is_named_behind_a_colon") {
 
 TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   const ShapeFiles f;
-  mesh::write(f / "other.obj", test::cube(1));
+  formats::write(f / "other.obj", test::cube(1));
   put_file(f / "broken.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n");
   put_file(f / "points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
   put_file(f / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
@@ -231,20 +233,20 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
 
 TEST_CASE("a_session_with_shapes_is_deformed_animated_and_drawn_as_the_window_has_it") {
   const ShapeFiles f;
-  scene::Workspace w;
-  REQUIRE(scene::open_now(w, {scene::OpenRequest::What::model, {f / "rest.obj"}}));
-  scene::add_shapes(w.document, {{"a", std::make_shared<const Points>(f.shape(100))}});
-  REQUIRE(scene::set_weight(w.document, w.playback.vectors, 0, 0.5));
-  REQUIRE(scene::save_session(w, f / "mixed.viete"));
+  workspace::Workspace w;
+  REQUIRE(workspace::open_now(w, {files::OpenRequest::What::model, {f / "rest.obj"}}));
+  document::add_shapes(w.document, {{"a", std::make_shared<const Points>(f.shape(100))}});
+  REQUIRE(document::set_weight(w.document, w.playback.vectors, 0, 0.5));
+  REQUIRE(workspace::save_session(w, f / "mixed.viete"));
   f.done("deform mixed.viete -o d.ply");
   CHECK(distance(f.read("d.ply"), f.shape(50)) < 1e-6);
-  REQUIRE(scene::set_weight(w.document, w.playback.vectors, 0, 0));
-  scene::find_command("set_key")->run(w);
-  scene::apply_pose(w, 0);
+  REQUIRE(document::set_weight(w.document, w.playback.vectors, 0, 0));
+  workspace::find_command("set_key")->run(w);
+  workspace::apply_pose(w, 0);
   w.document.frame = 11;
-  scene::find_command("set_key")->run(w);
+  workspace::find_command("set_key")->run(w);
   REQUIRE(w.document.timeline.keys.size() == 2);
-  REQUIRE(scene::save_session(w, f / "keyed.viete"));
+  REQUIRE(workspace::save_session(w, f / "keyed.viete"));
   f.done("animate keyed.viete -o 'k_##.obj' --frames 1-11");
   CHECK(f.read("k_01.obj") == f.cube.positions);
   CHECK(distance(f.read("k_06.obj"), f.shape(50)) < 1e-5);

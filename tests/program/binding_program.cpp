@@ -1,16 +1,16 @@
 // Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
 #include "deform/binding.h"
-#include "mesh/formats/write.h"
-#include "mesh/shapes.h"
+#include "formats/write.h"
 #include "program/driver.h"
-#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "support/shapes.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
-using What = scene::OpenRequest::What;
+using What = files::OpenRequest::What;
 
 namespace {
 
@@ -23,13 +23,13 @@ struct Bound : Driver {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
-    scene::mark_saved(workspace());  // so that replacing the cage needs no question
+    workspace::mark_saved(workspace());  // so that replacing the cage needs no question
   }
   // Opens a cage of 8 * 4^levels triangles around the dragon; acts after the first frame.
   template <class Act>
   void open_ball(int levels, const Act& act) {
-    mesh::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));
-    workspace().requests.open = scene::OpenRequest{What::cage, {folder / "ball.ply"}};
+    formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));
+    workspace().requests.open = files::OpenRequest{What::cage, {folder / "ball.ply"}};
     frame();
     act();
     REQUIRE(until([&] { return !viewer().loading(); }));
@@ -48,7 +48,7 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   const auto before = d.positions();
   d.open_ball(3, [&] {
     REQUIRE(d.workspace().loading.running);
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
   });
   CHECK(d.document().cage.get() == cage);
   CHECK(test::edit_count(d.document().history) == 1);
@@ -66,7 +66,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
   const auto moved = d.positions();
   CHECK(moved != before);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().binding.running);
   CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
   CHECK(d.positions() == moved);

@@ -1,14 +1,14 @@
 // Cage generation in the window: offer, sliders, undo, posing and saving.
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "document/edit.h"
+#include "formats/read.h"
+#include "formats/write.h"
+#include "interact/cursor_projection.h"
 #include "mesh/winding_number.h"
 #include "program/driver.h"
-#include "scene/ball.h"
-#include "scene/document/edit.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/workspace/saving.h"
+#include "support/ball.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -19,7 +19,7 @@ namespace {
 std::filesystem::path ball() {
   static const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "ball.obj";
-  if (!std::filesystem::exists(file)) mesh::write(file, test::ball(1, 3));
+  if (!std::filesystem::exists(file)) formats::write(file, test::ball(1, 3));
   return file;
 }
 
@@ -69,12 +69,12 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     d.settle();
     const auto& v = d.workspace().viewport;
     const auto lowest = [&] {
-      const scene::Projector project(d.document().space, d.workspace().camera, v);
+      const interact::Projector project(d.document().space, d.workspace().camera, v);
       float y = 0;
       for (const auto& p : d.document().model.surface->positions) y = std::max(y, project(p)->y);
       return y;
     };
-    const float bottom = v.origin.y + v.size.y, offer = bottom - scene::offer_height(d.workspace());
+    const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
     const auto beside = d.viewer().recorder().find("open_cage_beside");
     REQUIRE(beside);
     CHECK(beside->y0 - 94 < offer);  // three lines are above that button
@@ -85,7 +85,7 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     d.click("hide_cage_offer");
     d.run("frame_all");
     d.settle();
-    CHECK(scene::offer_height(d.workspace()) == 0);
+    CHECK(workspace::offer_height(d.workspace()) == 0);
     CHECK(lowest() > above + 80);
     CHECK(lowest() < bottom);
   }
@@ -148,7 +148,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
   }
   SUBCASE("stopped") {
     d.click("finish_cage");
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
   }
   SUBCASE("posed") {
     d.click("finish_cage");
@@ -175,7 +175,7 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   d.open_dragon("pose_alert");
   const auto cage = d.document().cage;
   const auto pose = d.document().pose.positions;
-  scene::find_command("set_key")->run(d.workspace());
+  workspace::find_command("set_key")->run(d.workspace());
   d.click("make_cage");
   d.frame();
   d.finish_making();
@@ -198,19 +198,19 @@ TEST_CASE("a_generated_cage_is_unsaved_until_a_session_stores_it") {
   d.make();
   d.click("finish_cage");
   d.pull_vertex();
-  CHECK(scene::has_unsaved_edits(d.workspace()));
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
-  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
+  REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
+  CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   const auto rest = d.document().cage->surface;
   const auto pose = d.document().pose.positions;
-  REQUIRE(scene::save_cage(d.workspace(), folder / "cage.obj"));
-  CHECK(mesh::read(folder / "cage.obj").surface.positions == rest.positions);
+  REQUIRE(workspace::save_cage(d.workspace(), folder / "cage.obj"));
+  CHECK(formats::read(folder / "cage.obj").surface.positions == rest.positions);
   REQUIRE(d.open({folder / "a.viete"}));
   d.settle();
   CHECK(d.document().cage->surface.positions == rest.positions);
   CHECK(d.document().cage->surface.corners == rest.corners);
   CHECK(d.document().pose.positions == pose);
-  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+  CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   CHECK(d.drawn_error() < 2e-5);
 }
 
@@ -230,7 +230,7 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   Driver d;
   d.open_dragon();
   const auto before = d.document().cage->surface.positions;
-  d.press_key(scene::Key::tab);
+  d.press_key(workspace::Key::tab);
   d.frame(3);
   const auto v = d.free_vertex();
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(40, -30));
@@ -246,7 +246,7 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
   d.frame(3);
   CHECK(is_at_rest());
   CHECK(d.document().cage->surface.positions[v] != before[v]);
-  d.press_key(scene::Key::tab);
+  d.press_key(workspace::Key::tab);
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(30, 20));
   d.frame(2);
   CHECK(d.drawn_error() < 2e-5);
@@ -258,20 +258,20 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   const test::TemporaryFolder folder;
   mesh::Surface cage = test::ball(1.2, 1);
   cage.positions[5][0] += 0.3;  // removes its mirror image
-  mesh::write(folder / "cage.obj", cage);
+  formats::write(folder / "cage.obj", cage);
   Driver d;
   REQUIRE(d.open({ball(), folder / "cage.obj"}));
   d.settle();
   const auto before = d.document().cage;
-  d.workspace().handling.mirror = scene::MirrorPlane::x;
+  d.workspace().handling.mirror = document::MirrorPlane::x;
   d.frame(2);
-  REQUIRE(scene::mirror_of(d.workspace())->unpaired() > 0);
+  REQUIRE(workspace::mirror_of(d.workspace())->unpaired() > 0);
   d.click("make_symmetric_cage");
   d.frame();
   d.finish_making();
   d.frame(2);
-  CHECK(scene::mirror_of(d.workspace())->unpaired() == 0);
-  CHECK_FALSE(scene::find_command("make_symmetric_cage")->enabled(d.workspace()));
+  CHECK(workspace::mirror_of(d.workspace())->unpaired() == 0);
+  CHECK_FALSE(workspace::find_command("make_symmetric_cage")->enabled(d.workspace()));
   d.run("cancel_cage");
   CHECK(d.document().cage == before);
 }

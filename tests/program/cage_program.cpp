@@ -2,11 +2,11 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "mesh/summary.h"
 #include "program/command_line.h"
-#include "scene/cube.h"
+#include "support/cube.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -14,7 +14,7 @@ using namespace viete::test;
 namespace {
 
 struct CageFolder : TemporaryFolder {
-  CageFolder() { mesh::write(*this / "model.obj", cube(1)); }
+  CageFolder() { formats::write(*this / "model.obj", cube(1)); }
   Outcome run(const std::string& arguments) const {
     return test::run(arguments, "cd " + quoted(path()) + " &&");
   }
@@ -27,7 +27,7 @@ TEST_CASE("a_generated_cage_deforms_its_model_and_passes_the_checks") {
   const Outcome made = files.run("cage " + quoted(dragon) + " -o made.obj --triangles 120");
   CHECK(made.code == 0);
   CHECK(mentions(made, "made a cage of 1"));
-  const mesh::Surface read = mesh::read(files / "made.obj").surface;
+  const mesh::Surface read = formats::read(files / "made.obj").surface;
   CHECK(read.triangles.size() <= 120);
   CHECK(mesh::summarize(read).closed());
   const Outcome info = files.run("info " + quoted(dragon) + " --cage made.obj");
@@ -40,20 +40,20 @@ TEST_CASE("boxes_and_quads_are_written_in_every_format") {
   const CageFolder files;
   for (const char* name : {"box.obj", "box.ply", "box.off", "box.stl"}) {
     CHECK(files.run(std::string("cage model.obj --kind box --cells 2x3x1 --margin 5 -o ") + name).code == 0);
-    CHECK(mesh::read(files / name).surface.triangles.size() == 44);
+    CHECK(formats::read(files / name).surface.triangles.size() == 44);
   }
   CHECK(files.run("cage model.obj --quads --triangles 60 -o quads.obj").code == 0);
-  const mesh::Surface quads = mesh::read(files / "quads.obj").surface;
+  const mesh::Surface quads = formats::read(files / "quads.obj").surface;
   CHECK(quads.polygon_count() < quads.triangles.size());
 }
 
 TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   const CageFolder files;
-  mesh::Surface far = mesh::read(files / "model.obj").surface;
+  mesh::Surface far = formats::read(files / "model.obj").surface;
   for (auto& p : far.positions) p[0] += 1e7;
-  mesh::write(files / "far.obj", far);
+  formats::write(files / "far.obj", far);
   for (auto& p : far.positions) p = {1e50 * (p[0] - 1e7), 1e50 * p[1], 1e50 * p[2]};
-  mesh::write(files / "large.obj", far);
+  formats::write(files / "large.obj", far);
   for (const char* model : {"far.obj", "large.obj"}) {
     const Outcome refused = files.run(std::string("cage ") + model + " --triangles 60 -o made.glb");
     CHECK(refused.code == 1);

@@ -1,5 +1,5 @@
 // Defective cages in the real program: findings, the offers and badges they lead to, and their highlights.
-#include "mesh/formats/write.h"
+#include "formats/write.h"
 #include "mesh/winding_number.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
@@ -18,10 +18,10 @@ struct Checked : test::SmallScene {
       : SmallScene(Driver::default_options(), pixels) {
     d.workspace().view.axes = false;
     mesh::Surface cage = test::ball(1.2, 1);
-    mesh::write(holed,
-                mesh::from_triangles(cage.positions, {cage.triangles.begin() + 1, cage.triangles.end()}));
+    formats::write(holed,
+                   mesh::from_triangles(cage.positions, {cage.triangles.begin() + 1, cage.triangles.end()}));
     for (auto& p : cage.positions) p[1] -= 0.5;
-    mesh::write(low, cage);
+    formats::write(low, cage);
   }
   void check() {
     d.settle();
@@ -32,9 +32,9 @@ struct Checked : test::SmallScene {
     REQUIRE(d.open({cage}, Driver::What::cage));
     check();
   }
-  const scene::Finding* find(scene::Defect defect) {
+  const document::Finding* find(document::Defect defect) {
     const auto& all = d.workspace().checks.findings;
-    const auto found = std::ranges::find(all, defect, &scene::Finding::defect);
+    const auto found = std::ranges::find(all, defect, &document::Finding::defect);
     return found == all.end() ? nullptr : &*found;
   }
   // In the view, not in a column.
@@ -68,7 +68,7 @@ TEST_CASE("a_click_on_a_finding_highlights_its_elements_which_follow_the_cage") 
   CHECK(d.workspace().checks.findings.empty());
   CHECK_FALSE(d.viewer().recorder().find("finding/0"));
   c.open_cage(c.holed);
-  const auto* open = c.find(scene::Defect::open);
+  const auto* open = c.find(document::Defect::open);
   REQUIRE(open);
   CHECK(open->edges.size() == 3);
   const std::string widget = "finding/" + std::to_string(open - d.workspace().checks.findings.data());
@@ -117,7 +117,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   CHECK_FALSE(c.shows("enclose_model"));
   c.open_cage(c.low);
   CHECK(c.shows("hide_cage_offer"));
-  d.press_key(scene::key('A'));  // an edit
+  d.press_key(workspace::key('A'));  // an edit
   CHECK_FALSE(c.shows("hide_cage_offer"));
   c.open_cage(c.folder / "cage.obj");
   CHECK(d.workspace().checks.findings.empty());

@@ -6,13 +6,13 @@
 #include <limits>
 #include <vector>
 
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "program/command_line.h"
 #include "render/image.h"
-#include "scene/cube.h"
-#include "scene/posed_cube.h"
+#include "support/cube.h"
 #include "support/pictures.h"
+#include "support/posed_cube.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -20,13 +20,13 @@ using namespace viete::test;
 TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model_and_rest_as_it_was") {
   const WorkFolder f;
   f.done(posed + " -o out.obj");
-  const auto rest = mesh::read(dragon).surface, deformed = mesh::read(f / "out.obj").surface;
+  const auto rest = formats::read(dragon).surface, deformed = formats::read(f / "out.obj").surface;
   CHECK(deformed.triangles == rest.triangles);
   CHECK(deformed.positions.size() == rest.positions.size());
   CHECK(deformed.positions != rest.positions);
   for (const std::string way : {"paper", "mean-value"}) {
     f.done("deform " + in_cage + " --pose " + quoted(cage) + " --force -o out.ply --deformer " + way);
-    CHECK(distance(mesh::read(f / "out.ply").surface.positions, rest.positions) <
+    CHECK(distance(formats::read(f / "out.ply").surface.positions, rest.positions) <
           1e-13 * mesh::bounds(rest.positions).diagonal());
   }
 }
@@ -44,7 +44,7 @@ Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frame
 
 TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   const WorkFolder f;
-  const auto rest = mesh::read(cage).surface.positions, alert = mesh::read(pose).surface.positions;
+  const auto rest = formats::read(cage).surface.positions, alert = formats::read(pose).surface.positions;
   {
     std::ofstream poses(f / "poses", std::ios::binary);
     for (const auto* all : {&alert, &rest, &alert})
@@ -54,8 +54,8 @@ TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
   const auto outcome = streamed(f);
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
   f.done(posed + " -o out.ply");
-  const auto exact = mesh::read(f / "out.ply").surface.positions,
-             model = mesh::read(dragon).surface.positions;
+  const auto exact = formats::read(f / "out.ply").surface.positions,
+             model = formats::read(dragon).surface.positions;
   const std::string bytes = file_bytes(f / "frames");
   REQUIRE(bytes.size() == 3 * 12 * model.size());
   std::vector<float> floats(bytes.size() / 4);
@@ -68,7 +68,7 @@ TEST_CASE("poses_that_are_streamed_give_the_frames_that_deform_writes") {
 
 TEST_CASE("an_invalid_stream_names_the_pose") {
   const TemporaryFolder scratch;
-  const auto rest = mesh::read(cage).surface.positions;
+  const auto rest = formats::read(cage).surface.positions;
   std::string poses(reinterpret_cast<const char*>(rest.data()), rest.size() * sizeof(mesh::Point));
   put_file(scratch / "poses", "");
   CHECK(streamed(scratch).code == 0);
@@ -77,7 +77,7 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
   const auto cut = streamed(scratch);
   CHECK(cut.code == 1);
   CHECK(mentions(cut, "pose 2: it ends after 100 of "));
-  CHECK(file_bytes(scratch / "frames").size() == 12 * mesh::read(dragon).surface.positions.size());
+  CHECK(file_bytes(scratch / "frames").size() == 12 * formats::read(dragon).surface.positions.size());
   if (fs::exists("/dev/full"))
     CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it cannot be written"));
   for (const auto& [number, said] : {std::pair{std::nan(""), "pose 1: vertex 5 has no finite position"},
@@ -100,13 +100,13 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
 
 TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   const WorkFolder f;
-  const auto model = mesh::read(dragon).surface.positions;
+  const auto model = formats::read(dragon).surface.positions;
   std::string zeros;
   for (std::size_t v = 0; v < model.size(); ++v) zeros += v % 2 ? "0\n" : "0.0 ";
   const std::string deform = posed + " -o a.ply --force --mask ";
   put_file(f / "zeros.txt", zeros);
   f.done(deform + "zeros.txt");
-  CHECK(mesh::read(f / "a.ply").surface.positions == model);
+  CHECK(formats::read(f / "a.ply").surface.positions == model);
   f.refused(deform + "none.txt", 1, "none.txt: there is no such file");
   for (const auto& [mask, said] : {std::pair{"1 1 1", "mask.txt: it has 3 shares for 3,000 vertices"},
                                    {"1 0.5 2", "mask.txt: number 3 is not between 0 and 1"},
@@ -124,20 +124,20 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
   const auto scale_to = [&](double scale) {
     auto pulled = cube(1.5 * scale);
     pulled.positions[3] = {scale, 2 * scale, 4 * scale};
-    mesh::write(f / "model.obj", cube(scale));
-    mesh::write(f / "cage.obj", cube(1.5 * scale));
-    mesh::write(f / "pose.obj", pulled);
+    formats::write(f / "model.obj", cube(scale));
+    formats::write(f / "cage.obj", cube(1.5 * scale));
+    formats::write(f / "pose.obj", pulled);
   };
   const std::string deform = "deform model.obj cage.obj --pose pose.obj -o out.obj --digits all";
   scale_to(1);
   f.done(deform);
-  const auto at_one = mesh::read(f / "out.obj").surface.positions;
+  const auto at_one = formats::read(f / "out.obj").surface.positions;
   for (const double scale : {0x1p-198, 0x1p-100, 0x1p100, 0x1p196}) {
     scale_to(scale);
     f.done(deform);
     auto scaled = at_one;
     for (auto& p : scaled) p = {p[0] * scale, p[1] * scale, p[2] * scale};
-    CHECK(mesh::read(f / "out.obj").surface.positions == scaled);
+    CHECK(formats::read(f / "out.obj").surface.positions == scaled);
   }
   fs::remove(f / "out.obj");
   for (const double scale : {1e-61, 1e61}) {
@@ -150,9 +150,9 @@ TEST_CASE("a_size_near_the_end_of_the_range_deforms_to_the_same_bits_and_one_bey
 
 TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
   const WorkFolder f;
-  auto stretched = mesh::read(cage).surface;
+  auto stretched = formats::read(cage).surface;
   for (auto& p : stretched.positions) p = {2 * p[0], (2 - 1e-5) * p[1], (2 + 1e-5) * p[2]};
-  mesh::write(f / "close.obj", stretched);
+  formats::write(f / "close.obj", stretched);
   const auto deform = [&](const fs::path& file, const std::string& method) {
     return f.done("deform " + in_cage + " --pose " + quoted(file) + " --force -o out.ply --method " + method);
   };
@@ -198,15 +198,15 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
 
 TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused") {
   const WorkFolder f;
-  auto dragged = mesh::read(cage).surface;
+  auto dragged = formats::read(cage).surface;
   dragged.positions[0][1] += 0.1 * mesh::bounds(dragged.positions).diagonal();
-  mesh::write(f / "pulled.obj", dragged);
-  const auto rest = mesh::read(dragon).surface.positions;
+  formats::write(f / "pulled.obj", dragged);
+  const auto rest = formats::read(dragon).surface.positions;
   const double rounding = 1e-9 * mesh::bounds(rest).diagonal();
   std::ptrdiff_t last = std::ssize(rest) + 1;
   for (const std::string radius : {"1000", "40", "10"}) {  // the shorter the radius, the fewer vertices move
     f.done("deform " + in_cage + " --pose pulled.obj --force -o out.ply --radius " + radius);
-    const auto moved = mesh::read(f / "out.ply").surface.positions;
+    const auto moved = formats::read(f / "out.ply").surface.positions;
     std::ptrdiff_t count = 0;
     for (std::size_t i = 0; i < rest.size(); ++i) count += mesh::norm(rest[i] - moved[i]) > rounding;
     CHECK(count > 0);
@@ -256,8 +256,8 @@ TEST_CASE("info_names_counts_and_goes_on_after_a_file_that_cannot_be_read") {
 
 TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_fin") {
   const WorkFolder f;
-  mesh::write(f / "model.obj", cube(1));
-  mesh::write(f / "cage.obj", cube(2));
+  formats::write(f / "model.obj", cube(1));
+  formats::write(f / "cage.obj", cube(2));
   put_file(f / "fin.obj", file_bytes(f / "cage.obj") + "v 0 5 5\nf 7 8 9\n");
   const auto alone = f.viete("info fin.obj"), around = f.viete("info model.obj --cage fin.obj");
   CHECK(mentions(alone, "1 edge with more than two faces\n"));

@@ -16,14 +16,14 @@
 #include "app/offscreen_viewer.h"
 #include "base/worker_pool.h"
 #include "deform/exact.h"
+#include "files/export.h"
+#include "interact/cursor_projection.h"
+#include "interact/picking.h"
 #include "program/dragon.h"
 #include "program/no_pixels.h"
-#include "scene/files/export.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/hand/picking.h"
-#include "scene/workspace/command.h"
 #include "support/distance.h"
 #include "ui/input.h"
+#include "workspace/command.h"
 
 namespace viete::test {
 
@@ -62,8 +62,8 @@ public:
   }
 
   app::Viewer& viewer() { return offscreen_.viewer(); }
-  scene::Workspace& workspace() { return viewer().workspace(); }
-  scene::Document& document() { return workspace().document; }
+  workspace::Workspace& workspace() { return viewer().workspace(); }
+  document::Document& document() { return workspace().document; }
   std::string last_message() {
     const auto& all = workspace().messages.all();
     return all.empty() ? "" : all.back().text;
@@ -71,7 +71,7 @@ public:
   void settle() { offscreen_.settle(); }
   render::Image picture() { return viewer().picture(); }
 
-  using What = scene::OpenRequest::What;
+  using What = files::OpenRequest::What;
   /// Opens files by request and runs frames until they are open. False if they are refused or a question is
   /// asked.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
@@ -121,7 +121,7 @@ public:
     if (shift) key(left_shift, false);
     if (ctrl) key(left_ctrl, false);
   }
-  void press_key(scene::Key k, bool ctrl = false, bool shift = false, bool alt = false) {
+  void press_key(workspace::Key k, bool ctrl = false, bool shift = false, bool alt = false) {
     press_key(static_cast<int>(k), ctrl, shift, alt);
   }
 
@@ -146,9 +146,10 @@ public:
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
-      const auto shown = scene::shown_columns(workspace().preferences.layout, workspace().viewport.window.x);
+      const auto shown =
+          workspace::shown_columns(workspace().preferences.layout, workspace().viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
-      scene::find_command(column)->run(workspace());
+      workspace::find_command(column)->run(workspace());
       frame(3);
       if (unfold_custom(widget)) return;
     }
@@ -165,7 +166,7 @@ public:
     return recorder.find(widget).has_value();
   }
   void run(const char* command) {
-    scene::find_command(command)->run(workspace());
+    workspace::find_command(command)->run(workspace());
     frame(2);
   }
   /// Scrolls its column until the widget is visible, and clicks its center.
@@ -183,10 +184,10 @@ public:
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
-      const scene::Viewport& v = workspace().viewport;
+      const document::Viewport& v = workspace().viewport;
       const float end = v.origin.x + v.size.x, top = v.origin.y;
       const bool in_column = rect->y1 > top && (rect->x1 <= v.origin.x || rect->x0 >= end);
-      const float end_of_column = top + scene::column_height(v);
+      const float end_of_column = top + workspace::column_height(v);
       const bool whole = rect->visible && (!in_column || (rect->y0 >= top && rect->y1 <= end_of_column));
       if (whole) return {0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)};
       const float x = rect->x0 >= end ? 0.5f * (end + v.window.x) : 0.5f * v.origin.x;
@@ -200,7 +201,7 @@ public:
   /// The deformed model in double, as exported.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
-    const scene::Export e = scene::export_of(document(), {});
+    const files::Export e = files::export_of(document(), {});
     return deform::deform_exactly(*e.model, e.cage, e.scheme, e.pose, e.method, pool, nullptr, e.mask,
                                   e.probes, e.shape)
         .positions;
@@ -213,7 +214,7 @@ public:
   }
 
   glm::vec2 on_screen(const mesh::Point& p) {
-    const scene::Projector project(document().space, workspace().camera, workspace().viewport);
+    const interact::Projector project(document().space, workspace().camera, workspace().viewport);
     return glm::vec2(*project(p));
   }
   glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
@@ -227,8 +228,8 @@ private:
 };
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
-  const scene::Revision before = document().revisions().pose;
-  workspace().requests.open = scene::OpenRequest{what, std::move(files)};
+  const document::Revision before = document().revisions().pose;
+  workspace().requests.open = files::OpenRequest{what, std::move(files)};
   frame();
   REQUIRE(until([&] { return !viewer().loading(); }));
   return document().revisions().pose != before;
@@ -243,7 +244,7 @@ inline void Driver::open_dragon(const std::string& pose, const std::filesystem::
 
 inline std::uint32_t Driver::free_vertex() {
   const auto& w = workspace();
-  const scene::Projector project(w.document.space, w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.camera, w.viewport);
   const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
   std::uint32_t best = 0;
   float best_score = -1e9f;

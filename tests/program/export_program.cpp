@@ -1,13 +1,13 @@
 // Background export of deformed models, from a snapshot at the request.
-#include "mesh/formats/point_cache.h"
-#include "mesh/formats/read.h"
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
 #include "program/kept_work.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/time_edit.h"
-#include "scene/workspace/saving.h"
 #include "support/commands.h"
 #include "support/pictures.h"
 #include "support/text.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace test;
@@ -19,8 +19,8 @@ const std::string saved = "Saved ", old = "v 0 0 0\n";
 // A posed model so large that exporting it takes many frames.
 struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, int level = 7) : Driver(small_window()) {
-    mesh::write(folder / "large.ply", ball(1, level));
-    mesh::write(folder / "cage.obj", ball(1.4, 1));
+    formats::write(folder / "large.ply", ball(1, level));
+    formats::write(folder / "cage.obj", ball(1.4, 1));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
     workspace().view.model = false;  // software rendering would take longer than the export
     settle();
@@ -57,7 +57,7 @@ TEST_CASE("a_background_export_has_the_pose_at_the_request") {
     return !d.viewer().exporting();
   }));
   CHECK(d.last_message() == "Saved out.ply.");
-  CHECK(mesh::read(file).surface.positions == expected);
+  CHECK(formats::read(file).surface.positions == expected);
   CHECK(d.exact_positions() != expected);
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("an_animation_is_exported_aside") {
   d.workspace().document.frame = 1;
   REQUIRE(test::run_command(d.workspace(), "set_key"));
   drag_some_vertex(d, {-40, 25});
-  scene::set_key(d.document(), 600);
+  document::set_key(d.document(), 600);
   const fs::path file = folder / "out.pc2";
   d.workspace().requests.save_animation = file;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
@@ -93,18 +93,18 @@ TEST_CASE("an_animation_is_exported_aside") {
   const auto& all = d.workspace().messages.all();
   CHECK(all[all.size() - 2].text.starts_with("out.pc2: 600 frames of "));
   CHECK_FALSE(all[all.size() - 2].visible);
-  CHECK(mesh::PointCache(file).head().frames == 600);
+  CHECK(formats::PointCache(file).head().frames == 600);
 }
 
 TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") {
   const test::TemporaryFolder folder;
   LargeModel d(folder.path(), 4);
   d.workspace().document.frame = 1;
-  scene::set_key(d.document(), 1);
+  document::set_key(d.document(), 1);
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) p[1] *= 1.3;
-  scene::set_pose(d.document(), pose);
-  scene::set_key(d.document(), 3);
+  document::set_pose(d.document(), pose);
+  document::set_key(d.document(), 3);
   d.document().timeline.last = 3;
   d.workspace().view.model = true;
   d.workspace().requests.save_animation = folder / "f_##.png";
@@ -122,7 +122,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
   // Options of the dialog: light theme, another size, without cage and panels by default.
-  scene::find_command("save_animation")->run(d.workspace());
+  workspace::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);
   d.type((folder / "h_##.png").string());
@@ -133,7 +133,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK_FALSE(d.workspace().browser.pictures->panels);
   d.workspace().browser.pictures->width = 200;
   d.workspace().browser.pictures->height = 120;
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(2);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   const auto other = test::read_png(folder / "h_01.png");
@@ -144,7 +144,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   test::put_file(folder / "g_02.png", "somebody's");
   d.workspace().requests.save_animation = folder / "g_##.png";
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-  CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+  CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
   CHECK(test::mentions(d.last_message(), "g_02.png"));
   CHECK(test::file_bytes(folder / "g_02.png") == "somebody's");
 }

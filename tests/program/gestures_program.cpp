@@ -6,21 +6,21 @@
 #include <numbers>
 
 #include "deform/scheme.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "interact/shaping.h"
 #include "program/driver.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/hand/shaping.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/saving.h"
 #include "support/edits.h"
 #include "support/folder.h"
 #include "support/grips.h"
 #include "support/pictures.h"
 #include "ui/panels.h"
+#include "workspace/pointer.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
-using Kind = scene::Constraint::Kind;
+using Kind = interact::Constraint::Kind;
 
 namespace {
 
@@ -53,7 +53,7 @@ struct Hand : Driver {
   }
   void enter(const char* field, const char* number) {
     type_in(field, number);
-    press_key(scene::Key::enter);
+    press_key(workspace::Key::enter);
     frame(2);
   }
   void type_in(const char* field, const char* number) {
@@ -82,15 +82,15 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   d.select_whole_cage();
   const auto rest = d.mesh();
   const glm::dvec3 center = test::selection_center(d.document());
-  d.press_key(scene::Key::pad7);  // from above the ring about Y is a circle
+  d.press_key(workspace::Key::pad7);  // from above the ring about Y is a circle
   d.settle();
-  const glm::vec2 middle = scene::gizmo_of(d.workspace())->center;
+  const glm::vec2 middle = workspace::gizmo_of(d.workspace())->center;
   const auto on_circle = [&](int i) {
     const double a = (45 - i * 15) * radians;  // 45 degrees: no other ring crosses there
-    return middle + scene::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
+    return middle + interact::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
   };
   d.move(on_circle(0));
-  REQUIRE(d.workspace().interaction.handle == scene::Constraint{Kind::axis, 1});
+  REQUIRE(d.workspace().interaction.handle == interact::Constraint{Kind::axis, 1});
   d.button(0, true);
   for (int i = 1; i <= 56; ++i) d.move(on_circle(i));
   const double degrees = d.workspace().interaction.drag->transform().degrees;
@@ -109,7 +109,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
   Hand d;
   const auto advises = [&] {
     d.move({1, 1});
-    d.move(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0));
+    d.move(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0));
     d.frame();
     REQUIRE(d.workspace().interaction.handle);
     return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
@@ -132,7 +132,7 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   d.type("x");
   d.key('X', false);
   CHECK(d.workspace().view.axes == axes);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.button(0, false);
   CHECK(d.moved().empty());
 }
@@ -192,14 +192,14 @@ TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   Hand d;
   const auto v = d.free_vertex();
   d.press_key('J');
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().interaction.placing_pivot);
-  CHECK(d.workspace().handling.pivot == scene::Pivot::median);
+  CHECK(d.workspace().handling.pivot == document::Pivot::median);
   d.press_key('J');
   CHECK(d.workspace().interaction.placing_pivot);
   d.click(d.vertex(v) + glm::vec2(3, 2));
   CHECK_FALSE(d.workspace().interaction.placing_pivot);
-  CHECK(d.workspace().handling.pivot == scene::Pivot::point);
+  CHECK(d.workspace().handling.pivot == document::Pivot::point);
   CHECK(d.workspace().handling.point == d.pose()[v]);
   CHECK(d.document().selection.empty());
   d.select_whole_cage();
@@ -245,12 +245,12 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   d.move({700, 300});
   d.frame();
   REQUIRE(d.workspace().interaction.drag);
-  const scene::Shaping seen = d.workspace().interaction.drag->grip().shaping;
+  const interact::Shaping seen = d.workspace().interaction.drag->grip().shaping;
   const auto is_bent = [&](std::optional<glm::dvec3> axis, double degrees) {
-    scene::Shaping shaping = seen;
-    if (axis) shaping.hinge = *scene::hinge_near(seen, *axis);
+    interact::Shaping shaping = seen;
+    if (axis) shaping.hinge = *interact::hinge_near(seen, *axis);
     std::vector<mesh::Point> expected = d.rest();
-    for (auto& p : expected) p = scene::shaped(shaping, degrees, p);
+    for (auto& p : expected) p = interact::shaped(shaping, degrees, p);
     return test::largest_distance(d.pose(), expected) < 1e-9 * d.document().space.diagonal();
   };
   d.move({760, 300});
@@ -264,7 +264,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   d.frame();
   CHECK(is_bent({}, 60));
   d.type("Z");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   CHECK_FALSE(d.workspace().interaction.drag);
   CHECK(is_bent(glm::dvec3(0, 0, 1), 60));
   CHECK(d.edits() == 1);
@@ -315,7 +315,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   CHECK(changed >= 3);
   d.run("toggle_soft");
   d.choose("mirror", "mirror_x");
-  REQUIRE(scene::mirror_of(d.workspace()));
+  REQUIRE(workspace::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
   const double plane = 0.0195;  // a share of the pixels: not only lines
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
@@ -326,7 +326,8 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
   Hand d;
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
-    CHECK_FALSE(is_crowded(d.document(), d.workspace().camera, d.workspace().viewport, d.vertex(v)));
+    CHECK_FALSE(
+        interact::is_crowded(d.document(), d.workspace().camera, d.workspace().viewport, d.vertex(v)));
 }
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
@@ -367,12 +368,12 @@ TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
 
 TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   Hand d;
-  d.press_key(scene::Key::pad3);  // from the right, where the wings cover the body
+  d.press_key(workspace::Key::pad3);  // from the right, where the wings cover the body
   d.settle();
   const auto rest = d.document().model.surface->positions;
   d.press_key('D');
   d.frame(2);
-  CHECK_FALSE(scene::gizmo_of(d.workspace()));
+  CHECK_FALSE(workspace::gizmo_of(d.workspace()));
   const glm::vec2 middle = d.workspace().viewport.origin + 0.5f * d.workspace().viewport.size;
   d.move(middle);
   const float radius = d.workspace().brush.radius;
@@ -388,7 +389,7 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   CHECK(std::ranges::count(*painted, 0.0f) > 20);
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) p[1] += 1;
-  scene::set_pose(d.document(), pose);
+  document::set_pose(d.document(), pose);
   d.settle();
   const auto moved = d.mesh();
   for (std::size_t v = 0; v < rest.size(); ++v)
@@ -397,7 +398,7 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.press_and_move(middle, middle - glm::vec2(60, 10));
   d.key(Driver::left_ctrl, false);
   CHECK(d.document().mask != painted);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.button(0, false);
   CHECK(d.document().mask == painted);
   d.click("brush_share");  // in its center

@@ -1,8 +1,8 @@
 // The cached view is redrawn whenever its content changes.
 #include <random>
 
+#include "interact/cursor_projection.h"
 #include "program/small_scene.h"
-#include "scene/hand/cursor_projection.h"
 #include "support/commands.h"
 #include "support/pictures.h"
 #include "support/skip.h"
@@ -39,7 +39,7 @@ private:
   glm::vec2 anywhere() { return {below(700), below(420)}; }
   glm::vec2 near_vertex() {
     const auto count = static_cast<int>(d.document().pose.positions.size());
-    const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+    const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
     const auto at = project(d.document().pose.positions[static_cast<std::size_t>(below(count))]);
     return at ? glm::round(glm::vec2(*at)) : anywhere();
   }
@@ -51,8 +51,8 @@ private:
   }
   // Except those that quit, open files, or change the whole screen.
   void run_any_command() {
-    const auto all = scene::commands();
-    const scene::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
+    const auto all = workspace::commands();
+    const workspace::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     auto& w = d.workspace();
     if (command.enabled(w) && command.group != "File") command.run(w);
     w.requests = {};
@@ -107,13 +107,13 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   d.move(d.place_of("method_sd"));
   d.frame(3);
   CHECK(test::difference(before, d.picture(), 0) > 0);
-  d.press_key(scene::key('K'), true);
+  d.press_key(workspace::key('K'), true);
   d.frame(2);
   d.type("wire");
   d.frame(2);
   CHECK(d.viewer().recorder().find("palette/toggle_wireframe"));
   CHECK(d.viewer().views_drawn() == views);
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame();
   CHECK(d.viewer().views_drawn() > views);
   d.viewer().resize({690, 420});

@@ -1,11 +1,11 @@
 // Viewers with a state folder, small models that load quickly, and access to recovery files.
 #pragma once
 
-#include "mesh/formats/write.h"
+#include "files/open.h"
+#include "formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
-#include "scene/ball.h"
-#include "scene/files/open.h"
+#include "support/ball.h"
 #include "support/folder.h"
 
 namespace viete::test {
@@ -52,8 +52,8 @@ struct SmallModel {
   fs::path model, cage;
 
   explicit SmallModel(const fs::path& folder) : model(folder / "small.ply"), cage(folder / "small_cage.obj") {
-    mesh::write(model, ball(1, 3));
-    mesh::write(cage, ball(1.4, 1));
+    formats::write(model, ball(1, 3));
+    formats::write(cage, ball(1.4, 1));
   }
 };
 

@@ -2,24 +2,24 @@
 #include <algorithm>
 
 #include "program/driver.h"
-#include "scene/workspace/menus.h"
 #include "ui/help_overlay.h"
+#include "workspace/menus.h"
 
 using namespace viete;
 using test::Driver;
 
 namespace {
 
-void choose_preset(Driver& d, scene::KeyPreset preset) {
-  d.run(("keys_" + std::string(scene::entry_of(preset).word)).c_str());
+void choose_preset(Driver& d, workspace::KeyPreset preset) {
+  d.run(("keys_" + std::string(workspace::entry_of(preset).word)).c_str());
 }
 
-scene::Keymap& keymap(Driver& d) {
+workspace::Keymap& keymap(Driver& d) {
   return d.workspace().preferences.keymap;
 }
 
 std::string key_of(Driver& d, const char* command) {
-  return scene::text(keymap(d).of(*scene::find_command(command)).first);
+  return workspace::text(keymap(d).of(*workspace::find_command(command)).first);
 }
 
 void open_list(Driver& d) {
@@ -75,20 +75,20 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.type("undo");
   d.click("key/undo");
   d.frame();
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   CHECK(d.workspace().key_list.open);
   CHECK(key_of(d, "undo") == "Ctrl+Z");
   d.click("key/undo");
   d.frame();
-  d.press_key(scene::Key::delete_key);
+  d.press_key(workspace::Key::delete_key);
   CHECK(key_of(d, "undo").empty());
-  const scene::Keymap changed = keymap(d);
+  const workspace::Keymap changed = keymap(d);
   d.click("reset_keys");
-  CHECK(keymap(d) == scene::Keymap());
+  CHECK(keymap(d) == workspace::Keymap());
   d.frame();
   d.click("reset_keys");  // brings the changes back
   CHECK(keymap(d) == changed);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame();
   CHECK_FALSE(d.workspace().key_list.open);
 }
@@ -96,7 +96,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
 TEST_CASE("mouse_help_matches_the_preset") {
   Driver d;
   d.open_dragon();
-  choose_preset(d, scene::KeyPreset::viewer);
+  choose_preset(d, workspace::KeyPreset::viewer);
   CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: orbit"));
   CHECK(says(ui::mouse_lines(keymap(d)), "Right drag: pan"));
   CHECK(ui::empty_space_words(keymap(d)).find("on empty space orbits") == 0);
@@ -107,11 +107,11 @@ TEST_CASE("mouse_help_matches_the_preset") {
   d.drag({420, 720}, {470, 700}, 1);
   CHECK(d.workspace().camera.pose().yaw == turned.yaw);
   CHECK(d.workspace().camera.pose().target != turned.target);
-  choose_preset(d, scene::KeyPreset::maya);
+  choose_preset(d, workspace::KeyPreset::maya);
   CHECK(says(ui::mouse_lines(keymap(d)), "Alt+left, middle, right drag: orbit, pan, zoom"));
-  choose_preset(d, scene::KeyPreset::viete);
+  choose_preset(d, workspace::KeyPreset::viete);
   CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: box select"));
-  keymap(d).change("help", {scene::Key::f7});
+  keymap(d).change("help", {workspace::Key::f7});
   CHECK(ui::key_or_label(keymap(d), "help") == "F7");
   keymap(d).change("help", {});
   CHECK(ui::key_or_label(keymap(d), "help") == "\"Show keys and mouse\"");

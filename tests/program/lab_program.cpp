@@ -4,17 +4,17 @@
 
 #include "deform/pose_io.h"
 #include "deform/scheme.h"
-#include "mesh/formats/write.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "document/probes.h"
+#include "formats/write.h"
 #include "program/driver.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/probes.h"
-#include "scene/workspace/split.h"
 #include "support/folder.h"
 #include "support/pictures.h"
+#include "workspace/split.h"
 
 using namespace viete;
-using lab::Field;
+using analysis::Field;
 using test::Driver;
 
 namespace {
@@ -45,7 +45,7 @@ double error_of_side(Driver& d, std::size_t side) {
   const auto exact = deform::deform_exactly(*d.document().model.surface, d.document().cage, view.scheme,
                                             d.document().pose, view.method, pool)
                          .positions;
-  scene::enter_view(d.workspace(), side + 1);
+  workspace::enter_view(d.workspace(), side + 1);
   d.frame();
   return apart(d, shown(d), exact);
 }
@@ -55,10 +55,10 @@ double error_of_side(Driver& d, std::size_t side) {
 TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
-  d.press_key(scene::key('C'));  // hides the cage
+  d.press_key(workspace::key('C'));  // hides the cage
   d.settle();
   const auto plain = d.picture();
-  d.document().selection.apply(std::vector<std::uint32_t>{d.free_vertex()}, scene::SelectMode::replace);
+  d.document().selection.apply(std::vector<std::uint32_t>{d.free_vertex()}, document::SelectMode::replace);
   std::set<std::vector<float>> seen;
   for (const base::Choice& choice : choices(Field::none)) {
     if (choice.word == "none") continue;
@@ -105,7 +105,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   // The worst vertex is centered and near.
   d.click("frame_worst");
   d.settle();
-  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
   const auto place = d.workspace().posed.at(*d.document().model.surface, stats.worst);
   CHECK(glm::distance(glm::vec2(*project(place)), d.workspace().viewport.middle()) < 3);
 }
@@ -120,8 +120,8 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   CHECK(d.workspace().split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
   CHECK(d.workspace().split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
   // Two pins that hold: at one the influence is 1, at the other 0.
-  scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
-  scene::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
+  document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
+  document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
   d.settle();
   const auto& values = *d.workspace().split.views[0].shown.values;
   CHECK(double(values[40000]) == doctest::Approx(1).epsilon(1e-3));
@@ -154,7 +154,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   CHECK(deform::way_of(split.sides()[0].scheme) == deform::Way::rigid);
   CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
-  scene::enter_view(d.workspace(), 0);
+  workspace::enter_view(d.workspace(), 0);
   // The errors also stay small after a drag of the cage in another view.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
   const auto& v = d.workspace().viewport;
@@ -177,21 +177,21 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
 TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document") {
   Driver d;
   d.open_dragon();
-  scene::split_view(d.workspace(), 2);
+  workspace::split_view(d.workspace(), 2);
   d.settle();
   const auto& v = d.workspace().viewport;
   const glm::vec2 in_first = v.origin + glm::vec2(0.1f, 0.8f) * v.size;
   const glm::vec2 in_second = in_first + glm::vec2(0.5f * v.size.x, 0);
   d.drag(in_second, in_second + glm::vec2(60, 0), 1);
-  CHECK(scene::camera_of(d.workspace(), 0) == scene::camera_of(d.workspace(), 1));
-  scene::find_command("toggle_linked_cameras")->run(d.workspace());
+  CHECK(workspace::camera_of(d.workspace(), 0) == workspace::camera_of(d.workspace(), 1));
+  workspace::find_command("toggle_linked_cameras")->run(d.workspace());
   d.drag(in_second, in_second + glm::vec2(60, 0), 1);
   const auto second = d.workspace().camera.pose();
-  CHECK(scene::camera_of(d.workspace(), 0) != second);
+  CHECK(workspace::camera_of(d.workspace(), 0) != second);
   d.move(in_first);
   d.frame(2);
   CHECK(d.workspace().camera.pose() != second);
-  CHECK(scene::camera_of(d.workspace(), 1) == second);
+  CHECK(workspace::camera_of(d.workspace(), 1) == second);
   for (auto& side : d.workspace().split.sides()) side.field = Field::signed_difference;
   REQUIRE(d.open({test::dragon}));
   d.settle();
@@ -207,9 +207,9 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // nothing under the cursor
   CHECK_FALSE(d.workspace().vertex.vertex);
-  scene::find_command("map_exp_error")->run(d.workspace());
+  workspace::find_command("map_exp_error")->run(d.workspace());
   d.settle();
-  scene::find_command("pick_worst")->run(d.workspace());
+  workspace::find_command("pick_worst")->run(d.workspace());
   d.settle();
   const auto& view = d.workspace().vertex;
   REQUIRE(view.vertex == d.workspace().split.views[0].shown.stats.worst);
@@ -235,7 +235,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
   // With the key, under the cursor: it opens its section wherever it was; it follows the pose.
   d.workspace().preferences.layout.sections.clear();
-  d.workspace().preferences.layout.folded[static_cast<std::size_t>(scene::Column::methods)] = true;
+  d.workspace().preferences.layout.folded[static_cast<std::size_t>(workspace::Column::methods)] = true;
   d.frame(3);
   d.move(d.workspace().viewport.middle());
   d.press_key('Y', false, false, true);
@@ -244,8 +244,8 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   REQUIRE(d.viewer().recorder().find("drop_vertex"));
   CHECK(d.viewer().recorder().find("drop_vertex")->visible);
   const double degrees = d.workspace().vertex.degrees;
-  d.press_key(scene::key('R'), true);  // sets and resets a pose
-  scene::reset_pose(d.document());
+  d.press_key(workspace::key('R'), true);  // sets and resets a pose
+  document::reset_pose(d.document());
   d.settle();
   CHECK(d.workspace().vertex.degrees == 0);
   CHECK(degrees > 0);
@@ -257,24 +257,25 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   std::vector<std::string> warnings;
   const auto coil =
       deform::read_pose(test::dragon_cage.parent_path() / "pose_coil.obj", *d.document().cage, warnings);
-  scene::add_poses(d.document(),
-                   {{"coil", std::make_shared<const scene::WholePose>(scene::WholePose{coil, {}, {}})}});
+  document::add_poses(
+      d.document(),
+      {{"coil", std::make_shared<const document::WholePose>(document::WholePose{coil, {}, {}})}});
   d.settle();
-  REQUIRE(scene::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
+  REQUIRE(document::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
   d.settle();
-  scene::split_view(d.workspace(), 2);
+  workspace::split_view(d.workspace(), 2);
   auto& side = d.workspace().split.sides()[0];
   side.scheme = d.document().scheme;
   side.other_blending = true;
   d.settle();
   const auto first = d.viewer().deformer()->positions();
-  scene::enter_view(d.workspace(), 1);
+  workspace::enter_view(d.workspace(), 1);
   d.frame(2);
   const auto straight = shown(d);
   CHECK(apart(d, straight, first) > 0.02);
   // It equals the document's result with linear blending.
-  scene::enter_view(d.workspace(), 0);
-  scene::find_command("toggle_straight")->run(d.workspace());
+  workspace::enter_view(d.workspace(), 0);
+  workspace::find_command("toggle_straight")->run(d.workspace());
   d.settle();
   CHECK(apart(d, straight, d.viewer().deformer()->positions()) < 1e-5);
 }
@@ -283,18 +284,18 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   Driver d;
   d.open_dragon();
   d.workspace().view.field = Field::influence;
-  d.document().selection = scene::Selection(scene::ElementKind::probe);
+  d.document().selection = document::Selection(document::ElementKind::probe);
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.most == 0);
   CHECK(d.workspace().split.views[0].shown.problem.empty());
   // A pin of a missing vertex cannot be reached from any triangle.
-  scene::Document& document = d.document();
+  document::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
   loose.positions.push_back({0, 0, 0});
   const test::TemporaryFolder folder;
-  mesh::write(folder / "loose.ply", loose);
+  formats::write(folder / "loose.ply", loose);
   REQUIRE(d.open({folder / "loose.ply"}));
-  scene::add_pin(document, d.workspace().posed, {0, 0, 0});
+  document::add_pin(document, d.workspace().posed, {0, 0, 0});
   document.changed_probes().all[0].pin = deform::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
   d.settle();
   CHECK_FALSE(d.workspace().split.views[0].shown.problem.empty());
@@ -304,13 +305,13 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
 TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {
   Driver d;
   d.open_dragon();
-  scene::split_view(d.workspace(), 2);
+  workspace::split_view(d.workspace(), 2);
   d.settle();
-  scene::find_command("edit_cage")->run(d.workspace());
+  workspace::find_command("edit_cage")->run(d.workspace());
   d.settle();
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(30, 20));
-  scene::enter_view(d.workspace(), 1);
+  workspace::enter_view(d.workspace(), 1);
   CHECK(apart(d, shown(d), d.document().model.surface->positions) < 1e-4);
   d.button(0, false);
   d.settle();

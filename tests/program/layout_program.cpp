@@ -1,15 +1,15 @@
 // Columns, menus, toasts and the palette, by mouse and keys.
 #include <map>
 
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "document/record.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "program/driver.h"
-#include "scene/document/record.h"
-#include "scene/workspace/menus.h"
-#include "scene/workspace/preferences.h"
-#include "scene/workspace/saving.h"
 #include "support/folder.h"
 #include "support/pictures.h"
+#include "workspace/menus.h"
+#include "workspace/preferences.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -26,7 +26,7 @@ glm::vec2 empty_place(Driver& d) {
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
 }
 
-scene::PanelLayout& layout(Driver& d) {
+workspace::PanelLayout& layout(Driver& d) {
   return d.workspace().preferences.layout;
 }
 
@@ -38,8 +38,8 @@ app::ViewerOptions remembering(const std::filesystem::path& state) {
 
 // A cube in its cage.
 void open_cube(Driver& d, const std::filesystem::path& folder) {
-  mesh::Surface cage = mesh::read(test::dragon_cage).surface;
-  mesh::write(folder / "cube.obj", cage);
+  mesh::Surface cage = formats::read(test::dragon_cage).surface;
+  formats::write(folder / "cube.obj", cage);
   REQUIRE(d.open({folder / "cube.obj"}));
   d.frame(3);
 }
@@ -73,7 +73,7 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
     d.open_dragon();
     d.click("section/Map");
     d.click("tab/methods");
-    d.press_key(scene::key('T'));
+    d.press_key(workspace::key('T'));
     d.frame(2);
     d.workspace().requests.quit = true;
     d.frame(2);
@@ -94,14 +94,14 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
 TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   Driver d(test::with_pixels);
   d.open_dragon();
-  d.press_key(scene::Key::f2);
+  d.press_key(workspace::Key::f2);
   d.settle();
   const auto with_line = d.picture();
   d.workspace().has_user = false;
   d.settle();
   CHECK(test::difference(with_line, d.picture(), 0) > 0);
   d.workspace().has_user = true;
-  d.press_key(scene::Key::f2);
+  d.press_key(workspace::Key::f2);
   d.frame(2);
   CHECK(is_seen(d, "open_model"));
 }
@@ -128,7 +128,7 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   open_cube(d, folder.path());
   d.open_dragon();
   for (int i = 1; i <= 60; ++i) {
-    scene::record_edit(d.document(), "rotate " + std::to_string(i));
+    document::record_edit(d.document(), "rotate " + std::to_string(i));
     d.document().changed_pose().positions[0][0] += 0.001;
   }
   const auto menu = [&](const char* title, const char* list) {
@@ -147,8 +147,8 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
   d.click("history/45");
   d.frame(2);
   CHECK(d.document().history.position() == 45);
-  CHECK(scene::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
-  scene::mark_saved(d.workspace());
+  CHECK(workspace::find_command("undo")->label_now(d.workspace()) == "Undo Rotate 45");
+  workspace::mark_saved(d.workspace());
   menu("File", "recent");
   const auto file = d.workspace().preferences.recent.at(1).file;
   d.click("menu/recent/1");
@@ -185,33 +185,33 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
 TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   Driver d;
   d.frame(3);
-  d.press_key(scene::key('K'), true);
+  d.press_key(workspace::key('K'), true);
   d.frame(2);
   d.type("theme");
   d.frame(2);
   CHECK(is_seen(d, "palette/toggle_theme"));
   const bool dark = d.workspace().view.dark;
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   CHECK(d.workspace().view.dark != dark);
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("palette_text"));
-  d.press_key(scene::Key::f3);
+  d.press_key(workspace::Key::f3);
   d.frame(2);
   d.type("save");
   d.frame(2);
-  const auto found = scene::find_commands(d.workspace(), "save");
+  const auto found = workspace::find_commands(d.workspace(), "save");
   REQUIRE(found.size() > 2);
-  d.press_key(scene::Key::down);
+  d.press_key(workspace::Key::down);
   CHECK(d.workspace().palette.highlighted == 1);
-  d.press_key(scene::Key::up);
-  d.press_key(scene::Key::up);
+  d.press_key(workspace::Key::up);
+  d.press_key(workspace::Key::up);
   CHECK(d.workspace().palette.highlighted == found.size() - 1);
-  d.press_key(scene::Key::down);
+  d.press_key(workspace::Key::down);
   CHECK_FALSE(found.front()->enabled(d.workspace()));
-  d.press_key(scene::Key::enter);  // nothing to save
+  d.press_key(workspace::Key::enter);  // nothing to save
   CHECK(d.workspace().palette.open);
   CHECK_FALSE(d.workspace().browser.open);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   CHECK_FALSE(d.workspace().palette.open);
 }
 
@@ -245,7 +245,7 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
     CHECK(is_seen(d, "message/0"));
     d.click("clear_messages");
     CHECK(d.workspace().messages.all().empty());
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.frame(2);
     CHECK_FALSE(d.workspace().show_messages);
   }
@@ -258,23 +258,23 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
   d.open_dragon();
   d.workspace().saved.session = folder / "session.viete";  // exports are proposed in its folder
   for (const char* name : {"first.obj", "second.obj"}) {
-    d.press_key(scene::key('P'), true, true);
+    d.press_key(workspace::key('P'), true, true);
     d.frame(3);
     d.type((folder / name).string());
-    d.press_key(scene::Key::enter);
+    d.press_key(workspace::Key::enter);
     d.frame(2);
     CHECK(std::filesystem::exists(folder / name));
   }
-  d.press_key(scene::key('E'), true);
+  d.press_key(workspace::key('E'), true);
   d.frame(3);
   d.type("arm.xyz");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(2);
   CHECK(d.workspace().browser.open);
   CHECK(d.workspace().browser.path == "arm.xyz");
   CHECK(d.viewer().recorder().find("file_problem"));
   d.click("format_ply");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(2);
   CHECK_FALSE(d.workspace().browser.open);
   d.viewer().finish_exports();
@@ -285,12 +285,12 @@ namespace {
 
 // Requests a path in the file browser by keyboard, and waits for success or refusal.
 void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
-  scene::find_command(command)->run(d.workspace());
+  workspace::find_command(command)->run(d.workspace());
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.type(file.string());
-  d.press_key(scene::Key::enter);
-  if (d.workspace().browser.warned == file.string()) d.press_key(scene::Key::enter);  // overwrite it
+  d.press_key(workspace::Key::enter);
+  if (d.workspace().browser.warned == file.string()) d.press_key(workspace::Key::enter);  // overwrite it
   REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
   d.frame(2);
 }
@@ -304,7 +304,7 @@ void check_refused(Driver& d, const std::filesystem::path& file) {
   CHECK(browser.problem.find("--") == std::string::npos);
   CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
   CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame(2);
   CHECK_FALSE(browser.open);
 }
@@ -316,9 +316,9 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   Driver d;
   open_cube(d, folder.path());
   REQUIRE(d.open({folder / "cube.obj", test::dragon_cage}));
-  d.press_key(scene::key('A'));
-  scene::find_command("keep_pose")->run(d.workspace());
-  scene::find_command("set_key")->run(d.workspace());
+  d.press_key(workspace::key('A'));
+  workspace::find_command("keep_pose")->run(d.workspace());
+  workspace::find_command("set_key")->run(d.workspace());
   d.frame(3);
   d.workspace().messages.clear();
   const auto top = std::filesystem::canonical(folder.path());
@@ -358,21 +358,21 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
   Driver d;
   d.open_dragon();
   d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
-  scene::Handling& hand = d.workspace().handling;
-  hand.mirror = scene::MirrorPlane::x;
-  hand.pivot = scene::Pivot::point, hand.point = mesh::Point{0.25, 1, -3};
-  d.workspace().messages.warn("The cage is open", {.scope = scene::Scope::cage});
+  document::Handling& hand = d.workspace().handling;
+  hand.mirror = document::MirrorPlane::x;
+  hand.pivot = document::Pivot::point, hand.point = mesh::Point{0.25, 1, -3};
+  d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
   d.frame();
   REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
   d.frame(2);
   for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
-  CHECK(hand.mirror == scene::MirrorPlane::x);
+  CHECK(hand.mirror == document::MirrorPlane::x);
   open_cube(d, folder.path());
-  const scene::CameraPose home, now = d.workspace().camera.pose();
+  const document::CameraPose home, now = d.workspace().camera.pose();
   CHECK(now.yaw == doctest::Approx(home.yaw));
   CHECK(now.pitch == doctest::Approx(home.pitch));
-  CHECK(hand.mirror == scene::MirrorPlane::none);
-  CHECK(hand.pivot == scene::Pivot::median);
+  CHECK(hand.mirror == document::MirrorPlane::none);
+  CHECK(hand.pivot == document::Pivot::median);
   CHECK_FALSE(hand.point);
 }
 

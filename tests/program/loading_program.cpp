@@ -1,11 +1,11 @@
 // Large files read in the background.
-#include "mesh/formats/read.h"
+#include "formats/read.h"
 #include "program/kept_work.h"
 #include "support/edits.h"
 
 using namespace viete;
 using namespace test;
-using What = scene::OpenRequest::What;
+using What = files::OpenRequest::What;
 
 namespace {
 
@@ -26,13 +26,13 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   Driver d(remembering(folder / "state", {640, 400}));
-  const scene::OpenRequest request{What::model, {folder / "large.obj"}};
+  const files::OpenRequest request{What::model, {folder / "large.obj"}};
 
   int level = 7;  // 164,000 vertices, 17 MB of text; fast machines get more
   const mesh::Surface* surface = nullptr;
   for (;; ++level) {
     REQUIRE_MESSAGE(level < 10, "2.6 million vertices were read within 0.2 s");
-    mesh::write(folder / "large.obj", ball(1, level));
+    formats::write(folder / "large.obj", ball(1, level));
     REQUIRE(d.open({small.model, small.cage}));
     d.settle();
     drag_some_vertex(d, {20, 10});
@@ -41,8 +41,8 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     if (!sees_loading_bar(d)) continue;
     CHECK(d.workspace().loading.what == "Reading large.obj");
     CHECK(d.document().model.surface.get() == surface);
-    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(scene::Key::escape), true));
-    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(scene::Key::escape), false));
+    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), true));
+    d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), false));
     REQUIRE(d.until([&] { return !d.viewer().loading(); }));
     if (d.document().model.surface.get() == surface) break;
   }
@@ -58,5 +58,5 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     last = std::max(last, loading.done);
     return !d.viewer().loading();
   }));
-  CHECK(d.document().model.summary.vertices == mesh::read(folder / "large.obj").surface.positions.size());
+  CHECK(d.document().model.summary.vertices == formats::read(folder / "large.obj").surface.positions.size());
 }

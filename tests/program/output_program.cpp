@@ -2,10 +2,10 @@
 #include <map>
 #include <vector>
 
-#include "mesh/formats/write.h"
+#include "formats/write.h"
 #include "program/command_line.h"
 #include "render/image.h"
-#include "scene/cube.h"
+#include "support/cube.h"
 #include "support/pictures.h"
 
 using namespace viete;
@@ -16,9 +16,9 @@ namespace {
 // A small model, its cage, a pose and a session of them.
 struct SmallFiles : WorkFolder {
   SmallFiles() {
-    mesh::write(*this / "model.obj", cube(1));
-    mesh::write(*this / "cage.obj", cube(1.5));
-    mesh::write(*this / "pose.obj", cube(2));
+    formats::write(*this / "model.obj", cube(1));
+    formats::write(*this / "cage.obj", cube(1.5));
+    formats::write(*this / "pose.obj", cube(2));
     put_file(*this / "s.viete",
              R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   }

@@ -1,10 +1,10 @@
 // Every panel at both scales: nothing leaves the window, nothing covers anything else.
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
+#include "files/open.h"
 #include "program/open_cage.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/time_edit.h"
-#include "scene/files/open.h"
-#include "scene/workspace/saving.h"
 #include "support/folder.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -62,13 +62,14 @@ void check(Driver& d, const char* what) {
 
 void check_questions(Driver& d) {
   auto& w = d.workspace();
-  const auto name = scene::name_of_work(w);
-  for (const scene::Question& question :
-       {scene::ask_before_closing(name,
-                                  "/home/somebody/.local/state/viete/recovery: unsaved edits cannot be saved "
-                                  "here for recovery: Not a directory; save often"),
-        scene::ask_before_opening(name, "There is no home folder to save them in."),
-        scene::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
+  const auto name = workspace::name_of_work(w);
+  for (const workspace::Question& question :
+       {workspace::ask_before_closing(
+            name,
+            "/home/somebody/.local/state/viete/recovery: unsaved edits cannot be saved "
+            "here for recovery: Not a directory; save often"),
+        workspace::ask_before_opening(name, "There is no home folder to save them in."),
+        workspace::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
     w.question = question;
     check(d, question.title.c_str());
     REQUIRE(d.viewer().recorder().find("question_cancel"));
@@ -91,9 +92,9 @@ void check_time(Driver& d) {
   auto& w = d.workspace();
   for (int i = 0; i < 2; ++i) d.click("keep_pose");
   w.document.frame = 1;
-  scene::set_key(w.document, 1);
-  scene::set_key(w.document, 30);
-  scene::set_camera_key(w.document, 10, w.camera.pose());
+  document::set_key(w.document, 1);
+  document::set_key(w.document, 30);
+  document::set_camera_key(w.document, 10, w.camera.pose());
   w.preferences.layout.timeline = true;
   d.frame(3);
   check(d, "timeline");
@@ -107,28 +108,28 @@ void visit_panels(Driver& d) {
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
   d.workspace().view.model = false;  // layout needs no drawn model
-  d.press_key(scene::key('A'));
+  d.press_key(workspace::key('A'));
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);
   REQUIRE(d.viewer().recorder().find("finding/0"));
   deform::Pose pose = d.document().pose;
   for (std::size_t i = 0; i < pose.positions.size(); i += 3) pose.positions[i][1] *= 1.2;
-  scene::set_pose(d.document(), pose);
+  document::set_pose(d.document(), pose);
   check(d, "all sections");
   d.run("map_exp_error");
-  d.press_key(scene::key('E'));
+  d.press_key(workspace::key('E'));
   check(d, "error map");
   CHECK_FALSE(d.open({scratch / "none.ply", cage}));
   check(d, "failed load");
   for (const char key : {'O', 'E'}) {
-    d.press_key(scene::key(key), true);
+    d.press_key(workspace::key(key), true);
     check(d, "file dialog");
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
   }
   check_time(d);
   check_questions(d);
   check_notices(d);
-  d.press_key(scene::Key::f1);
+  d.press_key(workspace::Key::f1);
   check(d, "keys and mouse");
 }
 
@@ -154,8 +155,8 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     auto& w = d.workspace();
     w.recovery_files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
     w.offers_recovery = true;
-    w.question = scene::ask_before_closing(
-        scene::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
+    w.question = workspace::ask_before_closing(
+        workspace::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
     d.frame(5);
     CAPTURE(size.x);
     std::size_t seen = 0;
@@ -174,6 +175,6 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.frame(3);
     d.click("put_off_leftovers");
     d.frame(3);
-    CHECK(w.viewport.origin.y == scene::PanelLayout::menu_height);
+    CHECK(w.viewport.origin.y == workspace::PanelLayout::menu_height);
   }
 }

@@ -6,13 +6,13 @@
 #include <cstdlib>
 #include <functional>
 
-#include "mesh/formats/write.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "document/probes.h"
+#include "formats/write.h"
 #include "mesh/triangulation.h"
 #include "program/open_cage.h"
 #include "render/image.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/probes.h"
 #include "support/commands.h"
 #include "support/folder.h"
 #include "support/pictures.h"
@@ -95,7 +95,7 @@ std::function<void(Driver&)> handles(const char* kind, const char* tool) {
     d.open_dragon("", test::bundled_dragon);
     test::run_command(w, kind);
     test::run_command(w, tool);
-    w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, scene::SelectMode::replace);
+    w.document.selection.apply(std::array<std::uint32_t, 3>{40, 41, 99}, document::SelectMode::replace);
     d.frame(2);
   };
 }
@@ -112,7 +112,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
     }
   }
   mesh::Surface sheet;
-  mesh::Attributes attributes;
+  formats::Attributes attributes;
   constexpr std::uint32_t n = 24;
   for (std::uint32_t j = 0; j <= n; ++j) {
     for (std::uint32_t i = 0; i <= n; ++i) {
@@ -131,7 +131,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
   attributes.corner_texture = sheet.corners;
   render::write_png(folder / "print.png", image);
   const fs::path file = folder / "sheet.gltf";
-  mesh::write(file, mesh::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
+  formats::write(file, formats::Content{sheet, sheet.positions, {}, &attributes}, nullptr, {});
   std::string text = test::file_bytes(file);
   text.insert(text.find("\"attributes\""), "\"material\": 0, ");
   text.insert(1, R"("images": [{"uri": "print.png"}], "textures": [{"source": 0}], )"
@@ -144,9 +144,9 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
                  1, 2, 8, 7, 3, 9, 10, 4, 4, 10, 11, 5, 0, 6, 9,  3,  2, 5, 11, 8};
   for (std::uint32_t i = 0; i <= 10; ++i) box.polygon_starts.push_back(4 * i);
   mesh::triangulate(box);
-  mesh::write(folder / "box.obj", box);
+  formats::write(folder / "box.obj", box);
   for (const std::size_t v : {2, 5, 8, 11}) box.positions[v][0] -= 0.3, box.positions[v][2] += 0.9;
-  mesh::write(folder / "bent.obj", box);
+  formats::write(folder / "bent.obj", box);
   REQUIRE(d.open({file, folder / "box.obj", folder / "bent.obj"}));
 }
 
@@ -186,8 +186,8 @@ void turn_a_probe(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   CHECK(test::run_command(d.workspace(), "view_right"));
   d.settle();
-  scene::Document& document = d.document();
-  REQUIRE(scene::add_probe(document, {}, {0.75, 1.35, 0}));
+  document::Document& document = d.document();
+  REQUIRE(document::add_probe(document, {}, {0.75, 1.35, 0}));
   document.changed_probes().all[0].pose = {{0.3, 0, 0.8}, {}, {0.1, 0.1, 0}};
   CHECK(test::run_command(d.workspace(), "tool_select"));
   d.settle();
@@ -257,7 +257,7 @@ void show_checks(Driver& d) {
 
 void show_keys(Driver& d) {
   d.workspace().view.panels = false;
-  d.press_key(scene::Key::f1);
+  d.press_key(workspace::Key::f1);
   put_numbers(d);
 }
 
@@ -279,7 +279,7 @@ void show_cage_offer(Driver& d) {
 void show_making(Driver& d) {
   REQUIRE(d.open({test::bundled_dragon}));
   d.settle();
-  d.workspace().making.wish.kind = scene::CageKind::box;
+  d.workspace().making.wish.kind = document::CageKind::box;
   d.workspace().making.wish.cells = {3, 2, 2};
   d.click("make_cage");
   d.frame();

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "document/pose_edit.h"
+#include "document/probes.h"
 #include "program/small_scene.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/probes.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/saving.h"
 #include "support/pictures.h"
+#include "workspace/pointer.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -29,7 +29,7 @@ struct ProbeHand : Driver {
     REQUIRE(document().probes.all.size() == 1);
   }
   glm::vec2 head() { return glm::floor(on_screen({0.75, 1.35, 0})); }
-  const scene::Probe& probe() { return document().probes.all.front(); }
+  const document::Probe& probe() { return document().probes.all.front(); }
 };
 
 }  // namespace
@@ -40,13 +40,13 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     ProbeHand d(cage);
     const auto rest = d.document().model.surface->positions;
     d.place_probe();
-    CHECK(glm::distance(d.on_screen(scene::probe_center(d.document(), 0)), d.head()) < 1.5f);
-    CHECK_FALSE(scene::differs_from_rest(d.document()));
+    CHECK(glm::distance(d.on_screen(document::probe_center(d.document(), 0)), d.head()) < 1.5f);
+    CHECK_FALSE(document::differs_from_rest(d.document()));
     const auto unmoved = d.exact_positions();
     // Up, with the green arrow.
     d.press_key('W');
     d.frame(2);
-    const glm::vec2 tip = glm::floor(scene::gizmo_of(d.workspace())->arms[1].tip);
+    const glm::vec2 tip = glm::floor(workspace::gizmo_of(d.workspace())->arms[1].tip);
     d.drag(tip, tip + glm::vec2(0, -60));
     d.settle();
     const auto moved = d.probe().pose.move;
@@ -57,11 +57,12 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     // By typed numbers, during a rotation.
     d.press_key('E');
     d.frame(2);
-    const glm::vec2 ring = scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0);
+    const glm::vec2 ring =
+        workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0);
     d.press_and_move(ring, ring + glm::vec2(0, 30));
     d.type("y");
     d.type("90");
-    d.press_key(scene::Key::enter);
+    d.press_key(workspace::Key::enter);
     d.button(0, false);
     d.settle();
     CHECK(d.probe().pose.turn[1] == doctest::Approx(std::numbers::pi / 2).epsilon(1e-12));
@@ -73,11 +74,11 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     if (!cage) CHECK(still > rest.size() / 4);
     for (int i = 0; i < 2; ++i) d.press_key('Z', true);
     d.settle();
-    CHECK(d.probe().pose == scene::ProbePose{});
+    CHECK(d.probe().pose == document::ProbePose{});
     CHECK(d.exact_positions() == unmoved);
     d.press_key('Z', true);
     CHECK(d.document().probes.empty());
-    CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
+    CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
   }
 }
 
@@ -87,7 +88,7 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   d.click("section/Probes");
   d.frame(2);
   d.choose("probe_turn", "probe_turn_sharp");
-  CHECK(d.probe().turn.falloff == scene::Falloff::sharp);
+  CHECK(d.probe().turn.falloff == document::Falloff::sharp);
   const double radius = d.probe().move.radius;
   d.click("probe_move_radius");  // in its center
   CHECK(d.probe().move.radius != radius);
@@ -97,19 +98,19 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
   d.click("toggle_locked");
   CHECK(d.probe().locked);
   d.click("toggle_locked");
-  d.click(d.on_screen(scene::probe_center(d.document(), 0)));
+  d.click(d.on_screen(document::probe_center(d.document(), 0)));
   CHECK(d.document().selection.contains(0));
-  d.press_key(scene::Key::delete_key, false, true);
+  d.press_key(workspace::Key::delete_key, false, true);
   CHECK(d.document().probes.empty());
   d.press_key('Z', true);
   d.document().changed_probes().all[0].pose.move = {0.1, 0.25, 0};
   const auto probes = d.document().probes;
-  scene::mark_saved(d.workspace());
+  workspace::mark_saved(d.workspace());
   REQUIRE(d.open({test::dragon_cage}, Driver::What::cage));
   d.settle();
   CHECK(d.document().has_cage());
   CHECK(d.document().probes == probes);
-  CHECK(scene::has_unsaved_edits(d.workspace()));
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
   CHECK(d.drawn_error() < 2e-5);
 }
 
@@ -124,7 +125,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   const auto rest = picture();
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions) p[1] *= 1.5;
-  scene::set_pose(d.document(), pose);
+  document::set_pose(d.document(), pose);
   const auto posed = picture();
   CHECK(test::difference(rest, posed, 8) > 0.01);
   d.press_key('N');
@@ -132,7 +133,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   CHECK(d.workspace().posed.vertices.empty());
   // A pose made in the meantime is kept.
   for (auto& p : pose.positions) p[0] += 0.3;
-  scene::set_pose(d.document(), pose);
+  document::set_pose(d.document(), pose);
   CHECK(test::difference(rest, picture(), 8) < 0.01);
   d.press_key('N');
   CHECK(test::difference(posed, picture(), 8) > 0.01);

@@ -2,8 +2,8 @@
 #include <random>
 
 #include "program/kept_work.h"
-#include "scene/workspace/saving.h"
 #include "support/skip.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace test;
@@ -12,7 +12,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
   const test::TemporaryFolder folder;
   const SmallModel small(folder.path());
   const fs::path state = folder / "state";
-  const auto kept_pose = [&] { return scene::read_session(kept_files(state).front()).pose.positions; };
+  const auto kept_pose = [&] { return files::read_session(kept_files(state).front()).pose.positions; };
   const auto settled = [&](std::size_t files) {
     return wait_until([&] { return kept_files(state).size() == files; });
   };
@@ -24,7 +24,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     const glm::vec2 from = glm::round(d.vertex(d.free_vertex()));
     d.press_and_move(from, from + glm::vec2(30, 20));
     d.frame(3);
-    CHECK(scene::has_unsaved_edits(d.workspace()));
+    CHECK(workspace::has_unsaved_edits(d.workspace()));
     CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // no edit is finished yet
     d.button(0, false);
     d.frame();
@@ -35,15 +35,15 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
     d.press_and_move(at, at + glm::vec2(50, 5));
     CHECK(kept_pose() == first);
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.button(0, false);
     CHECK(kept_pose() == first);
 
-    d.press_key(scene::key('Z'), true);
+    d.press_key(workspace::key('Z'), true);
     REQUIRE(settled(0));
-    d.press_key(scene::key('Y'), true);
+    d.press_key(workspace::key('Y'), true);
     REQUIRE(settled(1));
-    REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+    REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
     d.frame();
     REQUIRE(settled(0));
     drag_some_vertex(d, {-30, 20});
@@ -59,7 +59,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     test::put_file(state / "recovery" / name, name);
   const auto sessions = [&] {
     const auto files = kept_files(state);
-    return std::count_if(files.begin(), files.end(), scene::is_session);
+    return std::count_if(files.begin(), files.end(), files::is_session);
   };
   {
     Driver d(remembering(state));
@@ -67,17 +67,17 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     REQUIRE(d.workspace().recovery_files.size() == 2);
     d.click("restore_leftover");
     d.settle();
-    CHECK(d.workspace().messages.all().back().severity == scene::Severity::error);
+    CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
     CHECK(d.workspace().recovery_files.size() == 2);
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
     CHECK(sessions() == 2);
-    d.press_key(scene::key('B'), true);
+    d.press_key(workspace::key('B'), true);
     d.frame(3);
     d.click("discard_leftovers");
     d.frame(3);
-    d.press_key(scene::Key::enter);  // Cancel
+    d.press_key(workspace::Key::enter);  // Cancel
     d.frame(3);
     CHECK(sessions() == 2);
     d.click("discard_leftovers");
@@ -92,7 +92,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
 namespace {
 
 void quit(Driver& d) {
-  d.press_key(scene::key('Q'), true);
+  d.press_key(workspace::key('Q'), true);
   d.frame(3);
 }
 
@@ -113,14 +113,14 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   const auto ask = [&] {
     quit(d);
     REQUIRE(d.workspace().question);
-    REQUIRE(d.workspace().question->kind == scene::Question::Kind::close);
+    REQUIRE(d.workspace().question->kind == workspace::Question::Kind::close);
     CHECK_FALSE(d.viewer().closed());
   };
   ask();
   CHECK(d.workspace().question->why.find(recovery.string()) != std::string::npos);
   const auto posed = d.document().pose.positions;
-  d.press_key(scene::key('Z'), true);  // blocked by the question
-  d.press_key(scene::Key::delete_key);
+  d.press_key(workspace::key('Z'), true);  // blocked by the question
+  d.press_key(workspace::Key::delete_key);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(30, 30));
   CHECK(d.document().pose.positions == posed);
@@ -133,17 +133,17 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   press(left, 0);
   press(left, 2);
   press(right, 0);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame(3);
   CHECK_FALSE(d.workspace().question);
   CHECK_FALSE(d.viewer().closed());
-  CHECK(scene::has_unsaved_edits(d.workspace()));
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
 
   ask();
-  d.press_key(scene::Key::enter);  // Save
+  d.press_key(workspace::Key::enter);  // Save
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame(3);
   CHECK_FALSE(d.workspace().after_saving);
   CHECK_FALSE(d.viewer().closed());
@@ -152,9 +152,9 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   d.click("question_save");
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(3);
-  CHECK(scene::read_session(folder / "small.viete").pose.positions == posed);
+  CHECK(files::read_session(folder / "small.viete").pose.positions == posed);
   CHECK(d.viewer().closed());
 }
 
@@ -212,9 +212,9 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       allowed.push_back(x);
     }
     REQUIRE_FALSE(allowed.empty());
-    const auto recovery_files = scene::find_recovery_files(folder / "state" / "recovery");
+    const auto recovery_files = files::find_recovery_files(folder / "state" / "recovery");
     REQUIRE(recovery_files.size() == 1);
-    const auto positions = scene::read_session(recovery_files[0].file).pose.positions;
+    const auto positions = files::read_session(recovery_files[0].file).pose.positions;
     const auto holds = [&](double x) {
       return std::any_of(positions.begin(), positions.end(), [x](const auto& p) { return p[0] == x; });
     };

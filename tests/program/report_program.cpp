@@ -2,9 +2,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "mesh/formats/write.h"
-#include "mesh/shapes.h"
+#include "formats/write.h"
 #include "program/command_line.h"
+#include "support/shapes.h"
 #include "support/xml.h"
 
 using namespace viete;
@@ -16,10 +16,10 @@ namespace {
 struct SmallModel {
   explicit SmallModel(const TemporaryFolder& scratch) {
     auto cube = test::moved(test::cube(), 1.5);
-    mesh::write(scratch / "ball.obj", test::sphere(3));
-    mesh::write(scratch / "box.obj", cube);
+    formats::write(scratch / "ball.obj", test::sphere(3));
+    formats::write(scratch / "box.obj", cube);
     for (auto& p : cube.positions) p[2] *= 2;
-    mesh::write(scratch / "pose_tall.obj", cube);
+    formats::write(scratch / "pose_tall.obj", cube);
     files = quoted(scratch / "ball.obj") + " " + quoted(scratch / "box.obj") + " " +
             quoted(scratch / "pose_tall.obj");
   }

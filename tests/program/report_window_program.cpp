@@ -26,7 +26,7 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   d.click("stop_report");  // a cancelled report shows no message
   REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
   CHECK(d.workspace().messages.all().empty());
-  CHECK(scene::find_command("show_report")->enabled(d.workspace()));
+  CHECK(workspace::find_command("show_report")->enabled(d.workspace()));
   d.click("show_report");
   d.frame();
   CHECK(d.workspace().reporting.running);

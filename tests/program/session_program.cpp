@@ -1,10 +1,10 @@
 // Sessions restore the same picture; opening and saving with real events.
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "formats/read.h"
+#include "formats/write.h"
 #include "program/command_line.h"
 #include "program/kept_work.h"
-#include "scene/workspace/saving.h"
 #include "support/pictures.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using namespace test;
@@ -24,13 +24,13 @@ TEST_CASE("a_session_opens_to_the_same_picture_also_elsewhere") {
     d.drag({800, 100}, {730, 160}, 2);  // orbit
     d.move({800, 300});
     d.wheel(2);
-    d.press_key(scene::key('L'));
-    d.press_key(scene::key('T'));
-    d.press_key(scene::key('2'), false, true);
+    d.press_key(workspace::key('L'));
+    d.press_key(workspace::key('T'));
+    d.press_key(workspace::key('2'), false, true);
     before = rest_picture(d);
     const auto positions = d.viewer().deformer()->positions();
     mesh_before.assign(positions.begin(), positions.end());
-    REQUIRE(scene::save_session(d.workspace(), folder / "work" / "a.viete"));
+    REQUIRE(workspace::save_session(d.workspace(), folder / "work" / "a.viete"));
   }
   fs::rename(folder / "work", folder / "moved");
   const fs::path here = fs::current_path();
@@ -56,25 +56,26 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   drag_some_vertex(d, {40, 30});
   d.workspace().tools = false;
   const auto before = rest_picture(d);
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   folder.done("render a.viete --show-cage -o a.png");
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   folder.done("deform a.viete -o a.obj");
   // The window displays floats; exports are in double, from the window too. (A PLY would contain floats, like
   // its model.)
-  const auto written = mesh::read(folder / "a.obj").surface.positions;
+  const auto written = formats::read(folder / "a.obj").surface.positions;
   CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
   d.workspace().requests.save_model = folder / "window.obj";
   d.frame();
   d.viewer().finish_exports();
-  CHECK(largest_distance(written, mesh::read(folder / "window.obj").surface.positions) <
+  CHECK(largest_distance(written, formats::read(folder / "window.obj").surface.positions) <
         1e-11 * d.document().cage->diagonal);
 
   folder.done("render a.viete -o b.png --size 320x200 --light --look top");
   CHECK(test::read_png(folder / "b.png").width == 320);
   folder.done("deform a.viete -o b.obj --deformer mean-value");
-  CHECK(mesh::read(folder / "b.obj").surface.positions != mesh::read(folder / "a.obj").surface.positions);
+  CHECK(formats::read(folder / "b.obj").surface.positions !=
+        formats::read(folder / "a.obj").surface.positions);
 }
 
 TEST_CASE("a_session_on_the_command_line_stands_alone_and_its_errors_name_it") {
@@ -94,7 +95,7 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
   const SmallModel small(folder.path());
   Driver d;
   REQUIRE(d.open({small.model, small.cage}));
-  REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+  REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   fs::rename(small.model, folder / "new.ply");
   const auto said = [&](const std::string& arguments) {
     return run(arguments, without_display(folder.path()));
@@ -126,7 +127,7 @@ TEST_CASE("a_moved_model_is_located_in_the_window") {
     d.settle();
     drag_some_vertex(d, {30, 20});
     pose = d.document().pose;
-    REQUIRE(scene::save_session(d.workspace(), folder / "a.viete"));
+    REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   }
   fs::rename(small.model, folder / "new.ply");
   Driver other;
@@ -148,22 +149,22 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   REQUIRE(d.open({small.model, small.cage}));
   d.settle();
   drag_some_vertex(d, {30, 20});
-  CHECK(scene::has_unsaved_edits(d.workspace()));
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
   const auto posed = d.document().pose.positions;
-  d.press_key(scene::key('S'), true);
+  d.press_key(workspace::key('S'), true);
   d.frame(2);
   REQUIRE(d.workspace().browser.open);
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(2);
   CHECK(fs::exists(folder / "small.viete"));
-  CHECK_FALSE(scene::has_unsaved_edits(d.workspace()));
-  d.press_key(scene::key('R'), true);
-  CHECK(scene::has_unsaved_edits(d.workspace()));
+  CHECK_FALSE(workspace::has_unsaved_edits(d.workspace()));
+  d.press_key(workspace::key('R'), true);
+  CHECK(workspace::has_unsaved_edits(d.workspace()));
 
-  d.press_key(scene::key('O'), true);
+  d.press_key(workspace::key('O'), true);
   d.frame(2);
   d.type("small.v");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.settle();
   CHECK_FALSE(d.workspace().browser.open);
   CHECK(d.document().pose.positions == posed);
@@ -176,17 +177,17 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   fs::create_directories(folder / "a_folder");
   Driver d;
   d.workspace().preferences.folder = folder.path();
-  d.press_key(scene::key('O'), true);
+  d.press_key(workspace::key('O'), true);
   d.frame(2);
   const fs::path top = d.workspace().browser.folder;
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.frame(2);
   CHECK(d.workspace().browser.folder == top / "a_folder");
-  d.press_key(scene::Key::backspace);
+  d.press_key(workspace::Key::backspace);
   d.frame(2);
   CHECK(d.workspace().browser.folder == top);
-  d.press_key(scene::Key::down);
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::down);
+  d.press_key(workspace::Key::enter);
   d.settle();
   CHECK(d.document().model.path.filename() == "small.ply");
 }

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "document/edit.h"
+#include "document/probes.h"
+#include "formats/read.h"
+#include "formats/write.h"
+#include "interact/placing.h"
 #include "program/driver.h"
-#include "scene/document/edit.h"
-#include "scene/document/probes.h"
-#include "scene/hand/placing.h"
-#include "scene/workspace/saving.h"
 #include "support/folder.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;
@@ -30,7 +30,7 @@ struct ShapeHand : Driver {
       settle();
     }
     write(left, 1.2), write(right, -1.2);
-    workspace().requests.open = scene::OpenRequest{What::dropped, {right, left}};
+    workspace().requests.open = files::OpenRequest{What::dropped, {right, left}};
     frame();
     REQUIRE(until([&] { return document().library.poses.size() == 2; }));
     settle();
@@ -45,9 +45,9 @@ struct ShapeHand : Driver {
       p = {box.center()[0] + std::cos(a) * x + std::sin(a) * z, p[1],
            box.center()[2] - std::sin(a) * x + std::cos(a) * z};
     }
-    mesh::write(file, surface);
+    formats::write(file, surface);
   }
-  const scene::NamedPose& pose(std::size_t i) { return document().library.poses[i]; }
+  const document::NamedPose& pose(std::size_t i) { return document().library.poses[i]; }
 };
 
 }  // namespace
@@ -63,12 +63,12 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     CHECK(d.pose(1).weight == doctest::Approx(0.5).epsilon(0.03));
     REQUIRE(d.document().shape);
     CHECK(d.drawn_error() < 2e-5);
-    CHECK(scene::has_unsaved_edits(d.workspace()));
+    CHECK(workspace::has_unsaved_edits(d.workspace()));
     const auto file = d.folder / "out.ply";
     d.workspace().requests.save_model = file;
     d.frame();
     REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
-    const double off = test::largest_distance(mesh::read(file).surface.positions, d.exact_positions());
+    const double off = test::largest_distance(formats::read(file).surface.positions, d.exact_positions());
     CHECK(off < 1e-6 * d.document().model.bounds.diagonal());
   }
 }
@@ -90,7 +90,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK_FALSE(d.document().shape);
   d.press_key('Q');
   d.frame(2);
-  const glm::vec2 from = glm::floor(d.on_screen(scene::probe_center(d.document(), 1)));
+  const glm::vec2 from = glm::floor(d.on_screen(document::probe_center(d.document(), 1)));
   d.press_and_move(from, from + glm::vec2(-50, 10));
   REQUIRE(d.document().shape);
   CHECK(std::abs(d.pose(0).weight) + std::abs(d.pose(1).weight) > 0.05);
@@ -106,10 +106,10 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   const auto posed = d.document().shape;
   // A cancelled drag changes nothing.
   const auto weight = d.pose(0).weight;
-  const glm::vec2 now = glm::floor(d.on_screen(scene::probe_center(d.document(), 1)));
+  const glm::vec2 now = glm::floor(d.on_screen(document::probe_center(d.document(), 1)));
   d.press_and_move(now, now + glm::vec2(60, 0));
   CHECK(d.document().shape != posed);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.button(0, false);
   d.settle();
   CHECK(d.document().shape == posed);
@@ -127,14 +127,15 @@ TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   d.settle();
   REQUIRE(d.document().probes.all.size() == 1);
   const deform::Probe& pin = d.document().probes.all[0];
-  const mesh::Point before = scene::pinned_vertex(d.document(), 0);
+  const mesh::Point before = document::pinned_vertex(d.document(), 0);
   CHECK(glm::distance(d.on_screen(before), d.on_screen(head)) < 12);
-  scene::Transform up;
+  interact::Transform up;
   up.shift = {0, 0.2, 0};
-  REQUIRE(scene::place_probes(d.document(), scene::state_of(d.document()), up));
+  REQUIRE(interact::place_probes(d.document(), document::state_of(d.document()), up));
   d.settle();
-  const auto way = scene::pinned_vertex(d.document(), 0) - before;
+  const auto way = document::pinned_vertex(d.document(), 0) - before;
   CHECK(mesh::norm(way - mesh::Point{0, 0.2, 0}) < 0.02);
   CHECK(std::abs(pin.pose.move[2] + 0.2) < 0.02);  // relative to the shape
-  CHECK(mesh::norm(scene::pinned_vertex(d.document(), 0) - scene::probe_center(d.document(), 0)) < 1e-3);
+  CHECK(mesh::norm(document::pinned_vertex(d.document(), 0) - document::probe_center(d.document(), 0)) <
+        1e-3);
 }

@@ -1,9 +1,9 @@
 // The program with a small scene, for quick drawing.
 #pragma once
 
-#include "mesh/formats/write.h"
+#include "formats/write.h"
 #include "program/driver.h"
-#include "scene/ball.h"
+#include "support/ball.h"
 #include "support/folder.h"
 
 namespace viete::test {
@@ -17,8 +17,8 @@ struct SmallScene {
   explicit SmallScene(const app::ViewerOptions& options = small_options(),
                       std::optional<WithPixels> pixels = Driver::pictures_wanted())
       : d(options, pixels) {
-    mesh::write(folder / "ball.obj", ball(1, 3));
-    mesh::write(folder / "cage.obj", ball(1.2, 1));
+    formats::write(folder / "ball.obj", ball(1, 3));
+    formats::write(folder / "cage.obj", ball(1.2, 1));
     REQUIRE(d.open({folder / "ball.obj", folder / "cage.obj"}));
     d.settle();
   }

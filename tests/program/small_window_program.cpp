@@ -37,7 +37,7 @@ bool is_in_reach(Driver& d, const std::string& there, const std::string& in_menu
   d.click(more);
   d.frame(3);
   const bool found = is_inside(d, in_menu);
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame(3);
   return found;
 }

@@ -1,13 +1,13 @@
 // Named poses and the timeline with real events: saved, mixed, keyed, played, retimed.
 #include <cmath>
 
+#include "document/edit.h"
+#include "document/time_edit.h"
 #include "program/driver.h"
-#include "scene/document/edit.h"
-#include "scene/document/time_edit.h"
-#include "scene/workspace/playing.h"
+#include "workspace/playing.h"
 
 using namespace viete;
-using scene::Easing;
+using document::Easing;
 using test::Driver;
 
 namespace {
@@ -20,7 +20,7 @@ struct Timed : Driver {
   }
 
   std::vector<mesh::Point>& pose() { return document().pose.positions; }
-  const scene::Timeline& timeline() { return document().timeline; }
+  const document::Timeline& timeline() { return document().timeline; }
   void open_pose(const std::string& name) {
     REQUIRE(open({test::dragon_cage.parent_path() / (name + ".obj")}, What::pose));
     frame(2);
@@ -30,7 +30,7 @@ struct Timed : Driver {
     click("keep_pose");
   }
   void go_to(int to) {
-    scene::go_to_frame(workspace(), to);
+    workspace::go_to_frame(workspace(), to);
     frame(2);
   }
   void key_pose_of(const std::string& file, int at) {
@@ -43,7 +43,7 @@ struct Timed : Driver {
     click("pose_weight/0/typed");
     press_key('A', true);
     type(percent);
-    press_key(scene::Key::enter);
+    press_key(workspace::Key::enter);
   }
   // The screen position of a frame on the track; `y` is a fraction of its height.
   glm::vec2 on_track(double at, float y) {
@@ -91,7 +91,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.click("pose_name/1");
   d.press_key('A', true);
   d.type("Wings");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   CHECK(d.document().library.poses[1].name == "Wings");
 }
 
@@ -101,13 +101,13 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   d.open_dragon("", test::bundled_dragon);
   CHECK(d.timeline().empty());
   CHECK(d.document().library.poses.empty());
-  d.press_key(scene::Key::right);
+  d.press_key(workspace::Key::right);
   CHECK(d.document().frame == 1);  // the timeline is hidden
   d.press_key('I');
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
   CHECK(d.workspace().messages.all().back().text == "Key set at frame 1.");
-  d.press_key(scene::Key::right);
+  d.press_key(workspace::Key::right);
   CHECK(d.document().frame == 2);
   d.press_key('Z', true);
   REQUIRE(d.timeline().empty());
@@ -120,7 +120,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.workspace().playback.playing);
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
-  d.press_key(scene::Key::space);
+  d.press_key(workspace::Key::space);
   REQUIRE_FALSE(d.workspace().playback.playing);
   // Sliders show the played pose; a typed weight changes it, and undo brings it back.
   d.go_to(110);
@@ -154,22 +154,22 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.choose("time/easing", "time/easing_linear");
   CHECK(d.timeline().keys[0].easing == Easing::linear);
   CHECK(d.pose() != halfway);
-  d.press_key(scene::Key::left, false, true);
+  d.press_key(workspace::Key::left, false, true);
   CHECK(d.document().frame == 1);
 
-  d.press_key(scene::Key::space);
+  d.press_key(workspace::Key::space);
   CHECK(d.workspace().playback.playing);
   CHECK(d.viewer().wants_frame());
   d.frame(30);
   CHECK(d.document().frame > 5);
-  d.press_key(scene::Key::space);
+  d.press_key(workspace::Key::space);
   CHECK_FALSE(d.workspace().playback.playing);
 
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
-  CHECK(scene::key_at(d.timeline(), 30));
-  CHECK_FALSE(scene::key_at(d.timeline(), 24));
+  CHECK(document::key_at(d.timeline(), 30));
+  CHECK_FALSE(document::key_at(d.timeline(), 24));
   // Delete applies to keys while the pointer is over the timeline.
   d.click(d.on_track(48, keys));
-  d.press_key(scene::Key::delete_key);
+  d.press_key(workspace::Key::delete_key);
   CHECK(d.timeline().keys.size() == 2);
 }

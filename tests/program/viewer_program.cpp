@@ -1,17 +1,17 @@
 // The viewer with real events: drags, methods, deformers, files and the camera.
 #include <cmath>
 
-#include "mesh/formats/read.h"
-#include "mesh/formats/write.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "formats/read.h"
+#include "formats/write.h"
+#include "interact/cursor_projection.h"
 #include "program/kept_work.h"
 #include "program/small_scene.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/hand/cursor_projection.h"
-#include "scene/workspace/command_tables.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/pictures.h"
+#include "workspace/command_tables.h"
 
 using namespace viete;
 using test::Driver, test::largest_distance;
@@ -51,7 +51,7 @@ TEST_CASE("the_viewer_rests_with_a_cage_without_one_and_with_nothing_open") {
 TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
   Driver d;
   test::run_command(d.workspace(), "weights_mean_value");
-  scene::set_radius(d.document(), 0.3);
+  document::set_radius(d.document(), 0.3);
   d.frame(3);  // an empty scene
   d.open_dragon();
   CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
@@ -85,7 +85,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (shift(i) > shift(farthest)) farthest = i;
   }
-  const scene::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+  const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
   const glm::ivec2 at(*project(after[farthest]));
   const auto picture = d.picture();
   int changed = 0;
@@ -125,9 +125,9 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
   const test::TemporaryFolder folder;
   std::vector<render::Image> pictures;
   for (const double scale : {1.0, 1e30, 1e-30}) {
-    auto cage = mesh::read(test::dragon_cage).surface;
+    auto cage = formats::read(test::dragon_cage).surface;
     for (auto& p : cage.positions) p = {scale * p[0], scale * p[1], scale * p[2]};
-    mesh::write(folder / "cage.obj", cage);
+    formats::write(folder / "cage.obj", cage);
     Driver d(Driver::default_options({400, 300}), test::with_pixels);
     d.workspace().view.panels = d.workspace().view.hints = d.workspace().view.grid = false;
     REQUIRE(d.open({folder / "cage.obj"}));
@@ -145,7 +145,7 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   const auto& scheme = d.document().scheme;
   for (const auto& way : deform::all_ways()) {
     CAPTURE(way.name);
-    d.choose("way", scene::choice_command_name(way.value));
+    d.choose("way", workspace::choice_command_name(way.value));
     d.settle();
     CHECK(scheme == way.scheme);
     CHECK(d.viewer().deformer()->scheme() == scheme);
@@ -202,7 +202,7 @@ TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_o
   CHECK(d.workspace().camera.pose().distance < start.distance);
   d.drag({800, 100}, {860, 130}, 2);
   CHECK(d.workspace().camera.pose().yaw != start.yaw);
-  d.press_key(scene::Key::home);
+  d.press_key(workspace::Key::home);
   d.settle();
   for (std::uint32_t v = 0; v < d.document().pose.positions.size(); ++v) {
     const glm::vec2 at = d.vertex(v);
@@ -221,7 +221,7 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   CHECK(stats.samples[3].worst_error < 1e-14);
   for (const auto& way : deform::all_ways()) {
     CAPTURE(way.name);
-    scene::set_scheme(d.document(), way.scheme);
+    document::set_scheme(d.document(), way.scheme);
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);

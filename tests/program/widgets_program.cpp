@@ -5,10 +5,10 @@
 #include <set>
 #include <tuple>
 
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
 #include "program/driver.h"
-#include "scene/document/edit.h"
-#include "scene/document/pose_edit.h"
-#include "scene/document/time_edit.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Everything a slider can change, without derived data.
-auto state(const scene::Workspace& w) {
+auto state(const workspace::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
                     w.document.pose.turns, w.document.probes, w.handling, w.preferences.layout,
                     w.brush.radius, w.brush.share, w.document.history.undo_label(),
@@ -39,8 +39,8 @@ struct Held : Driver {
     workspace().preferences.layout.sections["Model"] = workspace().preferences.layout.sections["Display"] =
         false;
     for (const char* command : {"keep_pose", "reset_pose", "toggle_soft"}) run(command);
-    scene::set_key(document(), 1);
-    scene::set_key(document(), 20);
+    document::set_key(document(), 1);
+    document::set_key(document(), 20);
     workspace().preferences.layout.timeline = true;
     frame(3);
   }
@@ -51,7 +51,7 @@ struct Held : Driver {
     press_and_move(at, at + way);
     CHECK_MESSAGE(!(state(workspace()) == before), widget, " does not move");
     CHECK_MESSAGE(!has_tooltip(), widget);
-    press_key(scene::Key::escape);
+    press_key(workspace::Key::escape);
     CHECK_MESSAGE(state(workspace()) == before, widget);
     move(at - way);
     button(0, false);
@@ -69,8 +69,8 @@ struct Held : Driver {
 
 TEST_CASE("esc_cancels_any_slider_or_handle") {
   Held d;
-  scene::set_radius(d.document(), 0.3);
-  scene::undo(d.document());
+  document::set_radius(d.document(), 0.3);
+  document::undo(d.document());
   REQUIRE(d.document().history.can_redo());
   const glm::vec2 right{31, 0};
   for (const char* slider : {"turn", "stretch", "pose_weight/0", "soft_radius"})
@@ -108,7 +108,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   const auto type = [&](const std::string& slider, const std::string& text, bool twice = true) {
     CAPTURE(slider);
     begin(slider, twice);
-    const scene::Tool tool = d.workspace().tool;
+    const interact::Tool tool = d.workspace().tool;
     const auto kind = d.document().selection.kind();
     const auto method = d.document().method;
     for (const char c : text) {
@@ -116,7 +116,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
       d.type(std::string(1, c));
       if (c != '.') d.key(c, false);
     }
-    d.press_key(scene::Key::enter);
+    d.press_key(workspace::Key::enter);
     d.frame(3);
     CHECK(d.workspace().tool == tool);
     CHECK(d.document().selection.kind() == kind);
@@ -137,7 +137,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
       {"", "turn", "33", [&] { return scheme.amounts.turn; }, 0.33},
       {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
       {"", "pose_weight/0", "12.5", pose_weight, 0.125},
-      {"", "pose_weight/0", "999", pose_weight, scene::PoseLibrary::largest_weight, false},
+      {"", "pose_weight/0", "999", pose_weight, document::PoseLibrary::largest_weight, false},
       {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
       {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
       {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
@@ -158,7 +158,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   const auto before = state(d.workspace());
   begin("turn", true);
   d.type("150");
-  d.press_key(scene::Key::escape);
+  d.press_key(workspace::Key::escape);
   d.frame(3);
   CHECK(state(d.workspace()) == before);
   CHECK(d.workspace().typed_slider.name.empty());
@@ -182,7 +182,7 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
       d.frame(3);
       CHECK(has_tooltip());
     }
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.frame(3);
   }
 }
@@ -190,7 +190,7 @@ TEST_CASE("no_hint_of_a_panel_lies_over_a_dialog_and_the_dialog_has_its_own") {
 TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
   Held d;
   d.workspace().preferences.layout.sections["Cage"] = true;
-  d.document().selection.apply(std::vector<std::uint32_t>{0}, scene::SelectMode::replace);
+  d.document().selection.apply(std::vector<std::uint32_t>{0}, document::SelectMode::replace);
   for (const double x : {-0.0036471234, -123.456789, -1.23456789e-5, 0.5}) {
     CAPTURE(x);
     d.document().changed_pose().positions[0][0] = x;
@@ -201,7 +201,7 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
     CHECK(ImGui::CalcTextSize(text.c_str()).x <=
           rect->x1 - rect->x0 - 2 * ImGui::GetStyle().FramePadding.x + 0.01f);
     CHECK(std::stod(text) == doctest::Approx(x).epsilon(0.05));
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.frame(2);
   }
 }
@@ -223,7 +223,7 @@ TEST_CASE("esc_closes_popups_without_a_change") {
     d.click(place);
     d.frame(2);
     CHECK_MESSAGE(d.names().size() > closed.size(), chooser);
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.frame(2);
     CHECK_MESSAGE(d.names() == closed, std::string(chooser));
     CHECK_MESSAGE(state(d.workspace()) == before, chooser);
@@ -236,7 +236,7 @@ TEST_CASE("esc_in_a_field_leaves_its_number_and_name") {
     const auto before = state(d.workspace());
     d.click(field);
     d.type("77");
-    d.press_key(scene::Key::escape);
+    d.press_key(workspace::Key::escape);
     d.frame(3);
     CHECK_MESSAGE(state(d.workspace()) == before, field);
   }
@@ -251,8 +251,8 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   REQUIRE(d.open({test::dragon}));
   d.settle();
   d.frame(30);
-  scene::FileBrowser& browser = d.workspace().browser;
-  scene::show(browser, scene::FileBrowser::Purpose::cage, folder.path());
+  workspace::FileBrowser& browser = d.workspace().browser;
+  workspace::show(browser, workspace::FileBrowser::Purpose::cage, folder.path());
   d.frame(3);
   d.click("file/inner");
   d.frame(30);
@@ -269,7 +269,7 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
     for (int i = 0; i < 2; ++i) d.click("file/cage.obj");
   }
   SUBCASE("enter") {
-    d.press_key(scene::Key::enter);
+    d.press_key(workspace::Key::enter);
   }
   SUBCASE("the button") {
     d.click("file_choose");
@@ -285,19 +285,19 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   test::put_file(folder / "precious.obj", precious);
   Driver d;
   d.open_dragon();
-  scene::FileBrowser& browser = d.workspace().browser;
-  scene::show(browser, scene::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
+  workspace::FileBrowser& browser = d.workspace().browser;
+  workspace::show(browser, workspace::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
   d.frame(30);
   for (int i = 0; i < 2; ++i) d.click("file/precious.obj");
   d.frame(3);
   CHECK(browser.open);
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.viewer().recorder().find("file_replaces"));
-  d.press_key(scene::Key::enter);  // the first warns, the second confirms
+  d.press_key(workspace::Key::enter);  // the first warns, the second confirms
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == precious);
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.settle();
   CHECK_FALSE(browser.open);
   CHECK(fs::file_size(folder / "precious.obj") > 1000);
@@ -363,7 +363,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
     d.frame(2);
     CHECK(d.workspace().preferences.keymap.preset() ==
-          (chooses ? scene::KeyPreset::blender : scene::KeyPreset::viete));
+          (chooses ? workspace::KeyPreset::blender : workspace::KeyPreset::viete));
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
   }
 }
@@ -380,7 +380,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   deform::Pose pose = d.document().pose;
   for (auto& p : pose.positions)
     if (p[0] > middle) p = {p[0], -p[1], -p[2]};
-  scene::set_pose(d.document(), pose);
+  document::set_pose(d.document(), pose);
   d.settle();
   REQUIRE_FALSE(d.workspace().pose_report.torn.empty());
   CHECK(d.viewer().recorder().find("pose_note/0"));
@@ -389,7 +389,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   d.workspace().pose_report.torn.clear();
   d.frame();
   CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks
-  scene::reset_pose(d.document());
+  document::reset_pose(d.document());
   d.settle();
   CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));
 }
@@ -398,7 +398,7 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
   for (const glm::ivec2 size : {glm::ivec2(1024, 640), glm::ivec2(1440, 900)}) {
     Driver d(Driver::default_options(size));
     d.open_dragon();
-    scene::Workspace& w = d.workspace();
+    workspace::Workspace& w = d.workspace();
     std::string text = "A warning that is so long that two lines do not hold it:";
     for (int i = 0; i < 60; ++i) text += " w\u00f6rter " + std::to_string(i);
     w.messages.warn(text);

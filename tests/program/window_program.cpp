@@ -2,15 +2,15 @@
 // pixel.
 #include <sstream>
 
-#include "mesh/formats/write.h"
+#include "files/session.h"
+#include "formats/write.h"
 #include "program/desktop.h"
 #include "program/driver.h"
-#include "scene/ball.h"
-#include "scene/files/session.h"
-#include "scene/workspace/pointer.h"
-#include "scene/workspace/saving.h"
+#include "support/ball.h"
 #include "support/folder.h"
 #include "support/pictures.h"
+#include "workspace/pointer.h"
+#include "workspace/saving.h"
 
 using namespace viete;
 using test::Child;
@@ -41,7 +41,7 @@ struct Offscreen : Driver {
     workspace().document.scheme = deform::default_scheme();
     open_dragon("", test::bundled_dragon);
     frame();
-    scene::frame_all(workspace(), false);
+    workspace::frame_all(workspace(), false);
     settle();
   }
   static app::ViewerOptions options() {
@@ -63,11 +63,11 @@ struct RealSession {
   std::optional<Child> viewer;
 
   RealSession() {
-    mesh::write(desktop.folder / "ball.obj", test::ball(1, 3));
-    mesh::write(desktop.folder / "cage.obj", test::ball(1.3, 1));
+    formats::write(desktop.folder / "ball.obj", test::ball(1, 3));
+    formats::write(desktop.folder / "cage.obj", test::ball(1.3, 1));
     Driver offscreen;
     REQUIRE(offscreen.open({desktop.folder / "ball.obj", desktop.folder / "cage.obj"}));
-    REQUIRE(scene::save_session(offscreen.workspace(), session));
+    REQUIRE(workspace::save_session(offscreen.workspace(), session));
     viewer.emplace(desktop.viete("work.viete"), desktop.folder / "viete.log");
     desktop.xdotool("search --sync --onlyvisible --name work");
     desktop.rest();
@@ -77,7 +77,7 @@ struct RealSession {
   void act(const std::string& words) { desktop.xdotool(words); }
   /// The program's current state after all events, which are handled in order. Retries until the window has
   /// the keyboard focus.
-  scene::Session saved() {
+  files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
     for (int i = 0; i < 15 && !written(); ++i) {
@@ -85,7 +85,7 @@ struct RealSession {
       wait_until(written, 20);
     }
     REQUIRE(written());
-    return scene::read_session(session);
+    return files::read_session(session);
   }
   void quit() {
     act("key ctrl+q");
@@ -106,10 +106,10 @@ TEST_CASE("a_real_mouse_and_keys_in_a_real_window_give_the_picture_of_the_offscr
   d.press_key('A');
   d.press_key('E');
   const glm::ivec2 ring(
-      glm::round(scene::gizmo_of(d.workspace())->center + glm::vec2(scene::gizmo_view_ring, 0)));
+      glm::round(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0)));
   d.press_and_move(ring, ring + glm::ivec2(0, -24));
   d.type("30");
-  d.press_key(scene::Key::enter);
+  d.press_key(workspace::Key::enter);
   d.button(0, false);
   d.move({1430, 20});
   d.frame(3);
@@ -222,6 +222,6 @@ TEST_CASE("f11_fills_the_screen_and_gives_the_window_its_size_back" * doctest::t
   CHECK(wait_until([&] { return size() == small; }));
   hand.quit();
   const auto preferences =
-      scene::read_preferences(hand.desktop.folder / "state" / "viete" / "remembered.json");
+      workspace::read_preferences(hand.desktop.folder / "state" / "viete" / "remembered.json");
   CHECK(preferences.window == small);
 }

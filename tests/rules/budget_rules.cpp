@@ -20,26 +20,24 @@ using Budget = std::map<std::string, std::size_t>;
 
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
-    {"app", 7215},        {"base", 1983},          {"bench", 5073},           {"blender", 592},
-    {"cages", 3559},      {"deform", 13111},       {"deform/sparse", 1248},   {"lab", 621},
-    {"library", 926},     {"mesh", 2852},          {"mesh/formats", 8366},    {"platform", 975},
-    {"python", 1332},     {"render", 2171},        {"scene/document", 5103},  {"scene/files", 3808},
-    {"scene/hand", 2549}, {"scene/pictures", 351}, {"scene/workspace", 5598}, {"sym3", 6429},
-    {"ui", 6136},
+    {"analysis", 621}, {"app", 7227},      {"base", 1983},          {"bench", 5073},    {"blender", 592},
+    {"cages", 3559},   {"deform", 13111},  {"deform/sparse", 1248}, {"document", 5103}, {"files", 3842},
+    {"formats", 8385}, {"interact", 2599}, {"library", 926},        {"mesh", 2852},     {"platform", 975},
+    {"python", 1332},  {"render", 2171},   {"sym3", 6429},          {"ui", 6148},       {"workspace", 5987},
 };
-constexpr std::size_t all_lines_of_src = 79'998;
+constexpr std::size_t all_lines_of_src = 80'163;
 
-// support has helpers that stood twice in scene, mesh and deform.
+// support has the helpers of several folders.
 const Budget lines_of_tests = {
-    {"app", 1102},   {"assets", 244},   {"base", 799},     {"bench", 612},   {"blender", 426},
-    {"cages", 965},  {"consumer", 507}, {"deform", 7002},  {"fuzz", 341},    {"lab", 285},
-    {"mesh", 5198},  {"platform", 295}, {"program", 7029}, {"python", 762},  {"releases", 113},
-    {"render", 958}, {"rules", 704},    {"scene", 9391},   {"support", 824}, {"sym3", 3683},
-    {"ui", 13},
+    {"analysis", 286}, {"app", 1103},     {"assets", 244},   {"base", 799},      {"bench", 612},
+    {"blender", 426},  {"cages", 965},    {"consumer", 507}, {"deform", 7002},   {"document", 3123},
+    {"files", 2303},   {"formats", 3329}, {"fuzz", 342},     {"interact", 1503}, {"mesh", 1687},
+    {"platform", 295}, {"program", 7039}, {"python", 762},   {"releases", 113},  {"render", 958},
+    {"rules", 693},    {"support", 1349}, {"sym3", 3683},    {"ui", 13},         {"workspace", 2190},
 };
-constexpr std::size_t all_lines_of_tests = 41'253;
+constexpr std::size_t all_lines_of_tests = 41'326;
 
-constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'877;
+constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'746;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -94,9 +94,10 @@ TEST_CASE("circles_are_found") {
 TEST_CASE("names_of_other_rooms_are_found_in_code_and_not_in_comments_and_strings") {
   CHECK(foreign_names("ui", "deform::Link l; viete::render::View v;") ==
         std::vector<std::string>{"deform::Link", "render::View"});
-  CHECK(foreign_names("ui", "// deform::Link\n/* mesh::x */ f(\"sym3::exp\"); scene::Tool t; std::string s;")
-            .empty());
-  CHECK(foreign_names("ui", "scene::deform::x; ui::mesh::y;").empty());
+  CHECK(
+      foreign_names("ui", "// deform::Link\n/* mesh::x */ f(\"sym3::exp\"); interact::Tool t; std::string s;")
+          .empty());
+  CHECK(foreign_names("ui", "document::deform::x; ui::mesh::y;").empty());
   CHECK(foreign_names("render", "base::Error e;").empty());
 }
 
@@ -112,16 +113,16 @@ TEST_CASE("src_holds_no_folder_that_the_table_does_not_know") {
 
 TEST_CASE("planted_violations_are_found") {
   CHECK(violation("render", false, "deform/cage.h"));
-  CHECK(violation("render", false, "scene/document/document.h"));
+  CHECK(violation("render", false, "document/document.h"));
   CHECK(violation("ui", false, "render/view.h"));
   CHECK(violation("sym3", true, "base/error.h"));
   CHECK(violation("base", true, "mesh/surface.h"));
   CHECK(violation("mesh", true, "OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh"));
   CHECK(violation("mesh", false, "../deform/cage.h"));
-  CHECK(violation("scene/hand", false, "imgui.h"));
-  CHECK(violation("scene/hand", false, "scene/files/session.h"));
-  CHECK(violation("scene/document", false, "scene/workspace/workspace.h"));
-  CHECK(violation("mesh", false, "mesh/formats/read.h"));
+  CHECK(violation("interact", false, "imgui.h"));
+  CHECK(violation("interact", false, "files/session.h"));
+  CHECK(violation("scene/document", false, "workspace/workspace.h"));
+  CHECK(violation("mesh", false, "formats/read.h"));
   CHECK(violation("deform/sparse", false, "deform/cage.h"));
   CHECK(violation("deform", true, "Eigen/Dense"));
   CHECK(violation("ui", false, "backends/imgui_impl_glfw.h"));
@@ -129,7 +130,7 @@ TEST_CASE("planted_violations_are_found") {
   CHECK_FALSE(violation("app", false, "render/view.h"));
   CHECK_FALSE(violation("deform", false, "sym3/exp.h"));
   CHECK_FALSE(violation("base", false, "vector"));
-  CHECK_FALSE(violation("scene/hand", false, "scene/document/document.h"));
+  CHECK_FALSE(violation("interact", false, "document/document.h"));
 }
 
 TEST_CASE("includes_are_read_from_text_and_not_from_comments") {

@@ -1,11 +1,11 @@
 // Number of edits that can be undone, without selection changes.
 #pragma once
 
-#include "scene/document/history.h"
+#include "document/history.h"
 
 namespace viete::test {
 
-inline std::size_t edit_count(scene::History history) {
+inline std::size_t edit_count(document::History history) {
   std::size_t count = 0;
   for (; history.can_undo(); history.undo({})) count += history.undo_label() != "select";
   return count;

@@ -1,0 +1,104 @@
+// Scalar fields on the model's vertices that measure a deformation, and a table of them.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/strain.h"
+#include "base/choice.h"
+#include "base/progress.h"
+#include "base/worker_pool.h"
+#include "sym3/exp.h"
+#include "sym3/sym3.h"
+
+namespace viete::analysis {
+
+/// Methods offered to users.
+inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
+                                                sym3::Method::improved_sd, sym3::Method::fast};
+
+enum class Field : unsigned char {
+  none,
+  displacement,
+  area,
+  larger_stretch,
+  smaller_stretch,
+  shear,
+  turn,
+  energy,
+  volume,
+  gap,
+  exp_error,
+  frame_error,
+  influence,
+  difference,
+  signed_difference
+};
+std::span<const base::Choice> choices(Field);
+
+/// Stored form of a value: itself, or its logarithm.
+enum class Scale : unsigned char { plain, log2, log10 };
+/// Input of the computation.
+enum class Source : unsigned char {
+  nothing,
+  surface,   ///< positions at rest and as displayed
+  matrices,  ///< symmetric logs that vertices blend; needs a blend that uses exponentials
+  frame,     ///< positions as displayed, and in double precision
+  shares,    ///< share of the selection's motion at each vertex
+  first,     ///< displayed positions in this view and in the first view
+};
+
+struct FieldInput {
+  const Strain* strain;                          ///< strain of the rest model
+  std::span<const mesh::Point> first;            ///< positions in the first view
+  std::span<const mesh::Point> drawn, exact;     ///< in the file's units
+  std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex
+  std::span<const double> shares;                ///< one per vertex
+  sym3::Method method = sym3::Method::fast;      ///< the method whose error is computed
+  base::WorkerPool* pool;                        ///< for surface fields
+  base::Progress* progress = nullptr;            ///< for matrix fields; may be null
+};
+
+struct FieldEntry {
+  base::Choice choice;
+  std::string_view unit{};  ///< shown with the title: "in diagonals"
+  Source source = Source::nothing;
+  Scale scale = Scale::plain;
+  bool symmetric = false;  ///< 0 is the value at rest and gets the middle colour
+  double least_range = 1;  ///< minimum span of the colours
+  double floor = 0;        ///< lower clamp before taking logarithms
+  bool worst_is_least = false;
+  std::vector<double> (*compute)(const FieldInput&) = nullptr;
+};
+const FieldEntry& entry(Field field);
+
+/// Values in stored form: logarithms if the entry's scale is logarithmic.
+struct FieldStats {
+  Field field = Field::none;
+  sym3::Method method = sym3::Method::fast;  ///< whose error it is
+  std::size_t vertices = 0;                  ///< 0: not computed
+  double least = 0, median = 0, most = 0;    ///< over finite values
+  std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
+  bool is_nan = false;                       ///< a value is NaN
+  /// Values at the first and the last colour. Outliers (half a per cent) lie beyond and get the end colours.
+  double low = 0, high = 1;
+  std::array<std::uint32_t, 48> counts{};  ///< histogram of vertices, from low to high
+};
+struct FieldValues {
+  std::vector<float> values;
+  FieldStats stats;
+};
+
+/// The input must include the field's source. Throws base::Cancelled. Thread-safe.
+FieldValues measure(Field field, const FieldInput& input);
+/// Recomputes the histogram for the given low and high.
+void fit_counts(std::span<const float> values, FieldStats& stats);
+
+/// Formats a stored value for display: "1.25x", "12.5 deg", "3.2 %".
+std::string text(Field field, double value);
+
+}  // namespace viete::analysis

@@ -1,0 +1,289 @@
+#include "document/animation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.h"
+
+namespace viete::document {
+
+namespace {
+
+void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double factor) {
+  sum.turn = sum.turn + factor * pose.turn;
+  sum.move = sum.move + factor * pose.move;
+  auto &a = sum.stretch, b = pose.stretch;
+  a = {a.xx + factor * b.xx, a.xy + factor * b.xy, a.xz + factor * b.xz,
+       a.yy + factor * b.yy, a.yz + factor * b.yz, a.zz + factor * b.zz};
+}
+
+}  // namespace
+
+void VectorCache::follow(const std::shared_ptr<const deform::Cage>& cage) {
+  if (cage == cage_) {
+    std::erase_if(known_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
+    return;
+  }
+  known_.clear();
+  cage_ = cage;
+  space_ = cage ? std::make_shared<const deform::PoseSpace>(cage) : nullptr;
+}
+
+std::shared_ptr<const deform::LogVector> VectorCache::of(const SharedPose& pose,
+                                                         std::span<const mesh::Vec3> turns_before) {
+  if (!space_) return nullptr;
+  const bool depends = pose->cage.turns.empty();
+  const auto found = known_.find(pose.get());
+  if (found != known_.end() && (!depends || std::ranges::equal(found->second.turns_before, turns_before)))
+    return found->second.vector;
+  const auto vector = std::make_shared<const deform::LogVector>(space_->vector(pose->cage, turns_before));
+  known_[pose.get()] = {pose, {turns_before.begin(), turns_before.end()}, vector};
+  return vector;
+}
+
+void VectorCache::follow_model(const std::shared_ptr<const mesh::Surface>& model) {
+  if (model == model_) {
+    std::erase_if(known_shapes_, [](const auto& entry) { return entry.second.shape.use_count() == 1; });
+    return;
+  }
+  known_shapes_.clear();
+  model_ = model;
+  shapes_ = nullptr;
+}
+
+const std::shared_ptr<const deform::ShapeSpace>& VectorCache::shapes(base::WorkerPool& pool) {
+  if (!shapes_) shapes_ = std::make_shared<const deform::ShapeSpace>(*model_, pool);
+  return shapes_;
+}
+
+std::shared_ptr<const deform::LogVector> VectorCache::of(
+    const SharedShape& shape, const std::shared_ptr<const deform::LogVector>& before, base::WorkerPool& pool,
+    deform::ShapeReport& report) {
+  KnownShape& known = known_shapes_[shape.get()];
+  const auto found = std::ranges::find(known.after, before, &VectorAfter::before);
+  if (found != known.after.end()) {
+    report = found->report;
+    return found->vector;
+  }
+  const auto& space = *shapes(pool);
+  const auto& positions = shape ? *shape : space.logs().rest();  // base positions for restoring whole turns
+  const auto vector = std::make_shared<const deform::LogVector>(
+      shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
+  known.shape = shape;
+  known.after.push_back({before, vector, report});
+  return vector;
+}
+
+void VectorCache::take(VectorCache&& others) {
+  if (others.model_ != model_) return;
+  if (!shapes_) shapes_ = others.shapes_;
+  for (auto& [key, known] : others.known_shapes_) {
+    KnownShape& own = known_shapes_[key];
+    own.shape = known.shape;
+    own.after.insert(own.after.end(), known.after.begin(), known.after.end());
+  }
+}
+
+std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms) {
+  std::size_t count = 0;
+  for (const auto& [poses, factor] : terms) count = std::max(count, poses->size());
+  std::vector<deform::ProbePose> sum(count);
+  for (const auto& [poses, factor] : terms)
+    for (std::size_t i = 0; i < poses->size(); ++i) add_share(sum[i], (*poses)[i], factor);
+  return sum;
+}
+
+bool in_range(const WholePose& pose, double farthest) {
+  const auto drawn = [farthest](const mesh::Vec3& p) {
+    return std::ranges::all_of(p, [farthest](double x) { return std::abs(x) <= farthest; });
+  };
+  const auto turned = [](const mesh::Vec3& turn) { return mesh::norm(turn) <= largest_turn; };
+  return std::ranges::all_of(pose.cage.positions, drawn) &&
+         (!pose.shape || std::ranges::all_of(*pose.shape, drawn)) &&
+         std::ranges::all_of(pose.cage.turns, turned) &&
+         std::ranges::all_of(pose.probes, [&](const deform::ProbePose& p) {
+           return turned(p.turn) && drawn(p.move) && is_probe_stretch(p.stretch);
+         });
+}
+
+// Missing turns are filled in at the first frame, by at most half a turn; another branch of the same rotation
+// differs by a whole turn.
+bool same_pose(const deform::Pose& a, const deform::Pose& b) {
+  if (a.positions != b.positions) return false;
+  const auto turn = [](const deform::Pose& pose, std::size_t part) {
+    return part < pose.turns.size() ? pose.turns[part] : deform::Vec3{0, 0, 0};
+  };
+  for (std::size_t part = 0; part < std::max(a.turns.size(), b.turns.size()); ++part)
+    if (!(mesh::norm(turn(a, part) - turn(b, part)) < std::numbers::pi + 1e-3)) return false;
+  return true;
+}
+
+bool same_pose(const WholePose& a, const WholePose& b) {
+  for (std::size_t i = 0; i < std::max(a.probes.size(), b.probes.size()); ++i)
+    if (!(a.probe(i) == b.probe(i))) return false;
+  return same_pose(a.cage, b.cage) && same_shape(a.shape, b.shape);
+}
+
+Animation::Animation(const Timeline& timeline, VectorCache& vectors)
+    : timeline_(timeline), space_(vectors.space()) {
+  if (std::ranges::any_of(timeline_.keys, [](const PoseKey& key) { return key.pose->shape != nullptr; }))
+    add_shapes(vectors);
+  for (const PoseKey& key : timeline_.keys) {
+    take_farthest(key.pose->cage.positions);
+    if (key.pose->shape) take_farthest(*key.pose->shape);
+  }
+  if (!space_) return;
+  std::span<const mesh::Vec3> turns;
+  for (const PoseKey& key : timeline_.keys) {
+    vectors_.push_back(vectors.of(key.pose, turns));
+    turns = vectors_.back()->turns;
+  }
+  for (std::size_t i = 0; i + 1 < vectors_.size(); ++i)
+    held_.push_back(space_->logs().held_between(*vectors_[i], *vectors_[i + 1]));
+}
+
+void Animation::take_farthest(std::span<const mesh::Point> positions) {
+  for (const mesh::Point& p : positions)
+    for (const double x : p) farthest_ = std::max(farthest_, std::abs(x));
+}
+
+void Animation::add_shapes(VectorCache& vectors) {
+  base::WorkerPool pool;
+  shapes_ = vectors.shapes(pool);
+  std::shared_ptr<const deform::LogVector> before;
+  std::vector<deform::ShapeReport> reports;
+  for (const PoseKey& key : timeline_.keys) {
+    shape_vectors_.push_back(before = vectors.of(key.pose->shape, before, pool, reports.emplace_back()));
+  }
+  if (!timeline_.straight) notes_ = shape_notes(reports);
+  for (std::size_t i = 0; i + 1 < shape_vectors_.size(); ++i)
+    held_shapes_.push_back(shapes_->logs().held_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
+}
+
+WholePose Animation::at(double frame) const {
+  return at(frame, timeline_.straight);
+}
+
+WholePose Animation::key(std::size_t key) const {
+  WholePose pose = *timeline_.keys[key].pose;
+  if (space_ && pose.cage.turns.empty()) pose.cage.turns = vectors_[key]->turns;
+  return pose;
+}
+
+WholePose Animation::at(double frame, bool straight) const {
+  const Moment moment = moment_at(timeline_, frame);
+  if (moment.shares.size() == 1) return key(moment.shares.front().key);
+  WholePose pose = blend(moment, straight);
+  return in_range(pose, farthest_) ? pose : key(moment.from);
+}
+
+WholePose Animation::blend(const Moment& moment, bool straight) const {
+  const auto& keys = timeline_.keys;
+  WholePose pose;
+  std::vector<ProbeTerm> probes;
+  for (const auto& [key, factor] : moment.shares) probes.push_back({&keys[key].pose->probes, factor});
+  pose.probes = blended_probes(probes);
+  if (shapes_) pose.shape = blended_shape(moment, straight);
+  if (!space_) return pose;
+  std::vector<deform::LogTerm> terms;
+  for (const auto& [key, factor] : moment.shares) terms.push_back({vectors_[key].get(), factor});
+  pose.cage = straight ? space_->straight(terms) : space_->pose(terms, held_[moment.from]);
+  return pose;
+}
+
+SharedShape Animation::blended_shape(const Moment& moment, bool straight) const {
+  std::vector<deform::LogTerm> terms;
+  for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
+  base::WorkerPool pool;
+  return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
+}
+
+namespace {
+
+void keep_still(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+                std::vector<mesh::Point>& positions) {
+  double size = 0;
+  for (const mesh::Point& p : rest) size = std::max(size, mesh::largest_abs(p));
+  for (std::size_t v = 0; v < rest.size(); ++v) {
+    const auto rests = [v](const deform::LogTerm& term) {
+      return mesh::largest_abs(term.vector->ways[v]) == 0;
+    };
+    if (mesh::largest_abs(positions[v] - rest[v]) <= 1e-14 * size && std::ranges::all_of(terms, rests))
+      positions[v] = rest[v];
+  }
+}
+
+}  // namespace
+
+void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+               std::span<mesh::Point> positions) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
+    const auto is_flat = [&](const deform::LogTerm& term) {
+      return std::ranges::all_of(term.vector->ways, stays);
+    };
+    const bool flat = std::ranges::all_of(rest, [&](const mesh::Point& p) { return p[k] == rest[0][k]; });
+    if (!flat || !std::ranges::all_of(terms, is_flat)) continue;
+    for (mesh::Point& p : positions) p[k] = rest[0][k];
+  }
+}
+
+SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
+                    const deform::Held* held, base::WorkerPool& pool) {
+  std::vector<mesh::Point> positions(space.rest().size());
+  if (held) {
+    deform::LogSpace::Work work;
+    space.shape(terms, *held, pool, work, positions);
+  } else {
+    space.straight(terms, positions);
+  }
+  keep_still(space.rest(), terms, positions);
+  keep_flat(space.rest(), terms, positions);
+  return std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
+}
+
+SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
+                  base::WorkerPool& pool, std::vector<std::string>* notes) {
+  std::vector<ShapeTerm> moving;
+  for (const ShapeTerm& term : terms)
+    if (term.shape && term.factor != 0) moving.push_back(term);
+  if (moving.empty()) return std::make_shared<const std::vector<mesh::Point>>(space.logs().rest());
+  if (moving.size() == 1 && moving.front().factor == 1) return moving.front().shape;
+  std::vector<deform::LogVector> vectors;
+  std::vector<deform::LogTerm> sum;
+  std::vector<deform::ShapeReport> reports(moving.size());
+  vectors.reserve(moving.size());
+  for (std::size_t i = 0; i < moving.size(); ++i) {
+    vectors.push_back(space.vector(*moving[i].shape, pool, nullptr, &reports[i]));
+    sum.push_back({&vectors.back(), moving[i].factor});
+  }
+  if (notes && !straight) *notes = shape_notes(reports);
+  if (straight) return blended(space.logs(), sum, nullptr, pool);
+  const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
+  return blended(space.logs(), sum, &held, pool);
+}
+
+std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports) {
+  std::size_t folded = 0, torn = 0, of_folded = 0, of_torn = 0;
+  for (const deform::ShapeReport& report : reports) {
+    folded = std::max(folded, report.folded), of_folded += report.folded > 0;
+    torn = std::max(torn, report.torn), of_torn += report.torn > 0;
+  }
+  std::vector<std::string> notes;
+  const auto text = [](std::size_t most, std::size_t shapes) {
+    const std::string number = base::with_thousands(most);
+    return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
+  };
+  if (folded > 0)
+    notes.push_back("triangles that fold over or collapse, which follow their neighbours: " +
+                    text(folded, of_folded));
+  if (torn > 0)
+    notes.push_back(
+        "pairs of neighbouring triangles that rotate more than 180 degrees relative to each other, where the "
+        "rotation direction is ambiguous: " +
+        text(torn, of_torn));
+  return notes;
+}
+
+}  // namespace viete::document

@@ -1,0 +1,126 @@
+#include "document/brush.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "document/record.h"
+
+namespace viete::document {
+
+namespace {
+
+float stepped(float share) {
+  return std::round(std::clamp(share, 0.0f, 1.0f) * mask_steps) / mask_steps;
+}
+
+std::vector<float> shares_of(const Document& document) {
+  if (document.mask) return *document.mask;
+  return std::vector<float>(document.model.surface->positions.size(), 1.0f);
+}
+
+// Null if every share is 1.
+deform::Mask mask_of(const std::vector<float>& shares) {
+  const bool whole = std::ranges::all_of(shares, [](float s) { return s == 1; });
+  return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
+}
+
+// 1 up to half the radius, then a smooth falloff to 0; d in radii.
+float coverage(double d) {
+  const double t = std::clamp(2 * (1 - d), 0.0, 1.0);
+  return static_cast<float>(t * t * (3 - 2 * t));
+}
+
+}  // namespace
+
+mesh::Point PosedModel::at(const mesh::Surface& model, std::size_t vertex) const {
+  if (vertices.size() != model.positions.size()) return model.positions[vertex];
+  const auto& p = vertices[vertex].position;
+  return {origin[0] + p[0], origin[1] + p[1], origin[2] + p[2]};
+}
+
+namespace {
+
+struct Hit {
+  SurfacePoint point;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+Hit first_hit(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const mesh::Surface& model = *document.model.surface;
+  const auto& [center, scale] = document.space;
+  Hit nearest;
+  for (std::uint32_t i = 0; i < model.triangles.size(); ++i) {
+    std::array<glm::dvec3, 3> corners;
+    for (std::size_t k = 0; k < 3; ++k)
+      corners[k] = scale * vector_of(posed.at(model, model.triangles[i][k]) - center);
+    const auto hit = hit_triangle(ray, corners);
+    if (hit && hit->distance > 0 && hit->distance < nearest.distance)
+      nearest = {{i, hit->shares}, hit->distance};
+  }
+  return nearest;
+}
+
+}  // namespace
+
+std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return document.space.to_file(ray.origin + hit.distance * ray.direction);
+}
+
+std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray) {
+  const Hit hit = first_hit(document, posed, ray);
+  if (!std::isfinite(hit.distance)) return std::nullopt;
+  return hit.point;
+}
+
+MaskStroke::MaskStroke(const Document& document)
+    : before_(state_of(document)), shares_(shares_of(document)), covered_(shares_.size(), 0.0f) {}
+
+void MaskStroke::dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
+                     float share) {
+  const mesh::Surface& model = *document.model.surface;
+  bool painted = false;
+  for (std::size_t v = 0; v < shares_.size(); ++v) {
+    const mesh::Point p = posed.at(model, v);
+    const double distance = std::hypot(p[0] - center[0], p[1] - center[1], p[2] - center[2]);
+    const float cover = coverage(distance / radius);
+    if (!(cover > covered_[v])) continue;
+    covered_[v] = cover;
+    const float old = before_.mask ? (*before_.mask)[v] : 1.0f;
+    shares_[v] = stepped(std::lerp(old, share, cover));
+    painted = true;
+  }
+  if (painted) document.mask = mask_of(shares_);
+}
+
+void MaskStroke::commit(Document& document) {
+  if (same_mask(document.mask, before_.mask)) return cancel(document);
+  document.history.record("paint", std::move(before_));
+}
+
+void MaskStroke::cancel(Document& document) const {
+  document.mask = before_.mask;
+}
+
+bool same_mask(const deform::Mask& a, const deform::Mask& b) {
+  return a == b || (a && b && *a == *b);
+}
+
+void set_mask(Document& document, deform::Mask mask, const char* label) {
+  if (mask) mask = mask_of(*mask);
+  if (same_mask(mask, document.mask)) return;
+  record_edit(document, label);
+  document.mask = std::move(mask);
+}
+
+deform::Mask inverted(const Document& document) {
+  std::vector<float> shares = shares_of(document);
+  for (float& s : shares) s = stepped(1 - s);
+  return mask_of(shares);
+}
+
+}  // namespace viete::document

@@ -1,0 +1,203 @@
+#include "document/cage_editing.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "cages/edit.h"
+#include "cages/enclose.h"
+#include "document/cage_making.h"
+#include "document/edit.h"
+#include "document/elements.h"
+#include "document/pose_edit.h"
+#include "document/probes.h"
+#include "mesh/triangulation.h"
+
+namespace viete::document {
+
+namespace {
+
+constexpr double snug_margin = 0.2 * fit_margin;
+
+std::string edited_name(const OpenedSurface& cage) {
+  constexpr std::string_view mark = ", edited";
+  const std::string name = name_of(cage);
+  return name.ends_with(mark) ? name : name + std::string(mark);
+}
+
+// The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
+struct Follow {
+  cages::Plane plane{};
+  double scale = 1;
+};
+
+// Keeps whole turns of the parts if their number is unchanged.
+deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
+                     const deform::Cage& after, const Follow& follow) {
+  deform::Pose now;
+  if (before.roots.size() == after.roots.size()) now.turns = pose.turns;
+  for (std::size_t v = 0; v < edited.origins.size(); ++v) {
+    const cages::Origin& origin = edited.origins[v];
+    mesh::Vec3 way{0, 0, 0};
+    const double share = 1 / static_cast<double>(origin.of.size());
+    for (const auto o : origin.of) way = way + share * (pose.positions[o] - before.surface.positions[o]);
+    if (origin.mirrored) way = reflected_direction(follow.plane, way);
+    now.positions.push_back(edited.surface.positions[v] + follow.scale * way);
+  }
+  return now;
+}
+
+// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose. Without a
+// label it is part of the last edit.
+void put_edited(Document& document, cages::Edited edited, const std::string& label,
+                const Follow& follow = {}) {
+  auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
+  deform::Pose real = carried(*document.cage, real_pose(document), edited, *cage, follow);
+  label.empty() ? document.history.extend_last() : record_edit(document, label);
+  carry_poses(document,
+              [&](const deform::Pose& pose) { return carried(*document.cage, pose, edited, *cage, follow); });
+  const bool editing = is_editing_cage(document);
+  std::vector<std::span<const std::uint32_t>> origins;
+  for (const cages::Origin& origin : edited.origins) origins.emplace_back(origin.of);
+  CageGroups groups = carried(document.groups, document.cage->surface.positions.size(), origins);
+  const ElementKind kind = document.selection.kind();
+  OpenedSurface file = generated_surface(std::move(edited.surface), edited_name(document.cage_file));
+  if (editing) document.kept_pose = real;
+  document.replace_cage(std::move(file), cage, editing ? deform::rest_pose(*cage) : std::move(real));
+  document.groups = std::move(groups);
+  if (kind == ElementKind::probe) return;
+  const Selection made(ElementKind::vertex, edited.selection);
+  document.selection = without_hidden(document, converted(*document.cage, made, kind));
+}
+
+// The same polygons with other positions.
+cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
+  cages::Edited edited{cage, {}, {}};
+  edited.surface.positions = std::move(positions);
+  mesh::triangulate(edited.surface);
+  for (std::uint32_t v = 0; v < cage.positions.size(); ++v) edited.origins.push_back({{v}});
+  return edited;
+}
+
+std::vector<mesh::Edge> selected_edges(const Document& document) {
+  const Selection edges = converted(*document.cage, document.selection, ElementKind::edge);
+  std::vector<mesh::Edge> all;
+  for (const auto e : edges.indices()) all.push_back(document.cage->edges[e]);
+  return all;
+}
+
+std::vector<std::uint32_t> selected_polygons(const Document& document) {
+  return converted(*document.cage, document.selection, ElementKind::face).indices();
+}
+
+void require(bool any, const char* what, const char* advice) {
+  if (!any) throw base::Error("", what, advice);
+}
+
+}  // namespace
+
+void begin_cage_editing(Document& document) {
+  record_edit(document, "edit the cage");
+  document.kept_pose = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage));
+  if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
+}
+
+void end_cage_editing(Document& document) {
+  record_edit(document, "pose the cage");
+  document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
+}
+
+bool commit_cage_edit(Document& document) {
+  if (!is_editing_cage(document) || document.pose.positions == document.cage->surface.positions) return false;
+  try {
+    const Selection selection = document.selection;
+    put_edited(document, with_positions(document.cage->surface, document.pose.positions), "");
+    document.selection = selection;
+    return true;
+  } catch (const base::Error& error) {
+    // Undoes the edit that moved it, and later selection changes.
+    while (document.history.can_undo() && is_editing_cage(document) &&
+           document.pose.positions != document.cage->surface.positions)
+      undo(document);
+    throw base::Error("", "the result is not a valid cage: " + error.problem(), "the cage was not changed");
+  }
+}
+
+void split_selected(Document& document) {
+  const auto edges = selected_edges(document);
+  require(!edges.empty(), "no edge of the cage is selected", "select edges, or both end vertices of an edge");
+  put_edited(document, cages::split_edges(document.cage->surface, edges), "split edges");
+}
+
+void cut_selected(Document& document) {
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
+  put_edited(document, cages::cut_polygons(document.cage->surface, polygons), "cut faces");
+}
+
+void merge_selected(Document& document) {
+  const auto vertices = selected_vertices(*document.cage, document.selection);
+  require(vertices.size() > 1, "fewer than two vertices are selected", "select the vertices to merge");
+  put_edited(document, cages::merge_vertices(document.cage->surface, vertices), "merge vertices");
+}
+
+void remove_selected(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  const Selection& selection = document.selection;
+  const auto put = [&](cages::Edited edited, const char* label) {
+    require(edited.surface.corners != cage.corners, "the selection cannot be removed",
+            "it is not enclosed by a single loop; remove faces instead");
+    put_edited(document, std::move(edited), label);
+  };
+  if (selection.kind() == ElementKind::vertex)
+    return put(cages::dissolve_vertices(cage, selection.indices()), "remove vertices");
+  if (selection.kind() == ElementKind::edge)
+    return put(cages::dissolve_edges(cage, selected_edges(document)), "remove edges");
+  put(cages::remove_polygons(cage, selection.indices()), "remove faces");
+}
+
+void extrude_selected(Document& document) {
+  constexpr double distance = 0.05;  // relative to the cage's diagonal
+  const auto polygons = selected_polygons(document);
+  require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
+  put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
+             "extrude");
+}
+
+void subdivide_cage(Document& document) {
+  constexpr std::size_t most_vertices = 20000;
+  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
+          "a cage has at most 20,000 vertices");
+  put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
+}
+
+void mirror_cage(Document& document) {
+  const auto axis = static_cast<std::size_t>(symmetry_axis(document));
+  cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
+  plane.normal[axis] = 1;
+  // The side with the selected vertices, else the positive one.
+  const auto& rest = document.cage->surface.positions;
+  double sum = 0;
+  for (const auto v : selected_vertices(*document.cage, document.selection))
+    sum += rest[v][axis] - plane.offset;
+  if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
+}
+
+void fit_cage(Document& document) {
+  require(document.model.bounds.diagonal() > 0, "the model is a single point, so no cage can be fitted",
+          "move the cage yourself");
+  const mesh::Surface& cage = document.cage->surface;
+  cages::Fitted fitted = cages::fitted_to_box(cage, *document.model.surface, fit_margin);
+  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit the cage", {{}, fitted.scale});
+}
+
+std::size_t enclose_model(Document& document) {
+  const mesh::Surface& cage = document.cage->surface;
+  require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");
+  cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
+  if (enclosing.positions != cage.positions)
+    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
+  return enclosing.left;
+}
+
+}  // namespace viete::document

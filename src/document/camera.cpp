@@ -1,0 +1,229 @@
+#include "document/camera.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "document/range.h"
+
+namespace viete::document {
+
+namespace {
+
+constexpr float ease_seconds = 0.15f;
+constexpr float half_pi = 1.57079633f;
+
+glm::mat4 perspective_lens(float distance, float aspect) {
+  const float near_plane = std::max(0.01f * distance, 1e-4f);
+  const float far_plane = distance + 20.0f + 20.0f * near_plane;
+  return glm::perspective(Camera::vertical_field, aspect, near_plane, far_plane);
+}
+
+// An orthographic view extends behind the eye: zooming in must not clip the model.
+glm::mat4 orthographic_lens(float distance, float aspect) {
+  const float half = distance * std::tan(0.5f * Camera::vertical_field);
+  return glm::ortho(-half * aspect, half * aspect, -half, half, -20.0f, distance + 20.0f);
+}
+
+float clamped(float value, float least, float most, float otherwise) {
+  return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
+}
+
+// Camera positions beyond the float range are moved towards the model.
+CameraPose in_range(CameraPose pose) {
+  const CameraPose home;
+  constexpr auto far = static_cast<float>(farthest_place);
+  for (int i = 0; i < 3; ++i) pose.target[i] = clamped(pose.target[i], -far, far, home.target[i]);
+  pose.distance = clamped(pose.distance, nearest_camera, farthest_camera, home.distance);
+  pose.yaw = std::isfinite(pose.yaw) ? pose.yaw : home.yaw;
+  pose.pitch = clamped(pose.pitch, -half_pi, half_pi, home.pitch);
+  return pose;
+}
+
+CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
+  return {glm::mix(a.target, b.target, t),
+          a.distance * std::pow(b.distance / a.distance, t),
+          glm::mix(a.yaw, b.yaw, t),
+          glm::mix(a.pitch, b.pitch, t),
+          b.orthographic,
+          b.up};
+}
+
+// Converts a direction from a Y-up basis to the file's axes.
+glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
+  return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
+}
+
+}  // namespace
+
+// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
+std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
+  const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], from = ray.origin - t[0];
+  const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(from, u);
+  const double volume = glm::dot(u, p), a = glm::dot(from, p) / volume,
+               b = glm::dot(ray.direction, q) / volume;
+  if (!(a >= 0 && b >= 0 && a + b <= 1)) return std::nullopt;
+  return RayHit{glm::dot(v, q) / volume, {1 - a - b, a, b}};
+}
+
+void Camera::set_pose(const CameraPose& pose) {
+  current_ = pose;
+  jump();
+}
+
+// An immediate change replaces a running animation.
+void Camera::jump() {
+  goal_ = current_ = in_range(current_);
+  remaining_ = 0;
+}
+
+glm::vec3 Camera::forward() const {
+  const float c = std::cos(current_.pitch);
+  return in_file({-c * std::sin(current_.yaw), -std::sin(current_.pitch), -c * std::cos(current_.yaw)},
+                 current_.up);
+}
+
+glm::vec3 Camera::right() const {
+  return in_file({std::cos(current_.yaw), 0, -std::sin(current_.yaw)}, current_.up);
+}
+glm::vec3 Camera::up() const {
+  return glm::cross(right(), forward());
+}
+glm::vec3 Camera::eye() const {
+  return current_.target - current_.distance * forward();
+}
+
+glm::mat4 Camera::view() const {
+  return glm::lookAt(eye(), current_.target, up());
+}
+
+float Camera::depth(const glm::vec3& point) const {
+  return glm::dot(point - eye(), forward());
+}
+
+glm::mat4 Camera::projection(const Viewport& v) const {
+  const float aspect = v.window.x / std::max(v.window.y, 1.0f);
+  const glm::mat4 lens = current_.orthographic ? orthographic_lens(current_.distance, aspect)
+                                               : perspective_lens(current_.distance, aspect);
+  const glm::vec2 middle = v.middle() / v.window * 2.0f - 1.0f;
+  return glm::translate(glm::mat4(1), {middle.x, -middle.y, 0}) * lens;
+}
+
+double Camera::per_pixel(double depth, const Viewport& v) const {
+  const double at = current_.orthographic ? current_.distance : depth;
+  return 2.0 * at * std::tan(0.5 * double(vertical_field)) / v.window.y;
+}
+
+Ray Camera::ray(const glm::vec2& cursor, const Viewport& v) const {
+  const glm::vec2 from_middle = cursor - v.middle();
+  if (current_.orthographic)
+    return {glm::dvec3(eye()) + plane_displacement(from_middle, 1, v), glm::dvec3(forward())};
+  return {glm::dvec3(eye()), glm::normalize(glm::dvec3(forward()) + plane_displacement(from_middle, 1, v))};
+}
+
+void Camera::set_orthographic(bool orthographic) {
+  current_.orthographic = goal_.orthographic = orthographic;
+}
+
+void Camera::set_up(UpAxis up) {
+  current_.up = goal_.up = start_.up = up;
+}
+
+glm::dvec3 Camera::plane_displacement(const glm::vec2& pixels, double depth, const Viewport& v) const {
+  const double k = per_pixel(depth, v);
+  return k * (double(pixels.x) * glm::dvec3(right()) - double(pixels.y) * glm::dvec3(up()));
+}
+
+void Camera::orbit(const glm::vec2& pixels) {
+  constexpr float radians_per_pixel = 0.0075f;
+  current_.yaw = std::remainder(current_.yaw - radians_per_pixel * pixels.x, 4 * half_pi);
+  current_.pitch = std::clamp(current_.pitch + radians_per_pixel * pixels.y, -half_pi, half_pi);
+  jump();
+}
+
+void Camera::pan(const glm::vec2& pixels, const Viewport& v) {
+  current_.target -= glm::vec3(plane_displacement(pixels, current_.distance, v));
+  jump();
+}
+
+void Camera::zoom(float steps, const glm::vec2& cursor, const Viewport& v) {
+  const float distance =
+      std::clamp(current_.distance * std::pow(0.88f, steps), nearest_camera, farthest_camera);
+  const glm::vec2 from_middle = cursor - v.middle();
+  const glm::dvec3 before = plane_displacement(from_middle, current_.distance, v);
+  current_.distance = distance;
+  current_.target += glm::vec3(before - plane_displacement(from_middle, distance, v));
+  jump();
+}
+
+void Camera::ease_to(const CameraPose& goal) {
+  start_ = current_;
+  start_.yaw = std::remainder(start_.yaw, 4 * half_pi);
+  goal_ = in_range(goal);
+  goal_.yaw = start_.yaw + std::remainder(goal_.yaw - start_.yaw, 4 * half_pi);
+  remaining_ = ease_seconds;
+}
+
+void Camera::center(const glm::vec3& target) {
+  CameraPose goal = destination();
+  goal.target = target;
+  ease_to(goal);
+}
+
+void Camera::look(StandardView view) {
+  CameraPose goal = moving() ? goal_ : current_;
+  const CameraPose home;
+  switch (view) {
+    case StandardView::front: goal.yaw = 0, goal.pitch = 0; break;
+    case StandardView::back: goal.yaw = 2 * half_pi, goal.pitch = 0; break;
+    case StandardView::right: goal.yaw = half_pi, goal.pitch = 0; break;
+    case StandardView::left: goal.yaw = -half_pi, goal.pitch = 0; break;
+    case StandardView::top: goal.yaw = 0, goal.pitch = half_pi; break;
+    case StandardView::bottom: goal.yaw = 0, goal.pitch = -half_pi; break;
+    case StandardView::home: goal.yaw = home.yaw, goal.pitch = home.pitch; break;
+  }
+  ease_to(goal);
+}
+
+// Centers the points in the uncovered area. `raised` is the height of that area's center above the center of
+// the view, where the target appears, as a slope of view rays.
+void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
+  if (points.empty()) return;
+  constexpr float margin = 1.14f, smallest = 0.15f;
+  Camera goal = *this;
+  if (moving()) goal.set_pose(goal_);
+  glm::vec3 low = points[0], high = points[0];
+  for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::vec3 middle = 0.5f * (low + high);
+  const float half_field = std::tan(0.5f * vertical_field);
+  const glm::vec2 tangent = half_field * (v.seen() - glm::vec2(0, covered)) / v.window.y / margin;
+  const float raised = half_field * covered / v.window.y;
+  float distance = smallest / std::min(tangent.x, tangent.y);
+  for (const auto& p : points) {
+    const glm::vec3 d = p - middle;
+    const float nearer = current_.orthographic ? 0 : -glm::dot(d, goal.forward());
+    const glm::vec2 side(std::abs(glm::dot(d, goal.right())),
+                         std::abs(glm::dot(d, goal.up()) + raised * nearer));
+    distance = std::max(distance, std::max(side.x / tangent.x, side.y / tangent.y) + nearer);
+  }
+  goal.current_.distance = std::clamp(distance, nearest_camera, farthest_camera);
+  goal.current_.target = middle - raised * goal.current_.distance * goal.up();
+  if (eased) return ease_to(goal.current_);
+  set_pose(goal.current_);
+}
+
+bool Camera::animate(float seconds) {
+  if (!moving()) return false;
+  remaining_ -= seconds;
+  if (remaining_ <= 0) {
+    current_ = goal_;
+    current_.yaw = std::remainder(current_.yaw, 4 * half_pi);
+    jump();
+    return true;
+  }
+  const float t = 1 - remaining_ / ease_seconds;
+  current_ = mix(start_, goal_, t * t * (3 - 2 * t));
+  return true;
+}
+
+}  // namespace viete::document

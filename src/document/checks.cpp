@@ -1,0 +1,273 @@
+#include "document/checks.h"
+
+#include <algorithm>
+#include <iterator>
+#include <numeric>
+#include <ranges>
+#include <utility>
+
+#include "base/text.h"
+#include "mesh/defects.h"
+#include "mesh/repair.h"
+#include "mesh/winding_number.h"
+
+namespace viete::document {
+
+namespace {
+
+using Elements = std::vector<std::uint32_t>;
+
+void add(std::vector<Finding>& all, Defect defect, Subject subject, ElementKind kind, Elements elements) {
+  if (!elements.empty()) all.push_back({defect, subject, kind, std::move(elements), {}});
+}
+
+void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
+               const std::vector<mesh::Edge>& edges) {
+  if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
+}
+
+// The polygons that contain these triangles, each once.
+Elements faces_of(const mesh::Surface& surface, Elements triangles) {
+  for (auto& t : triangles) t = surface.triangle_polygon[t];
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
+}
+
+bool inside_out(const mesh::Summary& summary) {
+  return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
+}
+
+// Defects found from edges, and degenerate faces. `surface` in the form for which edges are judged.
+void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
+                 Subject subject) {
+  add_edges(found, Defect::open, subject, summary.boundary_edges);
+  add_edges(found, Defect::nonmanifold_edge, subject, summary.nonmanifold_edges);
+  add(found, Defect::pinched_vertex, subject, ElementKind::vertex, mesh::nonmanifold_vertices(surface));
+  add_edges(found, Defect::misoriented, subject, summary.misoriented_edges);
+  if (inside_out(summary)) {
+    Elements all(surface.polygon_count());
+    std::iota(all.begin(), all.end(), 0u);
+    add(found, Defect::inside_out, subject, ElementKind::face, std::move(all));
+  }
+  add(found, Defect::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
+}
+
+void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+struct Words {
+  const char *one, *several;       // the title after its number
+  const char *of_cage, *of_model;  // the meaning
+};
+
+const Words& words_of(Defect defect) {
+  // In the order of Defect.
+  static constexpr Words all[] = {
+      {"vertex outside the cage", "vertices outside the cage", "",
+       "Log space deformers handle these vertices normally. Mean value weights can be negative "
+       "there and move them against the drag."},
+      {"self-intersecting face", "self-intersecting faces",
+       "The cage intersects itself. Nearby, the model follows both sheets at once.", ""},
+      {"open edge", "open edges",
+       "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model follows "
+       "rotation and stretch only approximately.",
+       "The model has holes. The deformation is not affected."},
+      {"edge with more than two faces", "edges with more than two faces",
+       "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result nearby "
+       "is ambiguous.",
+       "The deformation is not affected; shading can be uneven there."},
+      {"vertex shared by separate parts", "vertices shared by separate parts",
+       "Parts of the cage share only this vertex. Dragging it moves all of them.",
+       "The deformation is not affected; shading can be uneven there."},
+      {"edge between faces of opposite orientation", "edges between faces of opposite orientation",
+       "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. Orient "
+       "all "
+       "faces outward.",
+       "Face orientations disagree. Shading is wrong there; the deformation is not affected."},
+      {"face pointing inward", "faces, all pointing inward",
+       "All faces point inward. Viete is not affected; other programs may be.",
+       "All faces point inward. The deformation is not affected; programs that open the export may be."},
+      {"face without area", "faces without area",
+       "The face has no area and therefore no influence; its neighbours act in its place.",
+       "The face is invisible. The deformation is not affected."},
+      {"very thin face", "very thin faces",
+       "The face is so thin that small moves of its vertices rotate or stretch the model strongly.", ""},
+      {"duplicate vertex", "duplicate vertices",
+       "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
+       "tears.",
+       "Vertices coincide, for example along seams. They stay together; shading shows an edge there."},
+      {"vertex without a face", "vertices without a face",
+       "The vertex belongs to no face. Dragging it has no effect.",
+       "The vertex belongs to no face. It is deformed and exported but invisible."}};
+  return all[static_cast<std::size_t>(defect)];
+}
+
+}  // namespace
+
+std::string title(const Finding& finding) {
+  const Words& words = words_of(finding.defect);
+  return base::with_thousands(finding.size()) + ' ' + (finding.size() == 1 ? words.one : words.several);
+}
+
+std::string first_elements(const Finding& finding, std::size_t most) {
+  std::string text;
+  const std::size_t shown = std::min(most, finding.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    if (i > 0) text += ", ";
+    if (finding.kind == ElementKind::edge) {
+      text += std::to_string(finding.edges[i][0]) + '-' + std::to_string(finding.edges[i][1]);
+    } else {
+      text += std::to_string(finding.elements[i]);
+    }
+  }
+  if (shown == finding.size()) return text;
+  return text + " and " + base::with_thousands(finding.size() - shown) + " more";
+}
+
+std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surface& surface,
+                                       std::size_t element) {
+  if (finding.kind == ElementKind::edge) return {finding.edges[element][0], finding.edges[element][1]};
+  const auto index = finding.elements[element];
+  if (finding.kind == ElementKind::vertex) return {index};
+  const auto begin = surface.corners.begin();
+  return {begin + surface.polygon_starts[index], begin + surface.polygon_starts[index + 1]};
+}
+
+std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary) {
+  std::vector<Finding> found;
+  check_edges(found, model, summary, Subject::model);
+  add(found, Defect::doubled_vertex, Subject::model, ElementKind::vertex, mesh::duplicate_vertices(model));
+  add(found, Defect::unused_vertex, Subject::model, ElementKind::vertex, summary.unused_vertices);
+  return found;
+}
+
+std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress) {
+  constexpr double thin = 1e-3;
+  std::vector<Finding> found;
+  add(found, Defect::self_intersection, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::self_intersecting_triangles(cage, progress)));
+  const mesh::Surface joined = mesh::welded(cage);
+  const mesh::Summary summary = mesh::summarize(joined);
+  check_edges(found, joined, summary, Subject::cage);
+  add(found, Defect::thin, Subject::cage, ElementKind::face,
+      faces_of(cage, mesh::thin_triangles(cage, thin)));
+  const auto doubled = mesh::duplicate_vertices(cage);
+  add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
+  // A vertex merged with another one counts as used.
+  Elements unused;
+  std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
+                      doubled.end(), std::back_inserter(unused));
+  add(found, Defect::unused_vertex, Subject::cage, ElementKind::vertex, std::move(unused));
+  return found;
+}
+
+std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
+                                       base::Progress* progress) {
+  const mesh::Surface around = mesh::consistently_oriented(mesh::welded(cage));
+  Elements outside = mesh::points_outside(around, model.positions, nullptr, progress);
+  if (outside.empty()) return std::nullopt;
+  return Finding{Defect::vertices_outside, Subject::model, ElementKind::vertex, std::move(outside), {}};
+}
+
+std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage, base::Progress* progress) {
+  std::vector<Finding> found;
+  if (cage.surface) {
+    if (progress) progress->section(0, 0.1);
+    append(found, check_cage(*cage.surface, progress));
+    if (progress) progress->section(0.1, 0.9);
+    if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
+      found.push_back(*std::move(outside));
+  }
+  if (progress) progress->section(0.9, 1);
+  append(found, check_model(*model.surface, model.summary));
+  std::stable_partition(found.begin(), found.end(), matters);
+  return found;
+}
+
+std::string meaning(const Finding& finding) {
+  const Words& words = words_of(finding.defect);
+  return finding.subject == Subject::cage ? words.of_cage : words.of_model;
+}
+
+bool matters(const Finding& finding) {
+  if (finding.subject == Subject::model) return finding.defect == Defect::vertices_outside;
+  return finding.defect != Defect::inside_out && finding.defect != Defect::unused_vertex;
+}
+
+namespace {
+
+// Signed volume of each part of the cage, positive if its faces point outward, in units of the cage's size.
+std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
+  std::vector<double> all(cage.roots.size(), 0);
+  for (std::size_t e = 0; e < cage.element_count(); ++e) {
+    if (cage.parts[e] >= all.size()) continue;
+    const auto& center = positions[cage.surface.triangles[cage.roots[cage.parts[e]]][0]];
+    mesh::Vec3 corners[3];
+    for (int i = 0; i < 3; ++i)
+      corners[i] = (1 / cage.diagonal) * (positions[cage.surface.triangles[e][i]] - center);
+    all[cage.parts[e]] += mesh::dot(corners[0], mesh::cross(corners[1], corners[2])) / 6;
+  }
+  return all;
+}
+
+std::size_t parts_inside_out(const deform::Cage& cage, const deform::Pose& pose) {
+  if (!cage.closed) return 0;
+  const auto rest = volumes(cage, cage.surface.positions), posed = volumes(cage, pose.positions);
+  std::size_t count = 0;
+  for (std::size_t part = 0; part < rest.size(); ++part) count += rest[part] * posed[part] < 0;
+  return count;
+}
+
+std::string inside_out_note(std::size_t count, std::size_t parts) {
+  const std::string which = parts == 1
+                                ? "The cage is"
+                                : std::to_string(count) + " of " + std::to_string(parts) +
+                                      (count == 1 ? " parts of the cage is" : " parts of the cage are");
+  return which +
+         " mirrored in this pose, which log space cannot represent: the model folds; use mean value "
+         "coordinates";
+}
+
+}  // namespace
+
+std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,
+                                    const deform::Pose& pose) {
+  std::vector<std::string> notes;
+  if (!report.collapsed.empty()) {
+    notes.push_back(
+        std::to_string(report.collapsed.size()) + std::string(" of the cage's faces") +
+        (report.collapsed.size() == 1 ? " has" : " have") +
+        " collapsed (first: " + std::to_string(report.collapsed.front()) +
+        (report.collapsed.size() == 1 ? "); a minimum stretch is used" : "); minimum stretches are used"));
+  }
+  if (report.torn.empty()) return notes;
+  const std::size_t inside_out = parts_inside_out(cage, pose);
+  if (inside_out > 0) notes.push_back(inside_out_note(inside_out, cage.roots.size()));
+  if (inside_out < cage.roots.size()) {
+    const auto& [a, b] = report.torn.front();
+    notes.push_back(
+        base::counted(report.torn.size(), "pair") +
+        " of neighbouring cage faces rotated by more than 120 degrees relative to each other (first: faces " +
+        std::to_string(a) + ", " + std::to_string(b) + "); the model may fold there");
+  }
+  return notes;
+}
+
+std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
+                                                     const deform::Cage& cage, std::size_t most) {
+  const auto& triangles = cage.surface.triangles;
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  for (const auto& [a, b] : report.torn | std::views::take(most)) {
+    if (std::max(a, b) >= triangles.size()) continue;
+    std::vector<std::uint32_t> ends;
+    std::ranges::copy_if(triangles[a], std::back_inserter(ends), [&, other = b](std::uint32_t v) {
+      return std::ranges::count(triangles[other], v) > 0;
+    });
+    if (ends.size() == 2) edges.push_back({ends[0], ends[1]});
+  }
+  return edges;
+}
+
+}  // namespace viete::document

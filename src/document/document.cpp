@@ -1,0 +1,210 @@
+#include "document/document.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "base/error.h"
+#include "deform/maps.h"
+#include "document/range.h"
+#include "formats/read.h"
+#include "formats/text_cursor.h"
+#include "mesh/surface.h"
+
+namespace viete::document {
+
+namespace {
+
+struct SizeRange {
+  double least, most;
+  const char* use;
+};
+
+// A single point has no size; only its position is checked.
+void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
+  double size = box.diagonal();
+  for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
+  if (size <= range.most) size = box.diagonal();
+  if (size == 0 || (size >= range.least && size <= range.most)) return;
+  char text[64], advice[64];
+  std::snprintf(text, sizeof text, "a size of %.2g cannot be %s", size, range.use);
+  std::snprintf(advice, sizeof advice, "scale it to a size between %g and %g", range.least, range.most);
+  throw base::Error(place, text, advice);
+}
+
+void check_pose(const std::string& place, const std::vector<mesh::Point>& positions, const SizeRange& range) {
+  if (!positions.empty()) check_size(place, mesh::bounds(positions), {0, range.most, range.use});
+}
+
+void check_pose(const std::string& place, const WholePose& pose, const SizeRange& range) {
+  check_pose(place, pose.cage.positions, range);
+  if (pose.shape) check_pose(place, *pose.shape, range);
+}
+
+void check_sizes(const Document& document, const SizeRange& range) {
+  for (const OpenedSurface* opened : {&document.model, &document.cage_file}) {
+    if (opened->surface) check_size(place_of(*opened), opened->bounds, range);
+  }
+  const auto check_keys = [&](const char* what, const std::vector<PoseKey>& keys) {
+    for (const PoseKey& key : keys) check_pose(what + std::to_string(key.frame), *key.pose, range);
+  };
+  for (const NamedPose& named : document.library.poses)
+    check_pose("the pose " + formats::in_quotes(named.name), *named.pose, range);
+  check_keys("the key of frame ", document.timeline.keys);
+  check_keys("the unkeyed pose of frame ", document.timeline.unkeyed);
+  if (document.library.unmixed)
+    check_pose("the pose before weighted poses", *document.library.unmixed, range);
+  if (document.shape) check_pose("the shape of the model", *document.shape, range);
+  if (document.cage_file.surface)
+    check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
+}
+
+void put_surface(OpenedSurface& opened, mesh::Surface surface) {
+  opened.summary = mesh::summarize(surface);
+  opened.bounds = mesh::used_bounds(surface);
+  opened.content = mesh::content_key(surface);
+  opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+}
+
+}  // namespace
+
+OpenedSurface generated_surface(mesh::Surface surface, std::string made) {
+  OpenedSurface opened;
+  opened.made = std::move(made);
+  opened.format = "not saved";
+  put_surface(opened, std::move(surface));
+  return opened;
+}
+
+OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress) {
+  formats::ReadResult read = formats::read(path, progress);
+  OpenedSurface opened;
+  opened.path = path;
+  opened.format = std::move(read.format);
+  opened.warnings = std::move(read.warnings);
+  opened.attributes = std::move(read.attributes);
+  opened.original = std::move(read.original);
+  put_surface(opened, std::move(read.surface));
+  return opened;
+}
+
+Document document_of(OpenedSurface model) {
+  Document document;
+  document.model = std::move(model);
+  document.space = space_for(document.model.bounds);
+  return document;
+}
+
+void check_drawable(const Document& document) {
+  check_sizes(document, {least_drawn, most_drawn, "drawn"});
+}
+
+// The highest powers of a length are squares of areas. Measured: from 1e-75 to 1e76 the dragon has the same
+// bits as at size 1, up to the factor; a factor of a billion is left for finer details.
+void check_deformable(const Document& document) {
+  check_sizes(document, {1e-60, 1e60, "deformed"});
+}
+
+void set_cage(Document& document, OpenedSurface cage) {
+  try {
+    document.cage = std::make_shared<const deform::Cage>(deform::make_cage(*cage.surface));
+  } catch (const deform::FinError& error) {
+    throw deform::FinError(place_of(cage), error.problem(), error.advice());
+  } catch (const base::Error& error) {
+    throw base::Error(place_of(cage), error.problem(), error.advice());
+  }
+  document.cage_file = std::move(cage);
+  if (!document.cage_file.path.empty()) document.also_read.push_back({document.cage_file.path, the_cage});
+  document.pose = deform::rest_pose(*document.cage);
+  document.selection.clear();
+  document.groups = {};
+  document.history = {};
+}
+
+Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
+                       base::Progress* progress) {
+  Document document = document_of(open_surface(model, progress));
+  if (!cage.empty()) set_cage(document, open_surface(cage));
+  return document;
+}
+
+bool Document::has_shapes() const {
+  const auto has_one = [](const auto& keyed) { return keyed.pose->shape != nullptr; };
+  return shape || std::ranges::any_of(library.poses, has_one) || std::ranges::any_of(timeline.keys, has_one);
+}
+
+void Document::mark_replacing(const Document& other) {
+  const Revisions& before = other.revisions_;
+  revisions_ = {before.surfaces + 1, before.cage + 1,   before.weights + 1,
+                before.pose + 1,     before.method + 1, before.whole + 1};
+}
+
+void Document::replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed) {
+  cage_file = std::move(file);
+  cage = std::move(by);
+  changed_pose() = std::move(posed);
+  if (selection.kind() != ElementKind::probe) selection.clear();
+  groups = {};
+  carried.clear();
+  ++revisions_.cage;
+}
+
+void Document::put_scheme(const deform::Scheme& other) {
+  const deform::Scheme old = std::exchange(scheme, other);
+  if (old.weighting != scheme.weighting) ++revisions_.weights;
+  if (old.blend != scheme.blend || old.weighting.elements != scheme.weighting.elements ||
+      old.amounts != scheme.amounts || old.iterations != scheme.iterations || old.holding != scheme.holding)
+    ++revisions_.method;
+}
+
+void Document::put_method(sym3::Method other) {
+  if (std::exchange(method, other) != other) ++revisions_.method;
+}
+
+void Document::restore(DocumentState&& state) {
+  if (cage != state.cage) ++revisions_.cage;
+  const deform::Scheme restored = std::exchange(state.scheme, scheme);
+  static_cast<DocumentState&>(*this) = std::move(state);
+  ++revisions_.pose, ++revisions_.whole;
+  carried.clear();
+  put_scheme(restored);
+}
+
+void put_settings(Document& document, const RequestedSettings& asked, bool chosen) {
+  const deform::Scheme scheme = deform::scheme_of(asked, document.scheme, chosen);
+  if (asked.method) document.put_method(*asked.method);
+  document.put_scheme(scheme);
+}
+
+DocumentState state_of(const Document& document) {
+  return document;
+}
+
+mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex) {
+  return document.shape ? (*document.shape)[vertex] : document.model.surface->positions[vertex];
+}
+
+Carried carried_probe(const Document& document, std::size_t i) {
+  return i < document.carried.size() ? document.carried[i] : Carried{document.probes.all[i].place};
+}
+
+mesh::Point probe_center(const Document& document, std::size_t i) {
+  const Carried carried = carried_probe(document, i);
+  return carried.place + deform::times(carried.map, document.probes.all[i].pose.move);
+}
+
+mesh::Point pinned_vertex(const Document& document, std::size_t i) {
+  const Carried carried = carried_probe(document, i);
+  const deform::Probe& probe = document.probes.all[i];
+  return carried.place +
+         deform::times(carried.map, shape_of_vertex(document, probe.pin->vertex) - probe.place);
+}
+
+std::vector<mesh::Point> probe_centers(const Document& document) {
+  std::vector<mesh::Point> centers;
+  for (std::size_t i = 0; i < document.probes.all.size(); ++i) centers.push_back(probe_center(document, i));
+  return centers;
+}
+
+}  // namespace viete::document

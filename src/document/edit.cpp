@@ -1,0 +1,103 @@
+#include "document/edit.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "document/elements.h"
+#include "document/pose_edit.h"
+#include "document/probes.h"
+
+namespace viete::document {
+
+namespace {
+
+// Settings that require another binding, which may fail.
+enum class Setting : std::size_t { blending, radius, iterations, holding };
+
+EditStep binding_step(Setting setting) {
+  return {EditKind::binding, static_cast<std::size_t>(setting)};
+}
+
+// Changes a setting of the scheme step by step, also one the scheme does not use.
+template <class Place, class Value>
+void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
+  deform::Scheme scheme = document.scheme;
+  if (std::exchange(*place(scheme), value) == value) return;
+  record_step(document, label, step);
+  document.put_scheme(scheme);
+}
+
+}  // namespace
+
+bool differs_from_rest(const Document& document) {
+  const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
+  if (document.shape || std::ranges::any_of(document.probes.all, acts)) return true;
+  if (!document.has_cage()) return false;
+  const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
+  const auto& turns = document.pose.turns;
+  return document.pose.positions != document.cage->surface.positions ||
+         std::any_of(turns.begin(), turns.end(), turned);
+}
+
+void reset_pose(Document& document) {
+  record_edit(document, "reset pose");
+  end_mix(document);
+  document.put_shape(nullptr);
+  if (document.has_cage()) document.changed_pose() = deform::rest_pose(*document.cage);
+  for (deform::Probe& probe : document.changed_probes().all) {
+    if (!probe.locked) probe.pose = {};
+  }
+}
+
+void reset_selected(Document& document, const Mirror* mirror) {
+  if (document.selection.kind() == ElementKind::probe) return rest_probes(document);
+  record_edit(document, "reset selected");
+  const auto vertices = with_partners(selected_vertices(*document.cage, document.selection), mirror);
+  auto& positions = document.changed_pose().positions;
+  for (const auto v : without_hidden(document, vertices)) positions[v] = document.cage->surface.positions[v];
+}
+
+void select_kind(Document& document, ElementKind kind) {
+  const bool of_cage = kind != ElementKind::probe && document.selection.kind() != ElementKind::probe;
+  set_selection(document, document.has_cage() && of_cage ? converted(*document.cage, document.selection, kind)
+                                                         : Selection(kind));
+}
+
+void set_scheme(Document& document, const deform::Scheme& scheme) {
+  if (document.scheme == scheme) return;
+  record_edit(document, "change blending", binding_step(Setting::blending));
+  document.put_scheme(scheme);
+}
+
+void set_radius(Document& document, double radius) {
+  slide(document, "change radius", binding_step(Setting::radius), radius,
+        [](deform::Scheme& scheme) { return &scheme.weighting.radius; });
+}
+
+void set_amounts(Document& document, const deform::Amounts& amounts) {
+  slide(document, "change rotation and stretch amounts", {EditKind::amounts}, amounts,
+        [](deform::Scheme& scheme) { return &scheme.amounts; });
+}
+
+void set_iterations(Document& document, int iterations) {
+  slide(document, "change stitching", binding_step(Setting::iterations), iterations,
+        [](deform::Scheme& scheme) { return &scheme.iterations; });
+}
+
+void set_holding(Document& document, const deform::Holding& holding) {
+  slide(document, "change stitching constraints", binding_step(Setting::holding), holding,
+        [](deform::Scheme& scheme) { return &scheme.holding; });
+}
+
+void revert_scheme(Document& document, const deform::Scheme& instead) {
+  History& history = document.history;
+  const auto last = history.last_step();
+  if (last && last->kind == EditKind::binding) {
+    history.drop_last();
+  } else {
+    history.extend_last();  // the stored state of the edits has changed
+  }
+  document.put_scheme(instead);
+}
+
+}  // namespace viete::document

@@ -1,0 +1,37 @@
+#include "document/files_in_use.h"
+
+#include <sys/stat.h>
+
+namespace viete::document {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// The inode, or the name of a missing file.
+FileIdentity identity(const fs::path& file) {
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) return std::pair(status.st_dev, status.st_ino);
+  std::error_code code;
+  const fs::path absolute = fs::absolute(file, code);
+  const fs::path plain = fs::weakly_canonical(absolute, code);
+  return code ? absolute.lexically_normal() : plain;
+}
+
+}  // namespace
+
+FilesInUse::FilesInUse(std::initializer_list<fs::path> files) {
+  for (const fs::path& file : files) add(file, "an input");
+}
+
+void FilesInUse::add(const fs::path& file, std::string_view what) {
+  if (!file.empty()) files_.emplace(identity(file), what);
+}
+
+const std::string* FilesInUse::find(const fs::path& file) const {
+  if (file.empty()) return nullptr;
+  const auto at = files_.find(identity(file));
+  return at == files_.end() ? nullptr : &at->second;
+}
+
+}  // namespace viete::document

@@ -1,0 +1,56 @@
+// How a drag moves the selection: pivot, axes, mirror and soft selection.
+#pragma once
+
+#include <optional>
+
+#include "base/choice.h"
+#include "mesh/surface.h"
+
+namespace viete::document {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
+
+/// The center of rotation and scale.
+enum class Pivot { median, active, joint, point };
+
+/// The orientation of handles and typed axes.
+enum class Axes { world, view, selection };
+
+/// The mirror plane between both sides of the cage.
+enum class MirrorPlane { none, x, y, z, fit };
+
+/// The falloff of soft selection from the selection to the radius.
+enum class SoftCurve { smooth, sharp, linear, constant };
+
+/// The distance measure of soft selection.
+enum class SoftDistance { edges, space };
+
+std::span<const Choice> choices(Pivot);
+std::span<const Choice> choices(Axes);
+std::span<const Choice> choices(MirrorPlane);
+std::span<const Choice> choices(SoftCurve);
+std::span<const Choice> choices(SoftDistance);
+
+struct SoftSelection {
+  static constexpr double least_radius = 0.005, largest_radius = 2;
+
+  bool on = false;
+  double radius = 0.35;  ///< where the falloff reaches 0, relative to the view's diagonal; least to largest
+  SoftCurve curve = SoftCurve::smooth;
+  SoftDistance distance = SoftDistance::edges;
+
+  friend bool operator==(const SoftSelection&, const SoftSelection&) = default;
+};
+
+struct Handling {
+  Pivot pivot = Pivot::median;
+  std::optional<mesh::Point> point{};  ///< of Pivot::point, in file coordinates; missing: the median
+  Axes axes = Axes::world;
+  MirrorPlane mirror = MirrorPlane::none;
+  SoftSelection soft{};
+  double freedom = 0.5;  ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
+
+  friend bool operator==(const Handling&, const Handling&) = default;
+};
+
+}  // namespace viete::document

@@ -1,0 +1,411 @@
+#include "document/pose_edit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "base/worker_pool.h"
+#include "document/animation.h"
+#include "document/record.h"
+
+namespace viete::document {
+
+namespace {
+
+// Locked probes ignore the mix.
+void keep_locked(const Document& document, WholePose& pose) {
+  const auto& all = document.probes.all;
+  pose.probes.resize(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (all[i].locked) pose.probes[i] = all[i].pose;
+}
+
+// The shape `from` plus `sign` times the library's mix; a single term is returned bit for bit.
+SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
+                         double sign) {
+  std::vector<ShapeTerm> shapes;
+  for (const NamedPose& named : state.library.poses) {
+    if (named.weight != 0 && named.pose->shape) shapes.push_back({named.pose->shape, sign * named.weight});
+  }
+  if (shapes.empty()) return from;
+  if (!from && shapes.size() == 1 && shapes.front().factor == 1) return shapes.front().shape;
+  base::WorkerPool pool;
+  std::vector<deform::LogTerm> terms;
+  const auto vector_of = [&](const SharedShape& shape) {
+    deform::ShapeReport report;
+    return vectors.of(shape, nullptr, pool, report).get();
+  };
+  for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
+  const deform::LogVector* base = vector_of(from);
+  const deform::LogSpace& space = vectors.shapes(pool)->logs();
+  const deform::Held held = space.held_from(*base, terms);
+  terms.push_back({base, 1});
+  return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
+}
+
+// The pose `from` plus `sign` times the mix of that state's library.
+WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
+                 const SharedPose& from, double sign) {
+  std::vector<ProbeTerm> probes{{&from->probes, 1}};
+  for (const NamedPose& named : state.library.poses)
+    probes.push_back({&named.pose->probes, sign * named.weight});
+  WholePose pose{from->cage, blended_probes(probes)};
+  keep_locked(document, pose);
+  pose.shape = shape_of_mix(state, vectors, from->shape, sign);
+  if (!document.has_cage()) return pose;
+  const auto base = vectors.of(from);
+  std::vector<deform::LogTerm> terms;
+  for (const NamedPose& named : state.library.poses)
+    if (named.weight != 0) terms.push_back({vectors.of(named.pose).get(), sign * named.weight});
+  const deform::Held held = vectors.space()->logs().held_from(*base, terms);
+  terms.push_back({base.get(), 1});
+  pose.cage = state.timeline.straight ? vectors.space()->straight(terms) : vectors.space()->pose(terms, held);
+  return pose;
+}
+
+SharedPose rest_of(const Document& document) {
+  WholePose pose;
+  if (document.has_cage()) pose.cage = deform::rest_pose(*document.cage);
+  keep_locked(document, pose);
+  return std::make_shared<const WholePose>(std::move(pose));
+}
+
+bool is_rest_pose(const Document& document, const WholePose& pose) {
+  return !pose.shape && (!document.has_cage() || pose.cage.positions == document.cage->surface.positions) &&
+         std::ranges::all_of(pose.probes, [](const auto& p) { return p == deform::ProbePose{}; }) &&
+         std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
+}
+
+// The only pose in the mix if its weight is 1: the result then equals it bit for bit.
+const NamedPose* only_mixed_pose(const PoseLibrary& library) {
+  const NamedPose* found = nullptr;
+  for (const NamedPose& named : library.poses) {
+    if (named.weight == 0) continue;
+    if (found || named.weight != 1) return nullptr;
+    found = &named;
+  }
+  return found;
+}
+
+// Subtracts the previous mix: the remainder is the unmixed pose.
+SharedPose without_mix(const Document& document, const DocumentState& mixed, VectorCache& vectors) {
+  const SharedPose now = shared_pose(document);
+  if (!mixed.library.mixes()) return now;
+  if (const SharedPose known = unmixed_pose(document)) return known;
+  const NamedPose* alone = only_mixed_pose(mixed.library);
+  if (alone && same_pose(*alone->pose, *now)) return rest_of(document);
+  return std::make_shared<const WholePose>(mix_of(document, mixed, vectors, now, -1));
+}
+
+SharedPose mixed_upon(const Document& document, const DocumentState& state, VectorCache& vectors,
+                      const SharedPose& base) {
+  if (!state.library.mixes()) return base;
+  const NamedPose* alone = only_mixed_pose(state.library);
+  if (alone && is_rest_pose(document, *base)) return alone->pose;
+  return std::make_shared<const WholePose>(mix_of(document, state, vectors, base, 1));
+}
+
+bool are_weights(const PoseLibrary& library) {
+  return std::ranges::all_of(library.poses, [](const NamedPose& p) {
+    return p.weight >= PoseLibrary::least_weight && p.weight <= PoseLibrary::largest_weight;
+  });
+}
+
+// Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
+// range.
+template <class Change>
+bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
+           EditStep step = {}, std::span<const double> played = {}) {
+  vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
+  DocumentState changed = state_of(document);
+  for (std::size_t i = 0; i < played.size(); ++i) changed.library.poses[i].weight = played[i];
+  const SharedPose base = without_mix(document, changed, vectors);
+  change(changed);
+  const SharedPose pose = mixed_upon(document, changed, vectors, base);
+  if (!are_weights(changed.library) || !in_range(*pose)) return false;
+  record_step(document, label, step, step.kind == EditKind::mix);
+  document.library = std::move(changed.library);
+  document.timeline = std::move(changed.timeline);
+  put_whole_pose(document, *pose);
+  const bool mixes = document.library.mixes();
+  document.library.unmixed = mixes ? base : nullptr;
+  document.library.mixed = mixes ? shared_pose(document) : nullptr;
+  return true;
+}
+
+// At most so many bytes, without splitting a UTF-8 character.
+std::string cut(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return text;
+  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
+  return text.substr(0, most);
+}
+
+}  // namespace
+
+bool PoseLibrary::mixes() const {
+  return std::ranges::any_of(poses, [](const NamedPose& p) { return p.weight != 0; });
+}
+
+WholePose whole_pose(const Document& document) {
+  WholePose pose;
+  if (document.has_cage()) {
+    pose.cage = real_pose(document);
+    pose.cage.turns.resize(document.cage->roots.size());  // missing turns are 0
+  }
+  for (const deform::Probe& probe : document.probes.all) pose.probes.push_back(probe.pose);
+  pose.shape = document.shape;
+  return pose;
+}
+
+SharedPose shared_pose(const Document& document) {
+  return std::make_shared<const WholePose>(whole_pose(document));
+}
+
+void put_whole_pose(Document& document, const WholePose& pose) {
+  document.put_shape(pose.shape);
+  if (document.has_cage()) {
+    document.kept_pose.reset();
+    document.changed_pose() = pose.cage;
+  }
+  auto& probes = document.changed_probes().all;
+  for (std::size_t i = 0; i < probes.size(); ++i)
+    if (!probes[i].locked) probes[i].pose = pose.probe(i);
+  move_pins_to_shape(document);
+}
+
+void move_pins_to_shape(Document& document) {
+  for (deform::Probe& probe : document.probes.all)
+    if (probe.pin) probe.pose = {.move = shape_of_vertex(document, probe.pin->vertex) - probe.place};
+}
+
+void end_mix(Document& document) {
+  for (NamedPose& named : document.library.poses) named.weight = 0;
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+SharedPose unmixed_pose(const Document& document) {
+  const PoseLibrary& library = document.library;
+  if (!library.mixes() || !library.mixed || !library.unmixed) return nullptr;
+  const WholePose now = whole_pose(document);
+  const bool same = same_pose(library.mixed->cage, now.cage) && library.mixed->probes == now.probes &&
+                    same_shape(library.mixed->shape, now.shape);
+  return same ? library.unmixed : nullptr;
+}
+
+std::string free_name(const PoseLibrary& library, const std::string& wish) {
+  const auto taken = [&](const std::string& name) {
+    return std::ranges::any_of(library.poses, [&](const NamedPose& p) { return p.name == name; });
+  };
+  const std::string base = wish.empty() ? "pose" : cut(wish, PoseLibrary::longest_name);
+  std::string name = base;
+  for (int n = 2; taken(name); ++n) {
+    const std::string number = ' ' + std::to_string(n);
+    name = cut(base, PoseLibrary::longest_name - number.size()) + number;
+  }
+  return name;
+}
+
+namespace {
+
+// Renames the pose in the mixes of all keys; an empty name removes it.
+void rename_in_keys(Timeline& timeline, const std::string& name, const std::string& to) {
+  for (PoseKey& key : timeline.keys) {
+    for (MixedPose& mixed : key.mix)
+      if (mixed.name == name) mixed.name = to;
+    if (to.empty()) std::erase_if(key.mix, [](const MixedPose& mixed) { return mixed.name.empty(); });
+  }
+}
+
+void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
+  const std::size_t count = document.library.poses.size();
+  if (count + poses.size() > PoseLibrary::most_poses)
+    throw base::Error("", "the pose list is full", "delete some of the " + std::to_string(count));
+  record_edit(document, label);
+  for (NamedPose& pose : poses) {
+    pose.name = free_name(document.library, pose.name);
+    document.library.poses.push_back(std::move(pose));
+  }
+}
+
+}  // namespace
+
+std::size_t keep_pose(Document& document, const std::string& name) {
+  add_named(document, {{name, shared_pose(document)}}, "add pose");
+  return document.library.poses.size() - 1;
+}
+
+void add_poses(Document& document, std::vector<NamedPose> poses) {
+  add_named(document, std::move(poses), "import poses");
+}
+
+void add_shapes(Document& document, std::vector<NamedShape> shapes) {
+  const deform::Pose cage = document.has_cage() ? deform::rest_pose(*document.cage) : deform::Pose();
+  std::vector<NamedPose> poses;
+  for (NamedShape& shape : shapes)
+    poses.push_back({std::move(shape.name),
+                     std::make_shared<const WholePose>(WholePose{cage, {}, std::move(shape.shape)})});
+  add_named(document, std::move(poses), "import shapes");
+}
+
+void update_pose(Document& document, std::size_t pose) {
+  record_edit(document, "update a pose");
+  const SharedPose now = shared_pose(document);
+  end_mix(document);
+  document.library.poses[pose].pose = now;
+  rename_in_keys(document.timeline, document.library.poses[pose].name, "");
+}
+
+void apply_pose(Document& document, std::size_t pose) {
+  record_edit(document, "apply a pose");
+  end_mix(document);
+  put_whole_pose(document, *document.library.poses[pose].pose);
+}
+
+void rename_pose(Document& document, std::size_t pose, const std::string& name) {
+  if (document.library.poses[pose].name == name || name.empty()) return;
+  record_edit(document, "rename a pose");
+  const std::string before = std::exchange(document.library.poses[pose].name, "");
+  document.library.poses[pose].name = free_name(document.library, name);
+  rename_in_keys(document.timeline, before, document.library.poses[pose].name);
+}
+
+void move_pose(Document& document, std::size_t pose, std::size_t to) {
+  auto& poses = document.library.poses;
+  if (to == pose || to == pose + 1) return;
+  record_edit(document, "move a pose");
+  NamedPose moved = std::move(poses[pose]);
+  poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
+}
+
+void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
+  constexpr const char* label = "delete a pose";
+  const auto erase = [pose](DocumentState& state) {
+    auto& poses = state.library.poses;
+    rename_in_keys(state.timeline, poses[pose].name, "");
+    poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
+  };
+  if (document.library.poses[pose].weight != 0 && remix(document, vectors, label, erase)) return;
+  record_edit(document, label);
+  if (document.library.poses[pose].weight != 0) end_mix(document);
+  erase(document);
+}
+
+bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
+                std::span<const double> played) {
+  if (std::isnan(weight)) return false;
+  weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
+  const NamedPose& named = document.library.poses[pose];
+  if ((played.empty() ? named.weight : played[pose]) == weight) return true;
+  const std::string label = "weight of " + named.name;
+  const auto change = [&](DocumentState& state) { state.library.poses[pose].weight = weight; };
+  return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
+}
+
+bool clear_mix(Document& document, VectorCache& vectors) {
+  if (!document.library.mixes()) return true;
+  return remix(document, vectors, "clear weights", [](DocumentState& state) {
+    for (NamedPose& named : state.library.poses) named.weight = 0;
+  });
+}
+
+SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight) {
+  const SharedPose base = unmixed_pose(document);
+  if (!base) return nullptr;
+  vectors.follow(document.cage);
+  vectors.follow_model(document.model.surface);
+  DocumentState state = state_of(document);
+  state.timeline.straight = straight;
+  const SharedPose pose = mixed_upon(document, state, vectors, base);
+  return in_range(*pose) ? pose : nullptr;
+}
+
+bool set_straight(Document& document, VectorCache& vectors, bool straight) {
+  if (document.timeline.straight == straight) return true;
+  const char* const label = straight ? "linear interpolation" : "log space";
+  const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
+  if (document.library.mixes()) return remix(document, vectors, label, change);
+  record_edit(document, label);
+  change(document);
+  return true;
+}
+
+namespace {
+
+// Changes a copy of each named and keyed pose.
+template <class Change>
+void change_poses(Document& document, const Change& change) {
+  const auto put = [&](SharedPose& pose) {
+    WholePose changed = *pose;
+    change(changed);
+    pose = std::make_shared<const WholePose>(std::move(changed));
+  };
+  for (NamedPose& named : document.library.poses) put(named.pose);
+  for (auto* keys : {&document.timeline.keys, &document.timeline.unkeyed})
+    for (PoseKey& key : *keys) put(key.pose);
+}
+
+}  // namespace
+
+void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried) {
+  end_mix(document);
+  change_poses(document, [&](WholePose& pose) { pose.cage = carried(pose.cage); });
+}
+
+namespace {
+
+// "3 poses and 2 keys"; empty if there are none.
+std::string counted_poses(std::size_t poses, std::size_t keys) {
+  const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
+  const std::string others = keys == 0 ? "" : base::counted(keys, "key");
+  return some.empty() || others.empty() ? some + others : some + " and " + others;
+}
+
+// Keeps the shapes of keyed poses, with this pose of the cage; removes all others. Returns the number
+// removed.
+template <class Keyed>
+std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
+  const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });
+  for (Keyed& keyed : all)
+    keyed.pose = std::make_shared<const WholePose>(WholePose{cage, keyed.pose->probes, keyed.pose->shape});
+  return lost;
+}
+
+}  // namespace
+
+std::string drop_poses(Document& document, const deform::Cage& by) {
+  const deform::Pose rest = deform::rest_pose(by);
+  end_mix(document);
+  const std::size_t poses = keep_shapes(document.library.poses, rest);
+  const std::size_t keys = keep_shapes(document.timeline.keys, rest);
+  keep_shapes(document.timeline.unkeyed, rest);
+  return counted_poses(poses, keys);
+}
+
+std::string keep_shapes(Document& to, const Document& from) {
+  to.shape = from.shape;
+  to.library = from.library;
+  to.timeline = from.timeline;
+  to.frame = from.frame;
+  return drop_poses(to, *to.cage);
+}
+
+void forget_probe(Document& document, std::size_t probe) {
+  change_poses(document, [probe](WholePose& pose) {
+    if (probe < pose.probes.size())
+      pose.probes.erase(pose.probes.begin() + static_cast<std::ptrdiff_t>(probe));
+  });
+  document.library.unmixed = document.library.mixed = nullptr;
+}
+
+void set_pose(Document& document, deform::Pose pose) {
+  record_edit(document, "open pose");
+  end_mix(document);
+  document.kept_pose.reset();  // the change is a pose, not another cage
+  document.changed_pose() = std::move(pose);
+}
+
+}  // namespace viete::document

@@ -1,0 +1,55 @@
+// Conversion between file coordinates (double, any size and position) and view coordinates (float, about one
+// unit, at the origin).
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+#include "mesh/surface.h"
+#include "mesh/vector.h"
+
+namespace viete::document {
+
+/// view = (file - center) * scale. Fixed per document, so that models of size 1e-30 or at 1e7 draw equally
+/// well.
+struct Space {
+  mesh::Point center{0, 0, 0};
+  double scale = 1;
+
+  glm::vec3 to_view(const mesh::Point& p) const {
+    return {static_cast<float>((p[0] - center[0]) * scale), static_cast<float>((p[1] - center[1]) * scale),
+            static_cast<float>((p[2] - center[2]) * scale)};
+  }
+
+  mesh::Point to_file(const glm::dvec3& p) const {
+    return {center[0] + p.x / scale, center[1] + p.y / scale, center[2] + p.z / scale};
+  }
+
+  /// The diagonal of the box the space was created for.
+  double diagonal() const { return 2 / scale; }
+};
+
+/// The ground grid's cell for a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of
+/// ten.
+inline double grid_cell(double diagonal) {
+  if (!(diagonal > 0) || !std::isfinite(diagonal)) return 1;
+  const double wanted = diagonal / 20;
+  const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+  const double mantissa = wanted / decade;
+  return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
+}
+
+/// Scales the diagonal of the box to 2.
+inline Space space_for(const mesh::Bounds& box) {
+  const double diagonal = box.diagonal();
+  return {box.center(), diagonal > 0 ? 2.0 / diagonal : 1.0};
+}
+
+inline glm::dvec3 vector_of(const mesh::Vec3& p) {
+  return {p[0], p[1], p[2]};
+}
+inline mesh::Vec3 point_of(const glm::dvec3& p) {
+  return {p.x, p.y, p.z};
+}
+
+}  // namespace viete::document

@@ -1,0 +1,141 @@
+#include "files/animated_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/memory.h"
+#include "deform/bind.h"
+#include "deform/scheme.h"
+#include "deform/tiled_binding.h"
+#include "document/checks.h"
+
+namespace viete::files {
+
+using Precision = AnimatedModel::Precision;
+
+AnimatedModel::AnimatedModel(const Export& model, const document::Timeline& timeline, Precision wish,
+                             double most, std::span<const double> tried, base::WorkerPool& pool,
+                             base::Progress* progress)
+    : model_(model), pool_(pool) {
+  vectors_.follow(has_cage() ? model.cage : nullptr);
+  vectors_.follow_model(model.model);
+  animation_.emplace(timeline, vectors_);
+  if (wish == Precision::fast && can_fuse()) make_fast(most, tried, progress);
+}
+
+// False for the substitute of a missing cage.
+bool AnimatedModel::has_cage() const {
+  return model_.cage->element_count() > 0;
+}
+
+document::WholePose AnimatedModel::pose(double frame) const {
+  document::WholePose pose = animation_->at(frame);
+  if (!has_cage()) pose.cage = deform::rest_pose(*model_.cage);
+  return pose;
+}
+
+// True if method and scheme support it, and the memory suffices.
+bool AnimatedModel::can_fuse() const {
+  if (!has_cage() || deform::engine_for(model_.scheme, model_.method) != deform::EngineKind::fused)
+    return false;
+  const std::size_t handles = deform::handle_count(*model_.cage, model_.scheme.weighting.elements);
+  const double weights =
+      4.0 * static_cast<double>(handles) * static_cast<double>(model_.model->positions.size());
+  return weights < 0.5 * base::free_memory().value_or(0);
+}
+
+// Compressed weights would add more error than rounding to float.
+void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
+  const deform::Weighting& weighting = model_.scheme.weighting;
+  constexpr double as_they_are = 0;
+  deform::Binding known;
+  known.tiles = std::make_shared<const deform::TiledBinding>(
+      deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, as_they_are, progress));
+  auto binding = std::make_shared<const deform::Binding>(deform::bind(
+      *model_.model, *model_.cage, weighting, deform::EngineKind::fused, &known, pool_, progress));
+  deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
+  deformer_->set_mask(model_.mask);
+  for (const double frame : tried) run_fast(frame);
+  if (fast_error() <= most) return;
+  deformer_ = nullptr;
+  error_ = 0;
+}
+
+double AnimatedModel::fast_error() const {
+  constexpr double unsampled_factor = 3;  // factor for vertices that are not sampled; measured: at most 1.6
+  const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
+  return unsampled_factor * error_ + rounding / model_.cage->diagonal;
+}
+
+deform::Probes AnimatedModel::probes(const document::WholePose& pose) const {
+  deform::Probes probes = model_.probes;
+  for (std::size_t i = 0; i < probes.all.size(); ++i)
+    if (!probes.all[i].locked) probes.all[i].pose = pose.probe(i);
+  return probes;
+}
+
+deform::ExactModel AnimatedModel::exact(const document::WholePose& pose, base::Progress* progress) {
+  const auto acts = [](const document::Probe& probe) {
+    return !probe.pin && probe.pose != document::ProbePose{};
+  };
+  if (pose.shape && !has_cage() && std::ranges::none_of(probes(pose).all, acts)) {
+    notes_ = animation_->notes();
+    return {*pose.shape, {}, {}, 0};
+  }
+  using deform::ExactDeformer;
+  if (!exact_)
+    exact_ = std::make_unique<ExactDeformer>(*model_.model, model_.cage, model_.scheme, model_.method, pool_,
+                                             ExactDeformer::Weights::kept, model_.mask, progress);
+  deform::ExactModel deformed = exact_->deform(pose.cage, probes(pose), pose.shape, progress);
+  take_notes(deformed.report, pose, deformed.warnings);
+  if (auto note = method_note(model_.method, deformed.exp_error); !note.empty())
+    notes_.push_back(std::move(note));
+  return deformed;
+}
+
+void AnimatedModel::run_fast(double frame) {
+  const document::WholePose pose = this->pose(frame);
+  deformer_->set_probes(probes(pose));
+  deformer_->set_shape(pose.shape);
+  deformer_->deform(pose.cage, model_.method);
+  error_ = std::max(error_, deformer_->sampled_error());
+  take_notes(deformer_->state().report(), pose, deformer_->binding().warnings);
+}
+
+void AnimatedModel::take_notes(const deform::LogReport& report, const document::WholePose& pose,
+                               const std::vector<std::string>& warnings) {
+  notes_ = animation_->notes();
+  for (auto& note : document::pose_notes(report, *model_.cage, pose.cage)) notes_.push_back(std::move(note));
+  notes_.insert(notes_.end(), warnings.begin(), warnings.end());
+}
+
+std::span<const float> AnimatedModel::floats(double frame) {
+  floats_.resize(3 * model_.model->positions.size());
+  const auto put = [&](std::size_t v, const mesh::Point& p) {
+    for (std::size_t i = 0; i < 3; ++i) floats_[3 * v + i] = static_cast<float>(p[i]);
+  };
+  if (precision() == Precision::exact) {
+    const auto positions = exact(pose(frame)).positions;
+    for (std::size_t v = 0; v < positions.size(); ++v) put(v, positions[v]);
+    return floats_;
+  }
+  run_fast(frame);
+  const auto vertices = deformer_->vertices();
+  const mesh::Vec3 o = deformer_->origin();
+  for (std::size_t v = 0; v < vertices.size(); ++v) {
+    const float* p = vertices[v].position;
+    const mesh::Point place{o[0] + p[0], o[1] + p[1], o[2] + p[2]};
+    farthest_ = std::max(farthest_, mesh::largest_abs(place));
+    put(v, place);
+  }
+  return floats_;
+}
+
+std::vector<mesh::Point> AnimatedModel::positions(double frame) {
+  if (precision() == Precision::exact) return exact(pose(frame)).positions;
+  run_fast(frame);
+  return deformer_->positions();
+}
+
+}  // namespace viete::files

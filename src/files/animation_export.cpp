@@ -1,0 +1,410 @@
+#include "files/animation_export.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/text.h"
+#include "base/worker_pool.h"
+#include "files/animated_model.h"
+#include "formats/format_table.h"
+#include "formats/point_cache.h"
+#include "formats/printed.h"
+#include "formats/source.h"
+#include "formats/write.h"
+
+namespace viete::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool is_numbered(const AnimationExport& what) {
+  return base::NumberedName::is_pattern(what.model.file);
+}
+
+// Frames at which the float engine is checked.
+std::array<double, 3> sample_frames(const std::vector<int>& frames) {
+  return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
+}
+
+std::string engine_text(const AnimatedModel& model) {
+  if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
+  return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
+}
+
+// Collects notes without repeating those of earlier frames.
+class FrameNotes {
+public:
+  void add(const std::vector<std::string>& notes) {
+    for (const std::string& note : notes)
+      if (message_revision_.insert(note).second) all_.push_back(note);
+  }
+  std::vector<std::string> take() {
+    constexpr std::size_t most = 12;
+    if (all_.size() > most) {
+      const std::size_t left = all_.size() - most + 1;
+      all_.resize(most - 1);
+      all_.push_back("and " + base::with_thousands(left) + " more notes about other frames");
+    }
+    return std::move(all_);
+  }
+
+private:
+  std::set<std::string> message_revision_;
+  std::vector<std::string> all_;
+};
+
+formats::PointCacheHead cache_head(const AnimationExport& what, const std::vector<int>& frames) {
+  formats::PointCacheHead head;
+  head.format = *formats::point_cache_format(what.model.file);
+  head.points = what.model.model->positions.size();
+  head.frames = frames.size();
+  head.start = static_cast<float>(what.first);
+  head.rate = static_cast<float>(what.step);
+  if (head.format == formats::PointCacheFormat::mdd)
+    for (const int frame : frames)
+      head.seconds.push_back(static_cast<float>((frame - what.first) / what.rate));
+  return head;
+}
+
+AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
+  const std::vector<int> frames = what.frames();
+  if (progress) progress->section(0, 0.02);
+  AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::fast, fast_frame_error,
+                      sample_frames(frames), pool, progress);
+  if (progress) progress->section(0.02, 1);
+  AnimationReport report{.frames = frames.size()};
+  FrameNotes notes;
+  formats::write_point_cache(what.model.file, cache_head(what, frames), [&](std::size_t i) {
+    if (progress) progress->report(static_cast<double>(i) / static_cast<double>(frames.size()));
+    const std::span<const float> positions = model.floats(frames[i]);
+    notes.add(model.notes());
+    return positions;
+  });
+  report.notes = notes.take();
+  report.summary = base::counted(frames.size(), "frame") + " of " +
+                   base::with_thousands(what.model.model->positions.size()) + " vertices, " +
+                   engine_text(model);
+  return report;
+}
+
+// Relative resolution of coordinates in float files.
+constexpr double float_noise = 0x1p-22;
+
+// A frame to evaluate.
+struct Sample {
+  double frame;
+  bool is_key;  // or an end: linear pieces stop here
+};
+
+// Frames, keys, and the last moments before a jump.
+std::vector<Sample> samples_of(const AnimationExport& what) {
+  std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
+  for (const int frame : what.frames()) samples.emplace(frame, false);
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // resolution of time in float
+  const auto& keys = what.timeline.keys;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double frame = keys[i].frame;
+    if (frame <= what.first || frame > what.last) continue;
+    samples[frame] = true;
+    if (i > 0 && keys[i - 1].easing == document::Easing::hold) samples[frame - jump] = true;
+  }
+  std::vector<Sample> all;
+  for (const auto& [frame, is_key] : samples) all.push_back({frame, is_key});
+  return all;
+}
+
+// Linear pieces from one pose to later ones that stay near all poses in between. Stores the largest and
+// smallest admissible slope of each coordinate.
+class StraightLines {
+public:
+  explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
+
+  void start(double frame, std::span<const mesh::Point> pose) {
+    constexpr double any = std::numeric_limits<double>::infinity();
+    frame_ = frame;
+    from_.assign(pose.begin(), pose.end());
+    flattest_.assign(pose.size(), {-any, -any, -any});
+    steepest_.assign(pose.size(), {any, any, any});
+  }
+  // True if the line to that pose is admissible; lines to later poses must stay near it too.
+  bool lead_to(double frame, std::span<const mesh::Point> pose) {
+    const double length = frame - frame_;
+    bool near = true;
+    for (std::size_t v = 0; v < pose.size(); ++v) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const double way = pose[v][c] - from_[v][c],
+                     reach = std::max(reach_, float_noise * std::abs(pose[v][c]));
+        near &= flattest_[v][c] <= way / length && way / length <= steepest_[v][c];
+        flattest_[v][c] = std::max(flattest_[v][c], (way - reach) / length);
+        steepest_[v][c] = std::min(steepest_[v][c], (way + reach) / length);
+      }
+    }
+    return near;
+  }
+
+private:
+  double reach_, frame_ = 0;
+  std::vector<mesh::Point> from_, flattest_, steepest_;
+};
+
+// Poses of the model connected by linear pieces, one target for each that is not at rest.
+struct MorphPlan {
+  std::vector<double> frames;
+  std::vector<std::size_t> targets;  // the poses they represent
+  std::vector<char> moves;           // vertices that leave their rest position
+
+  double bytes(double of_vertex) const {
+    const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
+               moments = static_cast<double>(frames.size());
+    return static_cast<double>(targets.size()) * (of_vertex * moving + 4 * moments) + 4 * moments;
+  }
+};
+
+std::string plain(double number) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", number);
+  return text;
+}
+
+std::string frame_name(double frame) {
+  return "frame " + plain(frame);
+}
+
+void check_floats(std::span<const mesh::Point> pose, double frame) {
+  constexpr double most = std::numeric_limits<float>::max() / 4;
+  for (std::size_t v = 0; v < pose.size(); ++v)
+    if (!formats::is_place(pose[v], most))
+      throw base::Error("vertex " + std::to_string(v),
+                        "its position at " + frame_name(frame) + " does not fit into the floats of glTF",
+                        "write numbered models (frame_####.ply), or scale the model");
+}
+
+// Smaller values are indistinguishable from float rounding.
+constexpr double least_tolerance = 1e-7;
+
+// The model over time, and its approximation with few targets.
+class MorphedModel {
+public:
+  MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
+      : what_(what),
+        tolerance_(std::max(what.tolerance, least_tolerance) *
+                   std::max(mesh::bounds(what.model.model->positions).diagonal(), 1e-300)) {
+    if (progress) progress->section(0, 0.05);
+    model_.emplace(what.model, what.timeline, AnimatedModel::Precision::fast,
+                   std::min(fast_frame_error, 0.1 * what.tolerance), sample_frames(what.frames()), pool,
+                   progress);
+  }
+
+  // Each linear piece is as long as possible; the next one starts at its end.
+  MorphPlan plan(base::Progress* progress) {
+    if (progress) progress->section(0.05, 0.7);
+    const auto& rest = what_.model.model->positions;
+    MorphPlan plan{{}, {}, std::vector<char>(rest.size(), 0)};
+    StraightLines lines(tolerance_);
+    const auto is_still = [&](const mesh::Point& p, const mesh::Point& q) {
+      return mesh::norm(p - q) <= tolerance_;
+    };
+    const auto take = [&](double frame, std::span<const mesh::Point> pose) {
+      if (!std::ranges::equal(pose, rest, is_still)) plan.targets.push_back(plan.frames.size());
+      plan.frames.push_back(frame);
+      check_size(plan);
+      lines.start(frame, pose);
+    };
+    std::vector<mesh::Point> before;
+    const std::vector<Sample> samples = samples_of(what_);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double frame = samples[i].frame;
+      auto pose = at(frame);
+      check_floats(pose, frame);
+      for (std::size_t v = 0; v < pose.size(); ++v) plan.moves[v] |= !is_still(pose[v], rest[v]);
+      if (!plan.frames.empty() && !lines.lead_to(frame, pose)) {
+        take(samples[i - 1].frame, before);
+        lines.lead_to(frame, pose);
+      }
+      if (samples[i].is_key) take(frame, pose);
+      before = std::move(pose);
+      if (progress) progress->report(static_cast<double>(i + 1) / static_cast<double>(samples.size()));
+    }
+    return plan;
+  }
+
+  // A target takes three floats per vertex, and three for its normal.
+  double bytes(const MorphPlan& plan) const { return plan.bytes(what_.normals ? 24 : 12); }
+
+  formats::MorphMotion motion(const MorphPlan& plan) {
+    formats::MorphMotion motion;
+    motion.name = what_.model.file.stem().string();
+    motion.normals = what_.normals;
+    for (const double frame : plan.frames) motion.seconds.push_back((frame - what_.first) / what_.rate);
+    const std::size_t count = plan.targets.size();
+    motion.weights.assign(plan.frames.size() * count, 0);
+    for (std::size_t i = 0; i < count; ++i) {
+      motion.targets.push_back(frame_name(plan.frames[plan.targets[i]]));
+      motion.weights[plan.targets[i] * count + i] = 1;
+    }
+    motion.moves = plan.moves;
+    motion.positions = [&](std::size_t target) {
+      auto pose = at(plan.frames[plan.targets[target]]);
+      for (std::size_t v = 0; v < pose.size(); ++v)
+        if (!plan.moves[v]) pose[v] = what_.model.model->positions[v];
+      return pose;
+    };
+    return motion;
+  }
+
+  AnimationReport report(const MorphPlan& plan) {
+    AnimationReport report{.frames = plan.frames.size()};
+    report.notes = notes_.take();
+    report.summary = base::counted(plan.targets.size(), "morph target") +
+                     " with linear interpolation, error up to " +
+                     plain(std::max(what_.tolerance, least_tolerance)) + " of the model's diagonal; " +
+                     engine_text(*model_);
+    return report;
+  }
+
+  FrameNotes& notes() { return notes_; }
+
+private:
+  std::vector<mesh::Point> at(double frame) {
+    auto positions = model_->positions(frame);
+    notes_.add(model_->notes());
+    return positions;
+  }
+
+  // A GLB file stores its size in 32 bits, including the model.
+  void check_size(const MorphPlan& plan) const {
+    const bool binary = formats::extension_of(what_.model.file) == "glb";
+    const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
+    if (size <= most) return;
+    throw base::Error("",
+                      "the motion needs more than " + base::counted(plan.targets.size(), "morph target") +
+                          ": " + base::memory_size(size) + ", and no more than " + base::memory_size(most) +
+                          " are allowed",
+                      "allow a larger tolerance, or write a point cache (.pc2)");
+  }
+
+  const AnimationExport& what_;
+  double tolerance_;  // in the file's unit
+  std::optional<AnimatedModel> model_;
+  FrameNotes notes_;
+};
+
+AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
+  MorphedModel model(what, pool, progress);
+  const MorphPlan plan = model.plan(progress);
+  // Text stores the bytes as base64, assembled in memory.
+  const double copies = formats::extension_of(what.model.file) == "glb" ? 1 : 4;
+  base::require_memory({copies * model.bytes(plan),
+                        base::counted(plan.targets.size(), "morph target") + " take",
+                        "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
+                        what.model.file.string()});
+  if (progress) progress->section(0.7, 1);
+  const formats::Content content{
+      *what.model.model, what.model.model->positions, {}, what.model.attributes.get()};
+  model.notes().add(formats::write_animated(what.model.file, content, what.model.original.get(),
+                                            model.motion(plan), progress));
+  const bool original = formats::writes_itself(what.model.original.get(), what.model.file);
+  const std::string units = original ? "" : gltf_note(what.model.up);
+  if (!units.empty()) model.notes().add({units});
+  return model.report(plan);
+}
+
+AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
+  const base::NumberedName name(what.model.file);
+  const std::vector<int> frames = what.frames();
+  check_frames_are_new(name, frames, what.force);
+  AnimatedModel model(what.model, what.timeline, AnimatedModel::Precision::exact, 0, {}, pool);
+  FrameNotes notes;
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const double frame = frames[i];
+    const auto share = [&](double done) { return done / static_cast<double>(frames.size()); };
+    const auto at = static_cast<double>(i);
+    Export one = what.model;
+    one.file = name.file(frames[i]);
+    const document::WholePose pose = model.pose(frame);
+    one.pose = pose.cage;
+    one.probes = model.probes(pose);
+    one.shape = pose.shape;
+    if (progress) progress->section(share(at), share(at + 0.5));
+    deform::ExactModel deformed = model.exact(pose, progress);
+    if (progress) progress->section(share(at + 0.5), share(at + 1));
+    notes.add(write_exact(one, std::move(deformed), progress));
+  }
+  AnimationReport report{.frames = frames.size()};
+  notes.add(other_files_note(name, frames));
+  report.notes = notes.take();
+  report.summary = base::counted(frames.size(), "frame") + ", deformed in double";
+  return report;
+}
+
+}  // namespace
+
+std::vector<int> AnimationExport::frames() const {
+  std::vector<int> all;
+  for (int frame = first; frame <= last; frame += step) all.push_back(frame);
+  return all;
+}
+
+AnimationExport animation_export_of(const document::Document& document, const fs::path& file) {
+  AnimationExport what{export_of(document, file), document.timeline};
+  what.first = document.timeline.first;
+  what.last = document.timeline.last;
+  what.rate = document.timeline.rate;
+  return what;
+}
+
+bool is_animation_format(const std::string& extension) {
+  const formats::Format* format = formats::format_by_extension(extension);
+  return format && (format->is_sequence || format->holds_morphs);
+}
+
+void check_animation_export(const AnimationExport& what) {
+  const fs::path& file = what.model.file;
+  const std::string extension = formats::extension_of(file);
+  if (!formats::format_by_extension(extension))
+    throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
+                      "use " + formats::format_extensions(formats::is_sequence, ", ") + ", " +
+                          formats::format_extensions(formats::holds_morphs) +
+                          ", or numbered models or pictures (frame_####.obj, frame_####.png)");
+  if (!is_numbered(what) && !is_animation_format(extension))
+    throw base::Error(file.string(), "this format stores a single frame",
+                      "write numbered files, " + (file.stem() += "_####." + extension).string());
+  if (is_numbered(what) && formats::point_cache_format(file))
+    throw base::Error(file.string(), "a point cache stores all frames in one file",
+                      "remove #### from the name");
+  if (what.timeline.keys.empty())
+    throw base::Error("", "the timeline has no keys, so nothing moves",
+                      "set keys on the timeline, and save the session");
+  base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
+}
+
+AnimationReport write_animation(const AnimationExport& what, base::Progress* progress) {
+  check_animation_export(what);
+  base::WorkerPool pool;
+  if (is_numbered(what)) return write_frames(what, pool, progress);
+  if (formats::point_cache_format(what.model.file)) return write_cache(what, pool, progress);
+  return write_morphs(what, pool, progress);
+}
+
+std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const int> frames) {
+  std::vector<std::string> others;
+  for (const base::NumberedFile& file : name.find())
+    if (!std::ranges::binary_search(frames, file.number)) others.push_back(file.path.filename().string());
+  if (others.empty()) return {};
+  if (others.size() == 1) return {others.front() + " already existed and is not one of these frames"};
+  return {base::counted(others.size(), "file") + " from " + others.front() + " to " + others.back() +
+          " already existed and are not among these frames"};
+}
+
+}  // namespace viete::files

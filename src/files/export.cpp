@@ -1,0 +1,128 @@
+#include "files/export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "base/atomic_file.h"
+#include "base/worker_pool.h"
+#include "document/checks.h"
+#include "document/up_axis.h"
+#include "formats/format_table.h"
+#include "formats/source.h"
+#include "formats/write.h"
+#include "mesh/surface.h"
+
+namespace viete::files {
+
+Export export_of(const document::Document& document, const std::filesystem::path& file) {
+  Export all{file,
+             document.model.surface,
+             document.model.attributes,
+             document.model.original,
+             document.cage,
+             real_pose(document),
+             document.scheme,
+             document.method,
+             document.mask,
+             document.probes,
+             document.shape,
+             guessed_up(document.model),
+             {}};
+  if (document.has_cage()) return all;
+  all.cage = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
+  all.pose = deform::rest_pose(*all.cage);
+  all.scheme = deform::no_motion();
+  return all;
+}
+
+namespace {
+
+bool writes_original(const Export& what) {
+  return formats::writes_itself(what.original.get(), what.file);
+}
+
+}  // namespace
+
+// Vertices moved by nothing but the shape keep it: every deformer reproduces them up to rounding.
+void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
+                  const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions) {
+  const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
+  const deform::Pose rest = deform::rest_pose(cage);
+  const bool turns = std::ranges::any_of(pose.turns, [](const mesh::Vec3& t) {
+    return t != mesh::Vec3{0, 0, 0};
+  });
+  if (pose.positions == rest.positions && (pose.turns == rest.turns || !turns) &&
+      std::ranges::all_of(probes.all, has_done_nothing)) {
+    positions = shape;
+    return;
+  }
+  double size = 0;
+  for (const mesh::Bounds& box : {mesh::bounds(shape), mesh::bounds(cage.surface.positions)})
+    size = std::max({size, mesh::largest_abs(box.low), mesh::largest_abs(box.high)});
+  const double rounding = 1e-14 * size;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double rest_place = shape[v][i];
+      if (std::abs(positions[v][i] - rest_place) <= rounding) positions[v][i] = rest_place;
+    }
+  }
+}
+
+std::vector<std::string> write_deformed(const Export& what, base::Progress* progress) {
+  if (!writes_original(what)) formats::surface_format(what.file);
+  base::check_replaceable(what.file);
+  base::WorkerPool pool;
+  if (progress) progress->section(0, 0.5);
+  deform::ExactModel deformed =
+      deform::deform_exactly(*what.model, what.cage, what.scheme, what.pose, what.method, pool, progress,
+                             what.mask, what.probes, what.shape);
+  if (progress) progress->section(0.5, 1);
+  return write_exact(what, std::move(deformed), progress);
+}
+
+std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
+                                     base::Progress* progress) {
+  const std::vector<mesh::Point>& shape = what.shape ? *what.shape : what.model->positions;
+  keep_at_rest(*what.cage, what.pose, what.probes, shape, deformed.positions);
+  const formats::Content content{*what.model, deformed.positions, {}, what.attributes.get()};
+  std::vector<std::string> notes =
+      formats::write(what.file, content, what.original.get(), what.digits, progress);
+  std::ranges::move(deformed.warnings, std::back_inserter(notes));
+  for (auto& note : document::pose_notes(deformed.report, *what.cage, what.pose))
+    notes.push_back(std::move(note));
+  const bool new_gltf = !writes_original(what) && formats::surface_format(what.file).in_metres;
+  for (const std::string& note :
+       {method_note(what.method, deformed.exp_error), new_gltf ? gltf_note(what.up) : ""}) {
+    if (!note.empty()) notes.push_back(note);
+  }
+  return notes;
+}
+
+std::string gltf_note(document::UpAxis up) {
+  return up == document::UpAxis::z
+             ? "this glTF file has Z as up axis, other programs expect Y: rotate it by -90 "
+               "degrees about X there"
+             : "";
+}
+
+std::string at_most(double error) {
+  const double half_a_digit = error > 0 ? 0.05 * std::pow(10.0, std::floor(std::log10(error))) : 0;
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", error + half_a_digit);
+  return text;
+}
+
+std::string method_note(sym3::Method method, double worst_error) {
+  constexpr double matters = 1e-9;  // a thousand times the methods' error for separated eigenvalues
+  if (worst_error <= matters) return "";
+  const std::string name(sym3::name(method));
+  if (!std::isfinite(worst_error))
+    return "method " + name + " gives NaN in this pose; use method fast or diag";
+  return "exponentials by method " + name + " have errors up to " + at_most(worst_error) +
+         " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
+         "1e-14";
+}
+
+}  // namespace viete::files

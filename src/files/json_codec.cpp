@@ -1,0 +1,436 @@
+#include "files/json_codec.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "base/encoding.h"
+#include "base/error.h"
+#include "document/range.h"
+#include "formats/byte_order.h"
+#include "formats/foreign_content.h"
+#include "formats/source.h"
+
+namespace viete::files {
+
+using deform::SharedShape;
+using nlohmann::json, nlohmann::ordered_json;
+
+std::optional<JsonField> JsonField::child(const char* key, bool needed) const {
+  if (!reads()) return JsonField((*out_)[key], *shapes_);
+  if (needed) return JsonField(in_->at(key), *shapes_);
+  const auto found = in_->find(key);
+  return found ? std::optional(JsonField(*found, *shapes_)) : std::nullopt;
+}
+
+std::size_t JsonField::list(std::size_t count, std::size_t most) const {
+  if (!reads()) return *out_ = ordered_json::array(), count;
+  if (in_->size() > most) in_->fail("there are more than " + std::to_string(most));
+  return in_->size();
+}
+
+JsonField JsonField::item(std::size_t index) const {
+  if (reads()) return JsonField(in_->item(index), *shapes_);
+  out_->push_back(ordered_json::object());
+  return JsonField(out_->back(), *shapes_);
+}
+
+namespace {
+
+template <class T, class Read, class... Limit>
+void code_by(const JsonField& field, T& value, Read (JsonReader::*read)(Limit...) const, Limit... limit) {
+  if (field.reads()) {
+    value = (field.in().*read)(limit...);
+  } else {
+    field.out() = value;
+  }
+}
+
+}  // namespace
+
+void code(const JsonField& field, bool& value) {
+  code_by(field, value, &JsonReader::boolean);
+}
+void code(const JsonField& field, std::string& value) {
+  code_by(field, value, &JsonReader::text);
+}
+void code(const JsonField& field, std::uint32_t& value) {
+  code_by(field, value, &JsonReader::index);
+}
+void code(const JsonField& field, std::vector<std::uint32_t>& value) {
+  code_by(field, value, &JsonReader::indices);
+}
+
+void code(const JsonField& field, std::filesystem::path& value) {
+  if (field.reads()) {
+    value = field.in().path();
+  } else {
+    field.out() = path_json(value);
+  }
+}
+
+void code(const JsonField& field, glm::ivec2& window) {
+  if (!field.reads()) {
+    field.out() = {window.x, window.y};
+    return;
+  }
+  const auto [width, height] = field.in().numbers<2>();
+  if (!document::is_window(width, height)) field.in().fail("this is not a valid window size");
+  window = {static_cast<int>(width), static_cast<int>(height)};
+}
+
+void write_word(const JsonField& field, std::string_view word) {
+  field.out() = word;
+}
+
+// Written rounded, as typed by the user, if that reads back as the same number: 29 instead of
+// 28.999999999999996.
+void code(const JsonField& field, double& value, const Limits& limits) {
+  const auto [least, most, factor] = limits;
+  if (field.reads()) {
+    value = field.in().number(factor * least, factor * most) / factor;
+  } else {
+    const double typed = std::round(1e6 * factor * value) / 1e6;
+    field.out() = typed / factor == value ? typed : factor * value;
+  }
+}
+
+void code(const JsonField& field, float& value, const Limits& limits) {
+  char text[32];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  double shortest = value;
+  std::from_chars(text, end, shortest);
+  if (static_cast<float>(shortest) != value) shortest = value;
+  const auto [least, most, factor] = limits;
+  constexpr double rounding = 1e-6;  // the limit itself may have been written with fewer digits
+  code(field, shortest, {least - rounding * std::abs(least), most + rounding * std::abs(most), factor});
+  value = static_cast<float>(std::clamp(shortest, least, most));
+}
+
+void code(const JsonField& field, int& value, const Limits& limits) {
+  double number = value;
+  code(field, number, limits);
+  if (field.reads()) {
+    value = static_cast<int>(std::lround(number));
+  } else {
+    field.out() = value;
+  }
+}
+
+void code(const JsonField& field, mesh::Vec3& value, const Reach& reach) {
+  code_by(field, value, &JsonReader::place, reach.most);
+}
+
+void code(const JsonField& field, glm::vec3& value, const Reach& reach) {
+  const Limits limits{-reach.most, reach.most};
+  const std::size_t count = field.list(3, 3);
+  if (count != 3) field.in().expected("a list of 3 numbers");
+  for (int i = 0; i < 3; ++i) code(field.item(static_cast<std::size_t>(i)), value[i], limits);
+}
+
+void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& reach) {
+  code_by(field, value, &JsonReader::places, reach.most);
+}
+
+void code(const JsonField& field, std::uint64_t& value) {
+  if (!field.reads()) {
+    char digits[16];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value, 16).ptr;
+    field.out() = std::string(16 - static_cast<std::size_t>(end - digits), '0') + std::string(digits, end);
+    return;
+  }
+  const std::string text = field.in().text();
+  const char* const end = text.data() + text.size();
+  if (text.size() != 16 || std::from_chars(text.data(), end, value, 16).ptr != end)
+    field.in().fail("these are not 16 hexadecimal digits");
+}
+
+void code(const JsonField& field, document::SharedShape& value) {
+  auto& [all, numbers] = field.shapes();
+  if (field.reads()) {
+    const std::uint32_t number = field.in().index();
+    if (number >= all.size()) field.in().fail("there is no such shape");
+    value = all[number];
+  } else {
+    const auto [entry, is_new] = numbers.try_emplace(value.get(), static_cast<std::uint32_t>(all.size()));
+    if (is_new) all.push_back(value);
+    field.out() = entry->second;
+  }
+}
+
+namespace {
+
+// The bytes of numbers as T, little-endian.
+template <class T>
+std::string bytes_of(const std::vector<mesh::Point>& points) {
+  std::string bytes;
+  bytes.reserve(points.size() * 3 * sizeof(T));
+  for (const mesh::Point& p : points)
+    for (const double x : p)
+      for (const char byte : formats::bytes_of_number(static_cast<T>(x))) bytes.push_back(byte);
+  return bytes;
+}
+
+template <class T>
+document::SharedShape shape_of_bytes(const JsonReader& json) {
+  const std::string bytes = json.base64();
+  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("its size is not three numbers for each vertex");
+  std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
+  for (std::size_t n = 0; n < 3 * points.size(); ++n) {
+    const auto x = static_cast<double>(formats::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
+    if (!(std::abs(x) <= mesh::largest_coordinate)) json.fail("a number is too large");
+    points[n / 3][n % 3] = x;
+  }
+  return std::make_shared<const std::vector<mesh::Point>>(std::move(points));
+}
+
+bool is_float(const mesh::Point& p) {
+  return std::ranges::all_of(p, [](double x) { return static_cast<double>(static_cast<float>(x)) == x; });
+}
+
+}  // namespace
+
+void code(const JsonField& field, ShapeTable& shapes) {
+  if (field.reads()) {
+    for (std::size_t i = 0; i < field.in().size(); ++i) {
+      const JsonReader item = field.in().item(i);
+      const auto floats = item.find("float32");
+      shapes.all.push_back(floats ? shape_of_bytes<float>(*floats)
+                                  : shape_of_bytes<double>(item.at("float64")));
+    }
+  } else {
+    for (const document::SharedShape& shape : shapes.all) {
+      const bool floats = std::ranges::all_of(*shape, is_float);
+      field.out().push_back({{floats ? "float32" : "float64",
+                              base::base64(floats ? bytes_of<float>(*shape) : bytes_of<double>(*shape))}});
+    }
+  }
+}
+
+namespace {
+
+bool is_flat(const ordered_json& value) {
+  return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
+}
+
+void put(std::string& out, const ordered_json& value, const std::string& indent) {
+  const bool object = value.is_object();
+  if (value.empty() || !value.is_structured() || (!object && is_flat(value))) {
+    out += value.dump();
+    return;
+  }
+  const std::string inner = indent + "  ";
+  out += object ? '{' : '[';
+  const char* separator = "\n";
+  for (const auto& [key, item] : value.items()) {
+    out += separator + inner;
+    if (object) out += ordered_json(key).dump() + ": ";
+    put(out, item, inner);
+    separator = ",\n";
+  }
+  out += '\n' + indent + (object ? '}' : ']');
+}
+
+std::string line_of(std::string_view text, std::size_t byte) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size()));
+  return std::to_string(1 + std::count(text.begin(), end, '\n'));
+}
+
+void check_length(std::size_t bytes, const std::filesystem::path& file) {
+  if (bytes <= most_json_bytes) return;
+  throw base::Error(file.string(),
+                    std::to_string(bytes) + " bytes exceed the limit of " + std::to_string(most_json_bytes),
+                    "choose another file");
+}
+
+json parsed(std::string_view text, const std::filesystem::path& file) {
+  const auto check_depth = [&](int depth, json::parse_event_t, const json&) {
+    if (depth <= static_cast<int>(most_json_depth)) return true;
+    throw base::Error(
+        file.string(),
+        "lists and objects are nested more than " + std::to_string(most_json_depth) + " levels deep",
+        "choose another file");
+  };
+  const char* const advice = "correct the file or use an older copy";
+  try {
+    return json::parse(text, check_depth);
+  } catch (const json::parse_error& error) {
+    throw base::Error(file.string() + ":" + line_of(text, error.byte), "this is not valid JSON", advice);
+  } catch (const json::out_of_range&) {
+    throw base::Error(file.string(), "a number in it is too large", advice);
+  }
+}
+
+std::string described(const json& value) {
+  if (value.is_number()) return "a number";
+  if (value.is_string()) return "a text";
+  if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
+  if (value.is_array()) return "a list of " + std::to_string(value.size());
+  return value.is_object() ? "an object" : "null";
+}
+
+bool is_utf8(const std::string& text) {
+  try {
+    (void)ordered_json(text).dump();
+    return true;
+  } catch (const ordered_json::type_error&) {
+    return false;
+  }
+}
+
+bool stands_as_it_is(char c) {
+  return c > ' ' && c < 0x7f && c != '%';
+}
+
+constexpr const char* encoded_key = "percent_encoded";
+
+}  // namespace
+
+std::string readable(const ordered_json& value, const std::filesystem::path& file) {
+  std::string out;
+  try {
+    put(out, value, "");
+  } catch (const ordered_json::type_error&) {
+    throw base::Error(file.string(), "a file name in it is not UTF-8", "rename the file");
+  }
+  out += '\n';
+  check_length(out.size(), file);
+  return out;
+}
+
+ordered_json path_json(const std::filesystem::path& path) {
+  const std::string name = path.generic_string();
+  if (is_utf8(name)) return name;
+  return {{encoded_key, base::percent_encoded(name, stands_as_it_is)}};
+}
+
+json read_json(const std::filesystem::path& path) {
+  std::error_code code;
+  const auto size = std::filesystem::file_size(path, code);
+  if (!code) check_length(size, path);  // for other file types, reading gives a better error
+  const formats::FileBytes bytes(path, nullptr);
+  formats::refuse_foreign(path.string(), bytes.view());
+  return parsed(bytes.view(), path);
+}
+
+std::optional<JsonReader> JsonReader::find(const std::string& key) const {
+  if (!value_.is_object()) expected("an object");
+  const auto found = value_.find(key);
+  if (found == value_.end() || found->is_null()) return std::nullopt;
+  return JsonReader(*found, file_, key_.empty() ? key : key_ + "." + key);
+}
+
+JsonReader JsonReader::at(const std::string& key) const {
+  if (auto found = find(key)) return *std::move(found);
+  fail("the key \"" + key + "\" is missing", "add it to the file");
+}
+
+std::vector<std::string> JsonReader::keys() const {
+  if (!value_.is_object()) expected("an object");
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : value_.items()) keys.push_back(key);
+  return keys;
+}
+
+std::size_t JsonReader::size() const {
+  if (!value_.is_array()) expected("a list");
+  return value_.size();
+}
+
+JsonReader JsonReader::item(std::size_t index) const {
+  return JsonReader(value_.at(index), file_, key_ + "[" + std::to_string(index) + "]");
+}
+
+bool JsonReader::boolean() const {
+  if (!value_.is_boolean()) expected("true or false");
+  return value_.get<bool>();
+}
+
+double JsonReader::number() const {
+  if (!value_.is_number()) expected("a number");
+  return value_.get<double>();
+}
+
+double JsonReader::number(double least, double most) const {
+  const double value = number();
+  if (!(value >= least && value <= most)) fail("this number is out of range");
+  return value;
+}
+
+std::array<double, 3> JsonReader::place(double farthest) const {
+  const auto place = numbers<3>();
+  for (const double x : place)
+    if (!(std::abs(x) <= farthest)) fail("this coordinate is too large");
+  return place;
+}
+
+std::vector<std::uint32_t> JsonReader::indices() const {
+  std::vector<std::uint32_t> all(size());
+  for (std::size_t i = 0; i < all.size(); ++i) all[i] = item(i).index();
+  std::ranges::sort(all);
+  all.erase(std::ranges::unique(all).begin(), all.end());
+  return all;
+}
+
+std::uint32_t JsonReader::index() const {
+  const bool fits =
+      value_.is_number_unsigned() && value_.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
+  if (!fits) expected("a whole number from 0 on");
+  return value_.get<std::uint32_t>();
+}
+
+std::string JsonReader::text() const {
+  if (!value_.is_string()) expected("a text");
+  const auto& text = value_.get_ref<const std::string&>();
+  if (text.size() > longest_text) {
+    fail("a text of " + std::to_string(text.size()) + " bytes is longer than allowed (" +
+         std::to_string(longest_text) + ")");
+  }
+  return text;
+}
+
+std::string JsonReader::base64() const {
+  if (!value_.is_string()) expected("a text");
+  auto bytes = base::bytes_of_base64(value_.get_ref<const std::string&>());
+  if (!bytes) fail("this is not base64");
+  return *std::move(bytes);
+}
+
+std::filesystem::path JsonReader::path() const {
+  if (value_.is_string()) return text();
+  const auto encoded = value_.is_object() ? find(encoded_key) : std::nullopt;
+  if (!encoded) expected("the name of a file");
+  bool whole = true;
+  const std::string name = base::percent_decoded(encoded->text(), &whole);
+  if (!whole) encoded->fail("each % must be followed by two hexadecimal digits");
+  return name;
+}
+
+// Builds the key path only of a damaged item.
+std::vector<mesh::Vec3> JsonReader::places(double farthest) const {
+  std::vector<mesh::Vec3> all(size());
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const json& place = value_[i];
+    const auto fits = [&](const json& x) { return x.is_number() && std::abs(x.get<double>()) <= farthest; };
+    const bool valid = place.is_array() && place.size() == 3 && std::ranges::all_of(place, fits);
+    all[i] = valid ? place.get<std::array<double, 3>>() : item(i).place(farthest);
+  }
+  return all;
+}
+
+void JsonReader::check_size(std::size_t n) const {
+  if (!value_.is_array() || value_.size() != n)
+    expected(("a list of " + std::to_string(n) + " numbers").c_str());
+}
+
+void JsonReader::fail(const std::string& problem, const std::string& advice) const {
+  throw base::Error(key_.empty() ? file_ : file_ + ": " + key_, problem, advice);
+}
+
+void JsonReader::expected(const char* what) const {
+  fail("found " + described(value_) + " where " + what + " belongs");
+}
+
+}  // namespace viete::files

@@ -1,0 +1,120 @@
+#include "files/recovery.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+
+#include "base/process.h"
+#include "files/session.h"
+
+namespace viete::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Parses PROCESS.viete or PROCESS_3.viete.
+std::string process_of(const fs::path& file) {
+  const std::string stem = file.stem().string();
+  return stem.substr(0, stem.find('_'));
+}
+
+constexpr const char* restored_ending = "_restored";
+
+// The edited parts of a session, without its view.
+Session work_of(const Session& session) {
+  Session work;
+  work.model.path = session.model.path;
+  work.cage_file.path = session.cage_file.path, work.cage_file.surface = session.cage_file.surface;
+  work.scheme = session.scheme, work.mask = session.mask, work.probes = session.probes;
+  work.groups.sets = session.groups.sets, work.library = session.library, work.timeline = session.timeline;
+  work.shape = session.shape, work.pose = session.pose;
+  return work;
+}
+
+// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
+Session on_disk(const Session& kept) {
+  if (!kept.origin.empty()) return work_of(read_session(kept.origin));
+  Session rest;
+  rest.model.path = kept.model.path, rest.cage_file.path = kept.cage_file.path;
+  if (!kept.pose.positions.empty())
+    rest.pose.positions = document::open_surface(kept.cage_file.path).surface->positions;
+  rest.pose.turns.resize(kept.pose.turns.size());
+  return rest;
+}
+
+bool equals_files(const fs::path& file) {
+  try {
+    const Session kept = read_session(file);
+    if (kept.origin.empty() && kept.cage_file.path.empty()) return false;
+    return session_text(work_of(kept), file, false) == session_text(on_disk(kept), file, false);
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
+}  // namespace
+
+fs::path recovery_file(const fs::path& folder) {
+  return folder / (base::process_name() + ".viete");
+}
+
+fs::path set_aside_file(const fs::path& folder) {
+  std::error_code ignored;
+  for (int i = 1;; ++i) {
+    const fs::path file = folder / (base::process_name() + "_" + std::to_string(i) + ".viete");
+    if (!fs::exists(file, ignored)) return file;
+  }
+}
+
+fs::path mark_restored(const fs::path& file) {
+  if (file.stem().string().ends_with(restored_ending)) return file;
+  fs::path marked = file;
+  marked.replace_filename(file.stem().string() + restored_ending + file.extension().string());
+  std::error_code code;
+  fs::rename(file, marked, code);
+  return code ? file : marked;
+}
+
+RecoveryFile describe_recovery_file(const fs::path& file) {
+  RecoveryFile leftover{file, file.filename().string()};
+  leftover.restored = file.stem().string().ends_with(restored_ending);
+  struct stat status {};
+  if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
+  try {
+    const Session session = read_session(file);
+    const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
+    leftover.name = of.filename().string();
+    leftover.folder = of.parent_path();
+  } catch (const std::exception&) {
+    // Keep the name of the recovery file; opening the file reports the error.
+  }
+  return leftover;
+}
+
+std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
+  std::vector<RecoveryFile> all;
+  std::error_code code;
+  for (fs::directory_iterator entry(folder, code), end; !code && entry != end; entry.increment(code)) {
+    const fs::path& file = entry->path();
+    if (is_session(file) && !base::process_runs(process_of(file)))
+      all.push_back(describe_recovery_file(file));
+  }
+  std::error_code ignored;
+  std::erase_if(all, [&](const RecoveryFile& leftover) {
+    return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
+  });
+  std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
+    return a.time != b.time ? a.time > b.time : a.file < b.file;
+  });
+  return all;
+}
+
+std::string when(std::time_t time) {
+  std::tm parts{};
+  localtime_r(&time, &parts);
+  char text[64];
+  return {text, std::strftime(text, sizeof text, "%b %d, %H:%M", &parts)};
+}
+
+}  // namespace viete::files

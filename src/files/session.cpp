@@ -1,0 +1,552 @@
+#include "files/session.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "base/encoding.h"
+#include "base/error.h"
+#include "document/brush.h"
+#include "document/elements.h"
+#include "document/pose_edit.h"
+#include "document/probes.h"
+#include "document/range.h"
+#include "files/json_codec.h"
+#include "formats/source.h"
+#include "mesh/surface.h"
+#include "mesh/triangulation.h"
+
+namespace viete::files {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+namespace {
+
+constexpr const char* format_name = "viete session";
+constexpr std::uint32_t format_version = 1;
+
+constexpr Limits frames{document::Timeline::least_frame, document::Timeline::largest_frame},
+    mix_weights = percent(document::PoseLibrary::least_weight, document::PoseLibrary::largest_weight);
+constexpr std::size_t most_sets = 10'000;
+
+struct ViewFlag {
+  const char* key;
+  bool document::ViewOptions::*option;
+};
+
+constexpr ViewFlag view_flags[] = {{"dark", &document::ViewOptions::dark},
+                                   {"model", &document::ViewOptions::model},
+                                   {"wireframe", &document::ViewOptions::wireframe},
+                                   {"cage", &document::ViewOptions::cage},
+                                   {"grid", &document::ViewOptions::grid},
+                                   {"ghost", &document::ViewOptions::ghost},
+                                   {"panels", &document::ViewOptions::panels},
+                                   {"hints", &document::ViewOptions::hints},
+                                   {"deformed", &document::ViewOptions::deformed},
+                                   {"select_visible", &document::ViewOptions::select_visible},
+                                   {"same_path", &document::ViewOptions::same_path}};
+
+constexpr std::array<std::string_view, 4> kind_words = {"vertices", "edges", "faces", "probes"};
+constexpr std::array<std::string_view, 2> axis_words = {"y", "z"}, pin_words = {"holds", "pulls"};
+
+template <class T, class Table>
+void code_named(const JsonField& f, T& value, const Table& table) {
+  code_word(f, value, deform::entry(value).name,
+            [&](std::string_view name) { return deform::find_by_name(table, name); });
+}
+
+}  // namespace
+
+// The functions code() are found by their arguments and must be in this namespace. Lengths and coordinates
+// are in the file's unit, rotations are rotation vectors in radians.
+
+static void code(const JsonField& f, sym3::Method& method) {
+  code_word(f, method, sym3::name(method), sym3::method_from_name);
+}
+static void code(const JsonField& f, deform::Weights& weights) {
+  code_named(f, weights, deform::all_weights());
+}
+static void code(const JsonField& f, deform::Blend& blend) {
+  code_named(f, blend, deform::all_blends());
+}
+static void code(const JsonField& f, deform::Falloff& falloff) {
+  code_named(f, falloff, deform::all_falloffs());
+}
+static void code(const JsonField& f, deform::ProbeMix& mix) {
+  code_named(f, mix, deform::all_probe_mixes());
+}
+static void code(const JsonField& f, document::ElementKind& kind) {
+  code_listed(f, kind, kind_words);
+}
+
+// In view units: the model's diagonal is 2.
+static void code(const JsonField& f, document::CameraPose& camera) {
+  f.needed("target", camera.target, Reach{document::farthest_place});
+  f.needed("distance", camera.distance, Limits{document::nearest_camera, document::farthest_camera});
+  f.needed("yaw", camera.yaw, Limits{-1e6, 1e6});
+  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn, with any rounding
+  f.member("orthographic", camera.orthographic);
+  const auto up = f.reads() || camera.up != document::UpAxis::y ? f.child("up") : std::nullopt;
+  if (up) code_listed(*up, camera.up, axis_words);
+}
+
+// The members of the object that they are part of. A scheme may name some of its choices; the others fit.
+static void code(const JsonField& f, deform::Scheme& scheme) {
+  deform::PartialChoice choice;
+  if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
+  f.member("weights", choice.weights);
+  f.member("blend", choice.blend);
+  if (f.reads()) {
+    try {
+      scheme = deform::complete(choice);
+    } catch (const base::Error& error) {
+      f.in().at("blend").fail(error.problem());
+    }
+  }
+  f.unless(0, "stitched", scheme.iterations, Limits{1, deform::most_iterations});
+  deform::Scheme usual;
+  for (const deform::NumberEntry& number : deform::all_numbers())
+    f.unless(number.of(usual), number.name.data(), number.of(scheme), percent(number.least, number.largest));
+  if (!f.reads()) return;
+  if (const auto reason = deform::conflict(scheme)) f.in().at("stitched").fail(std::string(*reason));
+}
+
+static void code(const JsonField& f, document::ViewOptions& view) {
+  for (const auto& flag : view_flags) f.member(flag.key, view.*flag.option);
+  f.unless(document::Shading::file, "shading", view.shading);
+  f.unless(analysis::Field::none, "field", view.field);
+}
+
+static void code(const JsonField& f, document::SideWay& side) {
+  f.member("method", side.method);
+  code(f, side.scheme);
+  f.unless(analysis::Field::none, "field", side.field);
+  f.unless(false, "other_lines", side.other_blending);
+}
+
+// No cameras: they are linked.
+static void code(const JsonField& f, document::SideWays& sides) {
+  f.unless({}, "views", sides.sides, document::SideWays::most);
+  f.unless({}, "cameras", sides.cameras, document::SideWays::most);
+  if (f.reads() && !sides.cameras.empty() && sides.cameras.size() != sides.sides.size())
+    f.in().at("cameras").fail("their number differs from the number of additional views");
+}
+
+static void code(const JsonField& f, document::Handling& handling) {
+  const document::Handling usual;
+  document::SoftSelection& soft = handling.soft;
+  f.unless(usual.pivot, "pivot", handling.pivot);
+  f.unless(usual.point, "point", handling.point, Reach{mesh::largest_coordinate});
+  f.unless(usual.axes, "axes", handling.axes);
+  f.unless(usual.mirror, "mirror", handling.mirror);
+  f.unless(usual.soft.on, "soft", soft.on);
+  f.unless(usual.soft.radius, "radius", soft.radius,
+           percent(document::SoftSelection::least_radius, document::SoftSelection::largest_radius));
+  f.unless(usual.soft.curve, "curve", soft.curve);
+  f.unless(usual.soft.distance, "distance", soft.distance);
+  f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
+}
+
+// A probe's motion, members of the object that it is part of; "stretched" is the log of the stretch.
+static void code(const JsonField& f, deform::ProbePose& pose) {
+  f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
+  if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
+    const JsonField stretched = *f.child("stretched");
+    if (f.reads()) {
+      const auto x = stretched.in().numbers<6>();
+      pose.stretch = {x[0], x[1], x[2], x[3], x[4], x[5]};
+    } else {
+      const auto& [xx, xy, xz, yy, yz, zz] = pose.stretch;
+      stretched.out() = {xx, xy, xz, yy, yz, zz};
+    }
+  }
+  f.unless({}, "moved", pose.move, Reach{document::most_drawn});
+  if (f.reads() && !in_range(document::WholePose{{}, {pose}}))
+    f.in().fail("the motion of this probe is too large");
+}
+
+static void code(const JsonField& f, deform::Influence& influence) {
+  f.needed("falloff", influence.falloff);
+  f.needed("radius", influence.radius, Limits{0, document::most_drawn});
+  if (!(influence.radius > 0)) f.in().at("radius").fail("the radius must be above 0");
+}
+
+static void code(const JsonField& f, deform::Probe& probe) {
+  f.needed("place", probe.place, Reach{document::most_drawn});
+  f.needed("turn", probe.turn);
+  f.needed("stretch", probe.stretch);
+  f.needed("move", probe.move);
+  f.unless(false, "locked", probe.locked);
+  if (f.reads() && f.in().find("pin")) probe.pin.emplace();
+  if (probe.pin) {
+    code_listed(*f.child("pin"), probe.pin->pulls, pin_words);
+    f.needed("vertex", probe.pin->vertex);
+  }
+  code(f, probe.pose);
+}
+
+static void code(const JsonField& f, deform::Probes& probes) {
+  f.member("mix", probes.mix);
+  f.needed("all", probes.all, document::most_probes);
+}
+
+// The shares of the model's vertices as run lengths: [share, count, share, count, ...].
+static void code(const JsonField& f, deform::Mask& mask) {
+  if (!f.reads()) {
+    std::uint32_t share = 0, count = 0;
+    const auto put_run = [&] {
+      if (count > 0) f.out().insert(f.out().end(), {share, count});
+    };
+    f.out() = ordered_json::array();
+    for (const float s : *mask) {
+      const auto now = static_cast<std::uint32_t>(std::lround(s * document::mask_steps));
+      if (now != share) put_run(), share = now, count = 0;
+      ++count;
+    }
+    return put_run();
+  }
+  constexpr std::size_t most = 1 << 27;
+  if (f.in().size() % 2) f.in().fail("a share lacks the number of its vertices");
+  std::vector<float> shares;
+  for (std::size_t run = 0; run < f.in().size(); run += 2) {
+    const JsonReader share = f.in().item(run), count = f.in().item(run + 1);
+    if (share.index() > document::mask_steps)
+      share.fail("a share must be 0 to " + std::to_string(document::mask_steps));
+    if (shares.size() + count.index() > most) count.fail("there are more than " + std::to_string(most));
+    shares.insert(shares.end(), count.index(), static_cast<float>(share.index()) / document::mask_steps);
+  }
+  mask = std::make_shared<const std::vector<float>>(std::move(shares));
+}
+
+static void code(const JsonField& f, document::NamedSet& set) {
+  f.needed("name", set.name);
+  f.needed("selecting", set.kind);
+  f.needed("vertices", set.vertices);
+  if (set.kind == document::ElementKind::probe)
+    f.in().at("selecting").fail("a selection set contains vertices, edges or faces");
+}
+
+// Turns of each part of the cage.
+static void code(const JsonField& f, deform::Pose& pose) {
+  f.unless({}, "turns", pose.turns, Reach{document::largest_turn});
+  f.unless({}, "positions", pose.positions, Reach{mesh::largest_coordinate});
+}
+
+// Members of the object that it is part of; never null.
+static void code(const JsonField& f, document::SharedPose& pose) {
+  document::WholePose whole;
+  if (pose) whole = *pose;
+  f.unless(nullptr, "shape", whole.shape);
+  code(f, whole.cage);
+  f.unless({}, "probes", whole.probes, document::most_probes);
+  pose = std::make_shared<const document::WholePose>(std::move(whole));
+}
+
+static void code(const JsonField& f, document::NamedPose& named) {
+  f.needed("name", named.name);
+  if (named.name.size() > document::PoseLibrary::longest_name)
+    f.in().at("name").fail("this name is too long");
+  f.unless(0, "weight", named.weight, mix_weights);
+  code(f, named.pose);
+}
+
+static void code(const JsonField& f, document::MixedPose& mixed) {
+  f.needed("name", mixed.name);
+  f.needed("weight", mixed.weight, mix_weights);
+}
+
+static void code(const JsonField& f, document::PoseKey& key) {
+  f.needed("frame", key.frame, frames);
+  f.unless(document::Easing::smooth, "easing", key.easing);
+  f.unless({}, "mix", key.mix, document::PoseLibrary::most_poses);
+  code(f, key.pose);
+}
+
+static void code(const JsonField& f, document::CameraKey& key) {
+  f.needed("frame", key.frame, frames);
+  code(f, key.camera);
+}
+
+// Throws unless the keys are in order.
+template <class Keys>
+static void check_order(const JsonField& f, const char* key, const Keys& keys) {
+  const auto not_later = [](const auto& a, const auto& b) { return a.frame >= b.frame; };
+  if (std::ranges::adjacent_find(keys, not_later) != keys.end())
+    f.in().at(key).fail("the keys are not in the order of their frames");
+}
+
+static void code(const JsonField& f, document::Timeline& t) {
+  f.member("first", t.first, frames);
+  f.member("last", t.last, frames);
+  f.member("rate", t.rate, Limits{document::Timeline::least_rate, document::Timeline::largest_rate});
+  f.member("repeat", t.repeat);
+  f.unless(false, "straight", t.straight);
+  f.unless({}, "keys", t.keys, document::Timeline::most_keys);
+  f.unless({}, "unkeyed", t.unkeyed, document::Timeline::most_keys);
+  f.unless({}, "cameras", t.cameras, document::Timeline::most_keys);
+  if (t.first >= t.last) f.in().fail("its last frame is not after its first one");
+  check_order(f, "keys", t.keys);
+  check_order(f, "cameras", t.cameras);
+}
+
+// A cage in no file: its polygons have the 0-based indices of their corners.
+static void code(const JsonField& f, document::OpenedSurface& cage) {
+  mesh::Surface surface;
+  if (!f.reads()) surface = *cage.surface;
+  f.member("name", cage.made);
+  f.needed("positions", surface.positions, Reach{mesh::largest_coordinate});
+  const JsonField polygons = *f.child("polygons", true);
+  if (!f.reads()) polygons.list(0, 0);
+  const auto& starts = surface.polygon_starts;
+  for (std::size_t p = 0; !f.reads() && p < surface.polygon_count(); ++p)
+    polygons.out().push_back(
+        std::vector(surface.corners.begin() + starts[p], surface.corners.begin() + starts[p + 1]));
+  if (!f.reads()) return;
+  surface.polygon_starts.push_back(0);
+  for (std::size_t p = 0; p < polygons.in().size(); ++p) {
+    const JsonReader polygon = polygons.in().item(p);
+    if (polygon.size() < 3) polygon.fail("a polygon needs at least three corners");
+    for (std::size_t c = 0; c < polygon.size(); ++c) {
+      surface.corners.push_back(polygon.item(c).index());
+      if (surface.corners.back() >= surface.positions.size())
+        polygon.item(c).fail("the cage has " + std::to_string(surface.positions.size()) + " vertices");
+    }
+    surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
+  }
+  mesh::triangulate(surface);
+  cage = document::generated_surface(std::move(surface), cage.made.empty() ? "made here" : cage.made);
+}
+
+namespace {
+
+// Resolves links in the folder, so that ".." is correct; the file keeps its given name.
+fs::path resolved(const fs::path& path) {
+  std::error_code code;
+  const fs::path absolute = fs::absolute(path, code);
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), code);
+  return code ? absolute : folder / absolute.filename();
+}
+
+// How the session's file names other files.
+struct Place {
+  fs::path folder;
+  bool relative;
+
+  fs::path name_of(const fs::path& file) const {
+    const fs::path target = resolved(file);
+    const fs::path name = relative ? target.lexically_relative(folder) : fs::path();
+    return name.empty() ? target : name;
+  }
+};
+
+// Does nothing if there is no such file.
+void code_path(const JsonField& f, const char* key, fs::path& file, const Place& place) {
+  if (f.reads()) {
+    if (const auto name = f.in().find(key)) file = resolved(place.folder / name->path());
+  } else if (!file.empty()) {
+    f.out()[key] = path_json(place.name_of(file));
+  }
+}
+
+// Content keys depend on the byte order; ignored on uncommon machines.
+constexpr bool keys_are_common = std::endian::native == std::endian::little;
+
+// The members of a session. "session" and "session_content" are those of recovered work.
+void code_session(const JsonField& f, Session& s, const Place& place) {
+  if (f.reads()) (void)f.in().at("model");
+  code_path(f, "model", s.model.path, place);
+  code_path(f, "cage", s.cage_file.path, place);
+  if (s.cage_file.path.empty() && (f.reads() || s.cage_file.surface)) f.member("made_cage", s.cage_file);
+  if (keys_are_common) f.unless(0, "model_content", s.model.content);
+  if (keys_are_common) f.unless(0, "cage_content", s.cage_file.content);
+  if (f.reads() || !place.relative) {
+    code_path(f, "session", s.origin, place);
+    f.unless(std::nullopt, "session_content", s.origin_content);
+  }
+  f.member("method", s.method);
+  code(f, s.scheme);
+  f.unless(nullptr, "mask", s.mask);
+  f.unless({}, "probes", s.probes);
+  f.unless(std::nullopt, "camera", s.camera);
+  f.member("view", s.view);
+  code(f, s.sides);
+  f.unless({}, "hand", s.handling);
+  f.unless(std::nullopt, "window", s.window);
+  document::ElementKind kind = s.selection.kind();
+  std::vector<std::uint32_t> selected = s.selection.indices();
+  f.member("selecting", kind);
+  f.member("selection", selected);
+  s.selection = document::Selection(kind, selected);
+  f.unless({}, "sets", s.groups.sets, most_sets);
+  f.unless({}, "hidden", s.groups.hidden);
+  if (f.reads() || !s.pose.positions.empty()) f.member("pose", s.pose);
+  f.unless(nullptr, "shape", s.shape);
+  f.unless({}, "poses", s.library.poses, document::PoseLibrary::most_poses);
+  f.unless(nullptr, "unmixed", s.library.unmixed);
+  const auto time = f.reads() || s.timeline != document::Timeline{} ? f.child("time") : std::nullopt;
+  if (!time) return;
+  code(*time, s.timeline);
+  if (f.reads()) s.frame = s.timeline.first;
+  time->member("frame", s.frame, frames);
+}
+
+void check_version(const JsonReader& json, const fs::path& file) {
+  const auto format = json.find("format");
+  if (!format || format->text() != format_name) {
+    throw base::Error(file.string(), "this is not a session", "choose a session saved by Viete");
+  }
+  const auto version = json.at("version").index();
+  if (version == format_version) return;
+  json.at("version").fail("the session has version " + std::to_string(version) +
+                              ", this version of Viete reads " + std::to_string(format_version),
+                          "open it with the version that saved it");
+}
+
+}  // namespace
+
+std::string session_text(const Session& session, const fs::path& file, bool portable) {
+  ordered_json json = {{"format", format_name}, {"version", format_version}};
+  ShapeTable shapes;
+  Session copy = session;  // coding may change values
+  code_session(JsonField(json, shapes), copy, {resolved(file).parent_path(), portable});
+  if (!shapes.all.empty()) code(JsonField(json["shapes"], shapes), shapes);
+  return readable(json, file);
+}
+
+Session read_session(const fs::path& file) {
+  const nlohmann::json whole = read_json(file);
+  const JsonReader json(whole, file.string());
+  check_version(json, file);
+  ShapeTable shapes;
+  if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
+  Session session;
+  code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
+  document::PoseLibrary named;  // names are unique
+  for (document::NamedPose& pose : std::exchange(session.library.poses, {})) {
+    pose.name = free_name(named, pose.name);
+    named.poses.push_back(std::move(pose));
+  }
+  session.library.poses = std::move(named.poses);
+  return session;
+}
+
+namespace {
+
+constexpr const char* changed_advice = "restore the model and cage that it was saved with";
+
+[[noreturn]] void refuse(const fs::path& file, const char* key, const std::string& problem,
+                         const std::string& advice = changed_advice) {
+  throw base::Error(file.string() + ": " + key, problem, advice);
+}
+
+void check_pose(const document::Document& document, const Session& session, const fs::path& file) {
+  const deform::Cage& cage = *document.cage;
+  const bool same = session.cage_file.content != 0 && session.cage_file.content == document.cage_file.content;
+  const std::string advice = same
+                                 ? "the session is damaged: use an older copy"
+                                 : "the cage has changed since the session was saved: restore the older file";
+  const auto& [positions, turns] = document.pose;
+  const std::size_t wanted = cage.surface.positions.size();
+  if (positions.size() != wanted)
+    refuse(file, "pose.positions",
+           "this is a pose of " + counted(document::ElementKind::vertex, positions.size()) + ", the cage " +
+               place_of(document.cage_file) + " has " + std::to_string(wanted),
+           advice);
+  if (turns.size() > cage.roots.size())
+    refuse(file, "pose.turns",
+           "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage", advice);
+}
+
+// Indices are ascending.
+void check_indices(const fs::path& file, const char* key, const std::vector<std::uint32_t>& indices,
+                   document::ElementKind kind, std::size_t count) {
+  if (indices.empty() || indices.back() < count) return;
+  refuse(file, key,
+         element_name(kind) + ' ' + std::to_string(indices.back()) + " is named, there are only " +
+             counted(kind, count));
+}
+
+}  // namespace
+
+void check_poses(const document::DocumentState& state, const deform::Cage* cage, const mesh::Surface& model,
+                 const fs::path& file) {
+  const std::size_t vertices = cage ? cage->surface.positions.size() : 0,
+                    parts = cage ? cage->roots.size() : 0;
+  const auto check = [&](const char* key, const std::string& what, const document::SharedPose& pose) {
+    if ((pose->shape && pose->shape->size() != model.positions.size()) ||
+        pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
+      refuse(file, key, what + " is of another cage or model");
+  };
+  for (const document::NamedPose& named : state.library.poses)
+    check("poses", formats::in_quotes(named.name), named.pose);
+  if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
+  for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
+    for (const document::PoseKey& key : *keys)
+      check("time", "the pose of frame " + std::to_string(key.frame), key.pose);
+}
+
+void check_fits(const document::Document& document, const Session& session, const fs::path& file) {
+  const mesh::Surface& model = *document.model.surface;
+  const std::size_t vertices = model.positions.size();
+  if (document.has_cage()) check_pose(document, session, file);
+  const auto check_count = [&](const char* key, std::size_t count) {
+    if (count == vertices) return;
+    refuse(file, key,
+           "it is of " + counted(document::ElementKind::vertex, count) + ", the model has " +
+               std::to_string(vertices));
+  };
+  if (document.mask) check_count("mask", document.mask->size());
+  if (document.shape) check_count("shape", document.shape->size());
+  for (const deform::Probe& probe : document.probes.all)
+    if (probe.pin)
+      check_indices(file, "probes", {probe.pin->vertex}, document::ElementKind::vertex, vertices);
+  check_poses(document, document.cage.get(), model, file);
+  const document::Selection& selection = document.selection;
+  check_indices(file, "selection", selection.indices(), selection.kind(),
+                element_count(document, selection.kind()));
+  const std::size_t of_cage = element_count(document, document::ElementKind::vertex);
+  for (const document::NamedSet& set : document.groups.sets)
+    check_indices(file, "sets", set.vertices, document::ElementKind::vertex, of_cage);
+  check_indices(file, "hidden", document.groups.hidden, document::ElementKind::vertex, of_cage);
+}
+
+std::vector<std::string> changes_since(const Session& session, const document::Document& document,
+                                       const fs::path& file) {
+  std::vector<std::string> warnings;
+  const auto compare = [&](const char* key, std::uint64_t then, const document::OpenedSurface& now,
+                           const char* advice) {
+    if (then == 0 || now.content == 0 || then == now.content) return;
+    warnings.emplace_back(base::Error(file.string() + ": " + key,
+                                      place_of(now) + " has changed since the session was saved", advice)
+                              .what());
+  };
+  compare("model", session.model.content, document.model,
+          "if the result looks wrong, restore the older file");
+  compare("cage", session.cage_file.content, document.cage_file,
+          "the pose may not match it: if the result looks wrong, restore the older file");
+  return warnings;
+}
+
+bool is_session(const fs::path& file) {
+  return formats::extension_of(file) == session_extension + 1;
+}
+
+std::uint64_t content_of_bytes(std::string_view bytes) {
+  base::Checksum sum;
+  sum.add(bytes.data(), bytes.size());
+  return sum.value();
+}
+
+std::optional<std::uint64_t> content_of(const fs::path& file) {
+  try {
+    return content_of_bytes(formats::FileBytes(file, nullptr).view());
+  } catch (const std::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace viete::files

@@ -1,0 +1,376 @@
+#include "files/shape_import.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "base/memory.h"
+#include "base/numbered_files.h"
+#include "base/text.h"
+#include "formats/format_table.h"
+#include "formats/point_cache.h"
+#include "formats/read.h"
+#include "mesh/point_tree.h"
+
+namespace viete::files {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// "pose_2" before "pose_10".
+bool before_by_numbers(const std::string& a, const std::string& b) {
+  const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!digit(a[i]) || !digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto run = [&](const std::string& text, std::size_t& at) {
+      while (at + 1 < text.size() && text[at] == '0' && digit(text[at + 1])) ++at;
+      const std::size_t begin = at;
+      while (at < text.size() && digit(text[at])) ++at;
+      return text.substr(begin, at - begin);
+    };
+    const std::string x = run(a, i), y = run(b, j);
+    if (x != y) return x.size() != y.size() ? x.size() < y.size() : x < y;
+  }
+  return a.size() - i < b.size() - j;
+}
+
+std::vector<fs::path> models_in(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code code;
+  for (fs::directory_iterator at(folder, code), end; !code && at != end; at.increment(code)) {
+    std::error_code ignored;
+    if (formats::is_a(formats::holds_surface, at->path()) && at->is_regular_file(ignored))
+      files.push_back(at->path());
+  }
+  if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
+  sort_by_numbers(files);
+  return files;
+}
+
+}  // namespace
+
+void sort_by_numbers(std::vector<fs::path>& files) {
+  std::ranges::sort(files, before_by_numbers, [](const fs::path& p) { return p.filename().string(); });
+}
+
+void read_folder(const fs::path& folder, const char* wanted, const char* advice,
+                 const std::function<bool(const fs::path&)>& read, std::vector<std::string>& warnings,
+                 base::Progress* progress) {
+  const std::vector<fs::path> files = models_in(folder);
+  std::vector<std::string> refused;
+  std::size_t taken = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (progress) progress->report(static_cast<double>(i) / static_cast<double>(files.size()));
+    try {
+      if (read(files[i])) ++taken;
+    } catch (const base::Error& error) {
+      refused.push_back(std::string(error.what()) + "; skipped");
+    }
+  }
+  if (taken == 0)
+    throw base::Error(folder.string(),
+                      files.empty() ? "there is no model in this folder"
+                                    : "none of its " + base::counted(files.size(), "model") + " is " + wanted,
+                      advice);
+  warnings.insert(warnings.end(), refused.begin(), refused.end());
+}
+
+std::vector<base::NumberedFile> files_of(const base::NumberedName& name) {
+  auto files = name.find();
+  if (files.empty())
+    throw base::Error(name.pattern(), "no file matches this name with digits in place of #",
+                      "check the name and use one # for each digit");
+  return files;
+}
+
+// The range of positions that GPUs and deformers support, as for any opened surface.
+void check_places(const std::string& place, std::span<const mesh::Point> positions) {
+  constexpr double largest = 1e32;
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    if (mesh::largest_abs(positions[v]) <= largest) continue;
+    throw base::Error(place, "vertex " + std::to_string(v) + " is too far away to be drawn",
+                      "export it again in another unit");
+  }
+}
+
+void check_points(const std::string& place, std::size_t found, const PosedSurface& of) {
+  const std::size_t wanted = of.surface.positions.size();
+  if (found == wanted) return;
+  throw base::Error(place,
+                    "it moves " + base::counted(found, "point") + ", and " + of.what + " has " +
+                        base::with_thousands(wanted) + " vertices",
+                    std::string("choose a file made from ") + of.what);
+}
+
+std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Point>& of_file) const {
+  std::vector<mesh::Point> positions;
+  for (const auto v : order) positions.push_back(of_file[v]);
+  return positions;
+}
+
+namespace {
+
+// Each vertex has one partner.
+std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
+                                          const PosedSurface& of) {
+  std::vector<std::uint32_t> all(found.positions.size());
+  std::iota(all.begin(), all.end(), 0U);
+  if (mesh::same_faces(found, of.surface)) return all;
+  const mesh::PointTree tree(found.positions, all);
+  std::vector<bool> taken(all.size());
+  const double near = 1e-6 * mesh::used_bounds(of.surface).diagonal();
+  std::vector<std::uint32_t> order;
+  for (const mesh::Point& p : of.surface.positions) {
+    const std::uint32_t v = tree.nearest(p);
+    if (taken[v] || mesh::norm(found.positions[v] - p) > near)
+      throw base::Error(
+          file,
+          std::string("its rest shape is not ") + of.what + ": it has no vertex at the position of vertex " +
+              std::to_string(order.size()),
+          std::string("export ") + of.what + " itself, as it is at rest, in the same axes and unit");
+    taken[v] = true;
+    order.push_back(v);
+  }
+  return order;
+}
+
+}  // namespace
+
+MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& of,
+                         std::vector<std::string>& warnings) {
+  constexpr bool played = true;
+  const formats::ReadResult read = formats::read(file, nullptr, played);
+  warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
+  MorphPositions found{read.original ? read.original->morphs() : nullptr, {}};
+  if (!found.clip) return found;
+  check_points(file.string(), read.surface.positions.size(), of);
+  found.order = order_by_place(file.string(), read.surface, of);
+  warnings.insert(warnings.end(), found.clip->notes().begin(), found.clip->notes().end());
+  return found;
+}
+
+namespace fs = std::filesystem;
+
+void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {
+  if (count > document::Timeline::most_keys)
+    throw base::Error(file,
+                      "there are " + base::counted(count, "shape") + ", and a timeline can have " +
+                          base::with_thousands(document::Timeline::most_keys),
+                      "choose fewer");
+  // Positions and their log vectors.
+  base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
+                            72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
+                        base::counted(count, "shape") + " of the model take", "choose fewer", file});
+}
+
+namespace {
+
+constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
+
+// The corners of faces in the form common to both surfaces: polygons or triangles.
+struct Faces {
+  std::vector<std::uint32_t> corners, starts;
+};
+
+Faces polygons_of(const mesh::Surface& s) {
+  return {s.corners, s.polygon_starts};
+}
+
+Faces triangles_of(const mesh::Surface& s) {
+  Faces faces{{}, {0}};
+  for (const auto& t : s.triangles) {
+    faces.corners.insert(faces.corners.end(), t.begin(), t.end());
+    faces.starts.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+  }
+  return faces;
+}
+
+std::string face_text(const Faces& faces, std::size_t face) {
+  std::string text;
+  for (auto c = faces.starts[face]; c < faces.starts[face + 1]; ++c)
+    text += (text.empty() ? "" : " ") + std::to_string(faces.corners[c]);
+  return text;
+}
+
+// Finds for each model vertex the file's vertex, from faces in the same order.
+class VertexOrder {
+public:
+  VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
+      : file_(file), order_(model.positions.size(), mesh::none), taken_(found.positions.size(), mesh::none) {
+    const bool alike = found.polygon_count() == model.polygon_count();
+    found_ = alike ? polygons_of(found) : triangles_of(found);
+    model_ = alike ? polygons_of(model) : triangles_of(model);
+  }
+
+  std::vector<std::uint32_t> find() {
+    check_count(taken_.size(), order_.size(), "vertices");
+    check_count(found_.starts.size() - 1, model_.starts.size() - 1, "faces");
+    for (std::size_t f = 0; f + 1 < model_.starts.size(); ++f) match(f);
+    match_loose();
+    return std::move(order_);
+  }
+
+private:
+  void check_count(std::size_t found, std::size_t expected, const char* of) const {
+    if (found == expected) return;
+    throw base::Error(file_,
+                      std::string("the number of ") + of + " is " + base::with_thousands(found) +
+                          ", in the model it is " + base::with_thousands(expected),
+                      advice);
+  }
+
+  void match(std::size_t face) {
+    const auto first = model_.starts[face], count = model_.starts[face + 1] - first;
+    bool fits = first == found_.starts[face] && count == found_.starts[face + 1] - first;
+    for (std::uint32_t c = first; fits && c < first + count; ++c)
+      fits = pair(model_.corners[c], found_.corners[c]);
+    if (!fits) refuse(face);
+  }
+
+  // A merged face may be detected only at a later one.
+  [[noreturn]] void refuse(std::size_t face) const {
+    const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
+    if (same(face)) face = 0;
+    while (same(face)) ++face;
+    throw base::Error(file_,
+                      "face " + std::to_string(face) + " (from 0) has the vertices " +
+                          face_text(found_, face) + ", in the model " + face_text(model_, face),
+                      advice);
+  }
+
+  bool pair(std::uint32_t of_model, std::uint32_t of_file) {
+    if (order_[of_model] == mesh::none && taken_[of_file] == mesh::none)
+      order_[of_model] = of_file, taken_[of_file] = of_model;
+    return order_[of_model] == of_file;
+  }
+
+  // Matches vertices without a face in file order.
+  void match_loose() {
+    std::uint32_t next = 0;
+    for (auto& v : order_) {
+      if (v != mesh::none) continue;
+      while (taken_[next] != mesh::none) ++next;
+      v = next++;
+    }
+  }
+
+  const std::string& file_;
+  Faces found_, model_;
+  std::vector<std::uint32_t> order_, taken_;
+};
+
+class ShapeReader {
+public:
+  ShapeReader(const mesh::Surface& model, base::Progress* progress) : model_(model), progress_(progress) {}
+
+  void add(const fs::path& file) {
+    std::error_code ignored;
+    if (fs::is_directory(file, ignored)) return add_folder(file);
+    if (base::NumberedName::is_pattern(file)) return add_sequence(base::NumberedName(file));
+    all_.files.push_back(file);
+    if (formats::point_cache_format(file)) return add_cache(file);
+    if (formats::is_a(formats::holds_morphs, file) && add_morphs(file)) return;
+    add_model(file);
+  }
+
+  ImportedShapes take() { return std::move(all_); }
+
+private:
+  void put(const std::string& place, std::string name, std::vector<mesh::Point> positions) {
+    check_places(place, positions);
+    all_.shapes.push_back(
+        {std::move(name), std::make_shared<const std::vector<mesh::Point>>(std::move(positions))});
+  }
+
+  void add_sequence(const base::NumberedName& name) {
+    const auto files = files_of(name);
+    check_shape_count(name.pattern(), files.size(), model_);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      if (progress_) progress_->report(static_cast<double>(i) / static_cast<double>(files.size()));
+      add(files[i].path);
+    }
+  }
+
+  void add_folder(const fs::path& folder) {
+    const auto take = [&](const fs::path& file) {
+      const std::size_t before = all_.shapes.size();
+      add(file);
+      // The folder may contain the model itself.
+      if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
+      return all_.shapes.size() > before;
+    };
+    read_folder(folder, "a shape of this model",
+                "choose a folder with shapes of the model (same vertices and faces)", take, all_.warnings,
+                progress_);
+  }
+
+  void add_cache(const fs::path& file) {
+    const formats::PointCache cache(file);
+    check_points(file.string(), cache.head().points, {model_, "the model"});
+    check_shape_count(file.string(), cache.head().frames, model_);
+    for (std::size_t i = 0; i < cache.head().frames; ++i) {
+      const std::string name = "frame " + std::to_string(i + 1);
+      put(file.string() + ": " + name, cache.head().frames == 1 ? file.stem().string() : name,
+          cache.frame(i));
+    }
+    const auto& warnings = cache.warnings();
+    all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
+  }
+
+  // False if there are none.
+  bool add_morphs(const fs::path& file) {
+    std::vector<std::string> warnings;
+    const MorphPositions morphs = morphs_of(file, {model_, "the model"}, warnings);
+    if (!morphs.clip) return false;
+    all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
+    const auto& targets = morphs.clip->targets();
+    check_shape_count(file.string(), targets.size(), model_);
+    for (std::size_t i = 0; i < targets.size(); ++i)
+      put(file.string() + ": " + targets[i], targets[i], morphs.at_target(i));
+    return true;
+  }
+
+  void add_model(const fs::path& file) {
+    formats::ReadResult read = formats::read(file);
+    all_.warnings.insert(all_.warnings.end(), read.warnings.begin(), read.warnings.end());
+    std::vector<mesh::Point>& positions = read.surface.positions;
+    if (positions.size() != model_.positions.size() || !mesh::same_faces(read.surface, model_))
+      positions = in_order(file, read.surface);
+    put(file.string(), file.stem().string(), std::move(positions));
+  }
+
+  std::vector<mesh::Point> in_order(const fs::path& file, const mesh::Surface& found) {
+    const std::string name = file.string();
+    std::vector<mesh::Point> positions;
+    bool moved = false;
+    for (const std::uint32_t v : VertexOrder(name, found, model_).find()) {
+      moved |= v != positions.size();
+      positions.push_back(found.positions[v]);
+    }
+    if (moved)
+      all_.warnings.push_back(name + ": its vertices are in another order; they were matched by the faces");
+    return positions;
+  }
+
+  const mesh::Surface& model_;
+  base::Progress* progress_;
+  ImportedShapes all_;
+};
+
+}  // namespace
+
+ImportedShapes read_shapes(std::span<const fs::path> files, const mesh::Surface& model,
+                           base::Progress* progress) {
+  ShapeReader reader(model, progress);
+  for (const fs::path& file : files) reader.add(file);
+  return reader.take();
+}
+
+}  // namespace viete::files

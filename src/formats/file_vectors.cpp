@@ -1,0 +1,204 @@
+#include "formats/file_vectors.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <deque>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/error.h"
+#include "formats/printed.h"
+#include "formats/rewriter.h"
+#include "mesh/normals.h"
+
+namespace viete::formats {
+
+namespace {
+
+constexpr std::size_t nowhere = no_places[0];
+
+// The numbers of one list that change, in file order.
+class Changes {
+public:
+  Changes(const FileVectors& vectors, const VectorFile& file, const Source& source, const mesh::Surface& rest,
+          std::span<const mesh::Point> positions, Digits digits)
+      : vectors_(vectors),
+        file_(file),
+        source_(source),
+        rest_(rest),
+        positions_(positions),
+        are_positions_(vectors.kind == FileVectors::Kind::positions),
+        printed_(digits) {
+    printed_.keep(are_positions_ ? 6 : 5, are_positions_ ? mesh::bounds(rest.positions).diagonal() : 1);
+    if (file.text) learn();
+    if (!are_positions_) follow();
+    if (vectors.count > 0) {
+      std::size_t row = 0;  // the first with numbers
+      while (row + 1 < vectors.count && vectors.places(row) == no_places) ++row;
+      std::ranges::sort(axes_, {}, [order = vectors.places(row)](std::size_t axis) { return order[axis]; });
+    }
+    advance();
+  }
+
+  // The place of the next number that changes; `nowhere` at the end.
+  std::size_t place() const { return place_; }
+
+  void replace(Rewriter& rewriter) {
+    rewriter.replace(at(place_, type_), words_);
+    advance();
+  }
+
+private:
+  // The word or the bytes at a place.
+  std::string_view at(std::size_t place, NumberType type) const {
+    const std::string_view rest = source_.bytes.substr(place);
+    return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
+  }
+
+  // NaN for words that are not numbers, 0 0 0 for a row without numbers.
+  mesh::Vec3 direction(std::size_t row) const {
+    const FileVectors::Places places = vectors_.places(row);
+    if (places == no_places) return {0, 0, 0};
+    mesh::Vec3 v;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::string_view word = at(places[k], vectors_.types[k]);
+      v[k] = file_.text ? number_in(word).value_or(std::nan(""))
+                        : number_of_bytes(word.data(), vectors_.types[k], file_.order);
+    }
+    return v;
+  }
+
+  void learn() {
+    constexpr std::size_t enough = 10'000;
+    for (std::size_t row = 0; row < std::min(enough, vectors_.count); ++row) {
+      const FileVectors::Places places = vectors_.places(row);
+      if (places == no_places || !mesh::is_direction(direction(row))) continue;
+      for (const std::size_t place : places) printed_.learn(at(place, NumberType::float64));
+    }
+  }
+
+  void follow() {
+    for (std::size_t row = 0; row < vectors_.count; ++row) before_.push_back(direction(row));
+    std::vector<std::uint32_t> of_corner = rest_.corners, of_vertex;
+    if (vectors_.rows == FileVectors::Rows::faces) {
+      for (std::size_t c = 0; c < of_corner.size(); ++c) of_corner[c] = vectors_.row_of_corner(c);
+    } else {
+      of_vertex = every_vertex(rest_);
+    }
+    const auto deformed =
+        vectors_.kind == FileVectors::Kind::normals ? mesh::deformed_normals : mesh::deformed_tangents;
+    now_ = deformed(rest_, positions_, before_, of_corner, of_vertex);
+    mesh::keep_lengths(before_, now_);
+  }
+
+  // The values of a row before and now.
+  std::pair<mesh::Vec3, mesh::Vec3> values(std::size_t row) const {
+    if (!are_positions_) return {before_[row], now_[row]};
+    const std::size_t v = vectors_.rows == FileVectors::Rows::corners ? rest_.corners[row] : row;
+    return {rest_.positions[v], positions_[v]};
+  }
+
+  void advance() {
+    place_ = nowhere;
+    while (place_ == nowhere && next_ < 3 * vectors_.count) {
+      const std::size_t row = next_ / 3, axis = axes_[next_ % 3];
+      ++next_;
+      const auto [before, now] = values(row);
+      if (before[axis] == now[axis] || !mesh::changed(before, now)) continue;
+      type_ = vectors_.types[axis];
+      std::array<char, 400> room_before;
+      const auto words = written(now[axis], room_);
+      if (!words)
+        throw base::Error(source_.place(vectors_.element, row),
+                          "a position does not fit into the file's type",
+                          "write another format, or scale the model");
+      if (words == written(before[axis], room_before)) continue;
+      words_ = *words;
+      place_ = vectors_.places(row)[axis];
+    }
+  }
+
+  // A value in the file's form; empty if out of the type's range.
+  std::optional<std::string_view> written(double value, std::span<char> room) const {
+    return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
+      using Number = decltype(number);
+      constexpr bool whole = std::is_integral_v<Number>;
+      if (whole) {
+        value = std::round(value);
+        const double beyond = std::ldexp(1.0, std::numeric_limits<Number>::digits);
+        if (!(value >= double(std::numeric_limits<Number>::lowest()) && value < beyond)) return std::nullopt;
+      }
+      number = static_cast<Number>(value);
+      if (!std::isfinite(static_cast<double>(number))) return std::nullopt;
+      if (file_.text) {
+        if (!whole) return printed_.print(value, room);
+        const char* const end = std::to_chars(room.data(), room.data() + room.size(), number).ptr;
+        return std::string_view(room.data(), static_cast<std::size_t>(end - room.data()));
+      }
+      std::ranges::copy(bytes_of_number(number, file_.order), room.begin());
+      return std::string_view(room.data(), sizeof number);
+    });
+  }
+
+  const FileVectors& vectors_;
+  const VectorFile& file_;
+  const Source& source_;
+  const mesh::Surface& rest_;
+  std::span<const mesh::Point> positions_;
+  bool are_positions_;
+  Printed printed_;
+  std::vector<mesh::Vec3> before_, now_;      // of directions
+  std::array<std::size_t, 3> axes_{0, 1, 2};  // in file order
+  std::size_t next_ = 0, place_ = nowhere;
+  NumberType type_ = NumberType::float64;  // type of the number at place_; its new bytes are words_
+  std::string_view words_;
+  std::array<char, 400> room_;
+};
+
+class VectorOriginal final : public Original {
+public:
+  VectorOriginal(const Source& source, VectorFile file)
+      : Original(file.format, source), file_(std::move(file)) {}
+
+  std::vector<std::string> beyond_attributes() const override { return file_.beyond_attributes; }
+  Companions companions() const override { return file_.companions; }
+
+  std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
+                                 TextWriter& out) const override {
+    const Source source = this->source();
+    std::deque<Changes> all;
+    for (const FileVectors& vectors : file_.vectors)
+      all.emplace_back(vectors, file_, source, rest, positions, out.digits());
+    Rewriter rewriter(bytes_, out);
+    for (;;) {
+      const auto next = std::ranges::min_element(all, {}, &Changes::place);
+      if (next == all.end() || next->place() == nowhere) break;
+      next->replace(rewriter);
+    }
+    rewriter.finish();
+    return {};
+  }
+
+private:
+  VectorFile file_;
+};
+
+}  // namespace
+
+FileVectors::Places places_of_three(TextCursor& text) {
+  FileVectors::Places places;
+  for (std::size_t& place : places) {
+    if (text.at_line_end()) return no_places;
+    place = text.offset();
+    text.word();
+  }
+  return places;
+}
+
+std::shared_ptr<const Original> original_of(const Source& source, VectorFile file) {
+  return source.owner ? std::make_shared<const VectorOriginal>(source, std::move(file)) : nullptr;
+}
+
+}  // namespace viete::formats

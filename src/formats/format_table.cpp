@@ -1,0 +1,142 @@
+#include "formats/format_table.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "formats/codecs.h"
+#include "formats/point_cache.h"
+
+namespace viete::formats {
+
+namespace {
+
+constexpr Format gltf_as(std::string_view extension, void (*write)(const Content&, TextWriter&)) {
+  using namespace held;
+  return {.extension = extension,
+          .name = "glTF",
+          .read = read_gltf,
+          .recognised = looks_like_gltf,
+          .is_certain = is_certainly_gltf,
+          .write = write,
+          .may_be_binary = true,
+          .holds_morphs = true,
+          .up = 'y',
+          .in_metres = true,
+          .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals};
+}
+
+// Lists each name once: "a, b or c".
+std::string listing(bool (*is)(const Format&), std::string_view before, std::string_view Format::*word,
+                    std::string_view last) {
+  std::vector<std::string> words;
+  for (const Format& f : all_formats()) {
+    const std::string text = std::string(before) + std::string(f.*word);
+    if (is(f) && std::ranges::find(words, text) == words.end()) words.push_back(text);
+  }
+  std::string list;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < words.size() ? ", " : std::string(last)) + words[i];
+  return list;
+}
+
+}  // namespace
+
+std::span<const Format> all_formats() {
+  using namespace held;
+  static constexpr Format formats[] = {
+      {.extension = "obj",
+       .name = "OBJ",
+       .read = read_obj,
+       .is_certain = is_certainly_obj,
+       .write = write_obj,
+       .keeps_order = true,
+       .all_held = polygons | points | texture_points | colors | normals | corner_normals},
+      {.extension = "ply",
+       .name = "PLY",
+       .read = read_ply,
+       .recognised = looks_like_ply,
+       .is_certain = is_certainly_ply,
+       .write = write_ply,
+       .keeps_order = true,
+       .all_held = polygons | points | texture_points | colors | polygon_colors | normals},
+      {.extension = "off",
+       .name = "OFF",
+       .read = read_off,
+       .recognised = looks_like_off,
+       .is_certain = is_certainly_off,
+       .write = write_off,
+       .keeps_order = true,
+       .all_held = polygons | points | colors | polygon_colors},
+      {.extension = "stl",
+       .name = "STL",
+       .read = read_stl,
+       .recognised = looks_like_stl,
+       .is_certain = is_certainly_stl,
+       .write = write_stl,
+       .may_be_binary = true,
+       .up = 'z'},
+      gltf_as("glb", write_glb),
+      gltf_as("gltf", write_gltf),
+      {.extension = "pc2", .name = "PC2", .is_sequence = true},
+      {.extension = "mdd", .name = "MDD", .is_sequence = true},
+  };
+  return formats;
+}
+
+const Format* format_by_extension(std::string_view extension) {
+  const auto found = std::ranges::find(all_formats(), extension, &Format::extension);
+  return found == all_formats().end() ? nullptr : &*found;
+}
+
+const Format* find_format(const std::filesystem::path& file) {
+  return format_by_extension(std::string_view(extension_of(file)));
+}
+
+const Format& surface_format(const std::filesystem::path& file) {
+  const Format* found = find_format(file);
+  if (found && found->write) return *found;
+  const std::string extension = extension_of(file);
+  throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
+                    "use " + format_extensions(holds_surface));
+}
+
+bool writes_itself(const Original* original, const std::filesystem::path& file) {
+  const Format* to = original ? find_format(file) : nullptr;
+  return to && to->name == original->format();
+}
+
+const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning) {
+  for (const Format& f : all_formats())
+    if (f.is_certain && f.is_certain(beginning)) return &f;
+  try {
+    const bool is_pc2 = PointCache(file).head().format == PointCacheFormat::pc2;
+    return format_by_extension(is_pc2 ? "pc2" : "mdd");
+  } catch (const base::Error&) {
+    return nullptr;
+  }
+}
+
+const Format* format_of_description(std::string_view description) {
+  for (const Format& f : all_formats())
+    if (holds_surface(f) && description.starts_with(f.name)) return &f;
+  return nullptr;
+}
+
+std::string format_names(bool (*is)(const Format&), std::string_view last) {
+  return listing(is, "", &Format::name, last);
+}
+
+std::string format_extensions(bool (*is)(const Format&), std::string_view last) {
+  return listing(is, ".", &Format::extension, last);
+}
+
+std::string a_mesh() {
+  return "Mesh (" + format_names(holds_surface, ", ") + ")";
+}
+
+bool is_a(bool (*is)(const Format&), const std::filesystem::path& file) {
+  const Format* found = find_format(file);
+  return found && is(*found);
+}
+
+}  // namespace viete::formats

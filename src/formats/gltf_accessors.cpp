@@ -1,0 +1,169 @@
+#include "formats/gltf_accessors.h"
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+#include "base/error.h"
+#include "formats/byte_order.h"
+
+namespace viete::formats {
+
+namespace {
+
+// By component, from gltf_byte; the one after gltf_unsigned_short is unknown to glTF.
+constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
+                                       NumberType::uint16, NumberType::int32, NumberType::uint32,
+                                       NumberType::float32};
+
+// 0 for an unknown type.
+std::size_t component_size(int type) {
+  const bool known = type >= gltf_byte && type <= gltf_float && type != gltf_unsigned_short + 1;
+  return known ? size_of(number_types[type - gltf_byte]) : 0;
+}
+
+bool is_unsigned(int type) {
+  return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
+}
+
+// Not for matrices, which surfaces do not use.
+std::size_t component_count(const std::string& type) {
+  if (type == "SCALAR") return 1;
+  const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";
+  return vector ? static_cast<std::size_t>(type[3] - '0') : 0;
+}
+
+double number_at(const char* at, int type, bool normalized) {
+  return with_type(number_types[type - gltf_byte], [&](auto number) {
+    using Number = decltype(number);
+    const double value = static_cast<double>(number_of_bytes<Number>(at));
+    if (!normalized || !std::is_integral_v<Number> || sizeof number > 2) return value;
+    return std::max(value / static_cast<double>(std::numeric_limits<Number>::max()), -1.0);
+  });
+}
+
+}  // namespace
+
+void GltfAccessors::fail(const std::string& what, int index, const std::string& problem) const {
+  throw base::Error(file_.name + ": " + what + " " + std::to_string(index), problem,
+                    "export the model again");
+}
+
+std::size_t GltfAccessors::Accessor::size() const {
+  return component_size(component) * components;
+}
+
+GltfAccessors::Accessor GltfAccessors::at(int accessor) const {
+  const GltfJson& json = element_of(file_.document, "accessors", accessor);
+  if (json.is_null())
+    fail("accessor", accessor,
+         "does not exist, the file has " + std::to_string(list_of(file_.document, "accessors").size()));
+  const GltfJson& normalized = member_of(json, "normalized");
+  return {index_of(json, "componentType"),
+          component_count(text_of(json, "type")),
+          count_of(json, "count").value_or(0),
+          normalized.is_boolean() && normalized.get<bool>(),
+          json,
+          member_of(json, "sparse")};
+}
+
+GltfPlace GltfAccessors::of_view(int accessor, const GltfJson& data, std::size_t count,
+                                 std::size_t size) const {
+  const int view = index_of(data, "bufferView");
+  const GltfJson& v = element_of(file_.document, "bufferViews", view);
+  if (v.is_null())
+    fail("accessor", accessor, "refers to buffer view " + std::to_string(view) + ", which does not exist");
+  const auto number = [](const GltfJson& json, const char* key) { return count_of(json, key).value_or(0); };
+  const std::size_t buffer = count_of(v, "buffer").value_or(file_.buffers.size());
+  if (buffer >= file_.buffers.size())
+    fail("buffer view", view, "refers to buffer " + std::to_string(buffer) + ", which does not exist");
+  const std::size_t all = file_.buffers[buffer].bytes.size(), begin = number(v, "byteOffset"),
+                    length = number(v, "byteLength"), offset = number(data, "byteOffset");
+  if (begin > all || length > all - begin)
+    fail("buffer view", view, "reaches past the " + std::to_string(all) + " bytes of its buffer");
+  const std::size_t given = number(v, "byteStride"), stride = given > 0 ? given : size;
+  if (stride < size || stride > 4096) fail("buffer view", view, "has a stride of " + std::to_string(stride));
+  const bool fits =
+      offset <= length && size <= length - offset && (count - 1) <= (length - offset - size) / stride;
+  if (!fits)
+    fail("accessor", accessor,
+         std::to_string(count) + " elements do not fit into the " + std::to_string(length) +
+             " bytes of its buffer view");
+  return {buffer, begin + offset, stride, count, size, true};
+}
+
+std::size_t GltfAccessors::components(int accessor) const {
+  return at(accessor).components;
+}
+
+bool GltfAccessors::holds_floats(int accessor, std::size_t components) const {
+  const Accessor a = at(accessor);
+  return a.sparse.is_null() && a.component == gltf_float && a.components == components;
+}
+
+GltfPlace GltfAccessors::place(int accessor) const {
+  const Accessor a = at(accessor);
+  const std::size_t size = a.size();
+  if (size == 0) fail("accessor", accessor, "has a type unknown to glTF");
+  if (a.count == 0) fail("accessor", accessor, "has no elements");
+  if (a.json.contains("bufferView")) return of_view(accessor, a.json, a.count, size);
+  std::size_t bytes = 0;
+  for (const GltfBuffer& buffer : file_.buffers) bytes += buffer.bytes.size();
+  if (a.sparse.is_null() || a.count > bytes) fail("accessor", accessor, "has no data");
+  return {0, 0, size, a.count, size, false};
+}
+
+std::vector<double> GltfAccessors::numbers(int accessor, std::size_t components) const {
+  const Accessor a = at(accessor);
+  if (a.components < components)
+    fail("accessor", accessor, "has fewer than " + std::to_string(components) + " components");
+  const GltfPlace from = place(accessor);
+  std::vector<double> numbers(from.count * components, 0);
+  const std::size_t step = component_size(a.component);
+  for (std::size_t i = 0; from.has_bytes && i < from.count; ++i) {
+    const char* element = bytes(from) + i * from.stride;
+    for (std::size_t k = 0; k < components; ++k)
+      numbers[i * components + k] = number_at(element + k * step, a.component, a.normalized);
+  }
+  if (!a.sparse.is_null()) put_sparse(accessor, a, components, numbers);
+  return numbers;
+}
+
+void GltfAccessors::put_sparse(int index, const Accessor& a, std::size_t components,
+                               std::vector<double>& numbers) const {
+  const std::size_t count = count_of(a.sparse, "count").value_or(0);
+  if (count == 0 || count > a.count)
+    fail("accessor", index, "has a sparse count of " + std::to_string(count));
+  const GltfJson& indices = member_of(a.sparse, "indices");
+  const int type = index_of(indices, "componentType");
+  if (!is_unsigned(type)) fail("accessor", index, "has sparse indices that are not integers");
+  const GltfPlace where = of_view(index, indices, count, component_size(type));
+  const GltfPlace what = of_view(index, member_of(a.sparse, "values"), count, a.size());
+  const std::size_t step = component_size(a.component);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double target = number_at(bytes(where) + i * where.stride, type, false);
+    if (target >= static_cast<double>(a.count))
+      fail("accessor", index, "has a sparse index past its elements");
+    const char* element = bytes(what) + i * what.stride;
+    for (std::size_t k = 0; k < components; ++k)
+      numbers[static_cast<std::size_t>(target) * components + k] =
+          number_at(element + k * step, a.component, a.normalized);
+  }
+}
+
+std::vector<std::uint32_t> GltfAccessors::indices(int accessor, std::size_t limit) const {
+  const Accessor a = at(accessor);
+  if (!is_unsigned(a.component) || a.components != 1) fail("accessor", accessor, "does not contain indices");
+  const std::vector<double> numbers = this->numbers(accessor, 1);
+  std::vector<std::uint32_t> indices(numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (numbers[i] >= static_cast<double>(limit))
+      fail("accessor", accessor,
+           "index " + std::to_string(static_cast<std::uint64_t>(numbers[i])) + " refers past the " +
+               std::to_string(limit) + " vertices of its primitive");
+    indices[i] = static_cast<std::uint32_t>(numbers[i]);
+  }
+  return indices;
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,428 @@
+#include "formats/gltf_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <utility>
+
+#include "base/encoding.h"
+#include "base/error.h"
+#include "formats/byte_order.h"
+#include "formats/foreign_content.h"
+
+namespace viete::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
+
+[[noreturn]] void refuse_gltf(const Source& source, const std::string& problem,
+                              const std::string& advice = "export the model again") {
+  throw base::Error(source.name, problem, advice);
+}
+
+std::uint32_t word_at(std::string_view bytes, std::size_t at) {
+  return number_of_bytes<std::uint32_t>(bytes.data() + at);
+}
+
+struct Chunks {
+  std::string_view json;
+  std::optional<std::string_view> binary;
+  std::string others = {};  // unknown chunks, ignored as specified, but kept
+};
+
+Chunks chunks_of(const Source& source) {
+  constexpr std::uint32_t json_kind = 0x4E4F534A, binary_kind = 0x004E4942;
+  if (source.bytes.size() < 20) refuse_gltf(source, "the file ends within its header");
+  if (word_at(source.bytes, 4) != 2)
+    refuse_gltf(source, "version " + std::to_string(word_at(source.bytes, 4)) + " of GLB is not supported",
+                "export as glTF 2.0");
+  const std::size_t length = word_at(source.bytes, 8);
+  if (length > source.bytes.size())
+    refuse_gltf(source,
+                "the header announces " + std::to_string(length) + " bytes, the file has " +
+                    std::to_string(source.bytes.size()),
+                "the file seems to be cut short: export or copy it again");
+  Chunks chunks;
+  for (std::size_t at = 12; at + 8 <= length;) {
+    const std::size_t size = word_at(source.bytes, at), kind = word_at(source.bytes, at + 4);
+    at += 8;
+    if (size > length - at) refuse_gltf(source, "a chunk is longer than the file");
+    const std::string_view chunk = source.bytes.substr(at, size);
+    if (at == 20 && kind == json_kind) chunks.json = chunk;
+    const bool is_binary = kind == binary_kind && !chunks.binary;
+    if (at > 20 && is_binary) chunks.binary = chunk;
+    if (at > 20 && !is_binary) chunks.others.append(source.bytes.substr(at - 8, size + 8));
+    at += size;
+    if (chunks.json.empty()) refuse_gltf(source, "the first chunk is not JSON");
+  }
+  return chunks;
+}
+
+// Rejects JSON that could exhaust stack or time: deep nesting, and objects with many members, which are
+// searched linearly.
+void check_shape(const Source& source, std::string_view text) {
+  constexpr std::size_t deepest = 64, most_members = 4096;
+  std::array<std::size_t, deepest + 1> members{};
+  std::array<bool, deepest + 1> is_object{};
+  std::size_t depth = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted) {
+      if (c == '\\') ++i;
+      if (c == '"') quoted = false;
+    } else if (c == '"') {
+      quoted = true;
+    } else if (c == '{' || c == '[') {
+      if (++depth > deepest) refuse_gltf(source, "the JSON is nested more than 64 deep");
+      members[depth] = 0;
+      is_object[depth] = c == '{';
+    } else if (c == '}' || c == ']') {
+      if (depth > 0) --depth;
+    } else if (c == ',' && is_object[depth] && ++members[depth] > most_members) {
+      refuse_gltf(source, "an object of the JSON has more than 4096 members");
+    }
+  }
+}
+
+GltfJson parsed(const Source& source, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  check_shape(source, text);
+  try {
+    GltfJson document = GltfJson::parse(text.begin(), text.end());
+    if (!document.is_object()) refuse_gltf(source, "the JSON is not an object");
+    return document;
+  } catch (const GltfJson::parse_error& error) {
+    refuse_gltf(source, "not JSON at byte " + std::to_string(error.byte));
+  } catch (const GltfJson::exception&) {
+    refuse_gltf(source, "the JSON contains an invalid number");
+  }
+}
+
+std::string embedded(const Source& source, const std::string& place, std::string_view uri) {
+  const auto mark = uri.substr(0, 256).find(base64_mark);
+  if (mark == std::string_view::npos)
+    throw base::Error(source.name + ": " + place, "its data are not base64", "export the model again");
+  auto bytes = base::bytes_of_base64(uri.substr(mark + base64_mark.size()));
+  if (!bytes) throw base::Error(source.name + ": " + place, "not base64", "export the model again");
+  return *std::move(bytes);
+}
+
+// The file of a relative URI; empty for other URIs.
+std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
+  const fs::path relative = base::percent_decoded(uri);
+  const std::string text = relative.string();
+  const bool is_no_way = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
+                         text.find("://") != std::string::npos;
+  if (is_no_way) return std::nullopt;
+  return fs::path(source.name).parent_path() / relative;
+}
+
+// Buffers become part of the output, so only files within the model's folder are read. Images are only
+// decoded, and often lie elsewhere.
+std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
+  const auto path = path_of_uri(source, uri);
+  const fs::path relative = base::percent_decoded(uri);
+  const bool leads_out =
+      std::any_of(relative.begin(), relative.end(), [](const fs::path& p) { return p == ".."; });
+  return leads_out ? std::nullopt : path;
+}
+
+// Checks the JSON structure needed for surfaces: scenes, nodes, meshes, accessors and buffer views, with the
+// types of their members; other lists must contain objects. Throws base::Error naming the file, place and
+// member.
+class GltfShape {
+public:
+  GltfShape(const std::string& name, const GltfJson& document) : name_(name), document_(document) {}
+
+  void check() const {
+    whole("", document_, {"scene"});
+    each("", document_, "scenes", "scene ", [&](auto& at, auto& scene) { wholes(at, scene, "nodes"); });
+    each("", document_, "nodes", "node ", [&](auto& at, auto& node) {
+      whole(at, node, {"mesh", "skin"});
+      wholes(at, node, "children");
+      for (const char* key : {"matrix", "translation", "rotation", "scale"})
+        list(at, node, key, "a list of numbers", [](auto& value) { return value.is_number(); });
+    });
+    each("", document_, "meshes", "mesh ", [&](auto& at, auto& mesh) {
+      if (!mesh.contains("primitives")) fail(at, "\"primitives\" should be present");
+      each(at, mesh, "primitives", ", primitive ", [&](auto& in, auto& p) { check_primitive(in, p); });
+    });
+    each("", document_, "accessors", "accessor ", [&](auto& at, auto& a) {
+      check_data(at, a);
+      const GltfJson& sparse = object(at, a, "sparse");
+      whole(at, sparse, {"count"});
+      for (const char* part : {"indices", "values"}) check_data(at, object(at, sparse, part));
+    });
+    each("", document_, "bufferViews", "buffer view ", [&](auto& at, auto& view) {
+      whole(at, view, {"buffer", "byteOffset", "byteLength", "byteStride"});
+    });
+    for (const char* key :
+         {"buffers", "images", "materials", "textures", "samplers", "animations", "skins", "cameras"})
+      each("", document_, key, "", [](auto&, auto&) {});
+  }
+
+private:
+  void check_primitive(const std::string& at, const GltfJson& primitive) const {
+    for (const auto& [attribute, value] : object(at, primitive, "attributes").items())
+      accessor(at, attribute, value);
+    accessor(at, "indices", member_of(primitive, "indices"));
+    whole(at, primitive, {"material", "mode"});
+    each(at, primitive, "targets", ", target ", [&](auto& in, auto& target) {
+      for (const auto& [key, value] : target.items()) accessor(in, key, value);
+    });
+  }
+
+  // An accessor, or the indices or values of a sparse one.
+  void check_data(const std::string& at, const GltfJson& data) const {
+    whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
+    const auto view = count_of(data, "bufferView");
+    if (view && *view >= list_of(document_, "bufferViews").size())
+      fail(at, "refers to buffer view " + std::to_string(*view) + ", which does not exist");
+  }
+
+  void accessor(const std::string& at, const std::string& key, const GltfJson& value) const {
+    if (value.is_null()) return;
+    const auto index = count_of(value);
+    if (!index) fail(at, "\"" + key + "\" should be the number of an accessor");
+    const std::size_t count = list_of(document_, "accessors").size();
+    if (*index >= count)
+      fail(at, "\"" + key + "\" refers to accessor " + std::to_string(*index) + ", the file has " +
+                   std::to_string(count));
+  }
+
+  void whole(const std::string& at, const GltfJson& of, std::initializer_list<const char*> keys) const {
+    for (const char* key : keys)
+      member(at, of, key, "a whole number that is not negative", count_of(member_of(of, key)).has_value());
+  }
+
+  void wholes(const std::string& at, const GltfJson& of, const char* key) const {
+    list(at, of, key, "a list of whole numbers that are not negative",
+         [](auto& value) { return count_of(value).has_value(); });
+  }
+
+  template <class Is>
+  void list(const std::string& at, const GltfJson& of, const char* key, const char* form,
+            const Is& is) const {
+    const GltfJson& value = member_of(of, key);
+    member(at, of, key, form, value.is_array() && std::all_of(value.begin(), value.end(), is));
+  }
+
+  // Null if missing.
+  const GltfJson& object(const std::string& at, const GltfJson& of, const char* key) const {
+    member(at, of, key, "an object", member_of(of, key).is_object());
+    return member_of(of, key);
+  }
+
+  template <class Check>
+  void each(const std::string& at, const GltfJson& of, const char* key, const char* element,
+            const Check& check) const {
+    list(at, of, key, "a list of objects", [](auto& value) { return value.is_object(); });
+    const GltfJson& entries = list_of(of, key);
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const std::string place = at + element + std::to_string(i);
+      check(place, entries[i]);
+    }
+  }
+
+  // Members may be missing, but not null.
+  void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
+    if (!good && of.is_object() && of.contains(key))
+      fail(at, "\"" + std::string(key) + "\" should be " + form);
+  }
+
+  [[noreturn]] void fail(const std::string& at, const std::string& problem) const {
+    throw base::Error(at.empty() ? name_ : name_ + ": " + at, problem, "export the model again");
+  }
+
+  const std::string& name_;
+  const GltfJson& document_;
+};
+
+class GltfTaker {
+public:
+  GltfTaker(const Source& source, const Chunks& chunks, bool binary)
+      : source_(source), chunks_(chunks), document_(file_.document) {
+    file_.name = source.name;
+    file_.binary = binary;
+    document_ = parsed(source, chunks.json);
+  }
+
+  GltfFile take() {
+    check_version();
+    check_extensions();
+    GltfShape(source_.name, document_).check();
+    const std::size_t buffers = list_of(document_, "buffers").size();
+    for (std::size_t i = 0; i < buffers; ++i) take_buffer(i);
+    for (const GltfBuffer& buffer : file_.buffers) left_for_images_ += buffer.bytes.size();
+    for (std::size_t i = 0; i < list_of(document_, "images").size(); ++i) take_image(i);
+    tell_what_is_not_played();
+    file_.other_chunks = std::move(chunks_.others);
+    return std::move(file_);
+  }
+
+private:
+  void check_version() {
+    const std::string version = text_of(member_of(document_, "asset"), "version");
+    if (version.empty()) refuse_gltf(source_, "the JSON has no asset version: this is not glTF");
+    if (!version.starts_with("2."))
+      refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not supported", "export as glTF 2.0");
+  }
+
+  void check_extensions() {
+    for (const char* key : {"extensionsUsed", "extensionsRequired"}) {
+      for (const GltfJson& extension : list_of(document_, key)) {
+        if (extension.is_string()) check_extension(extension.get<std::string>(), key[10] == 'R');
+      }
+    }
+  }
+
+  void check_extension(const std::string& name, bool required) {
+    static const std::set<std::string> shapes = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
+                                                 "KHR_meshopt_compression"};
+    static const std::set<std::string> known = {"KHR_mesh_quantization", "KHR_texture_transform",
+                                                "KHR_lights_punctual",   "KHR_texture_basisu",
+                                                "EXT_texture_webp",      "KHR_animation_pointer"};
+    if (shapes.count(name))
+      refuse_gltf(source_, "its shapes are compressed (" + name + "), which is not supported",
+                  "export without compression");
+    if (!required || known.count(name) || name.starts_with("KHR_materials_")) return;
+    refuse_gltf(source_, "it needs the extension " + name.substr(0, 64) + ", which is not supported",
+                "export without it");
+  }
+
+  void take_buffer(std::size_t i) {
+    const std::string place = "buffer " + std::to_string(i);
+    const auto fail = [&](const std::string& problem) {
+      throw base::Error(source_.name + ": " + place, problem, "export the model again with its buffers");
+    };
+    GltfJson& json = document_["buffers"][i];
+    const auto length = count_of(json, "byteLength");
+    if (!length || *length == 0) fail("has no byteLength");
+    const std::string uri = text_of(json, "uri");
+    GltfBuffer buffer;
+    if (uri.starts_with("data:")) {
+      buffer.home = GltfBuffer::Home::text;
+      buffer.bytes = embedded(source_, place, uri);
+      json.erase("uri");
+    } else if (!uri.empty()) {
+      buffer.home = GltfBuffer::Home::beside;
+      const auto path = path_within(source_, uri);
+      if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
+      buffer.path = path->lexically_normal();
+      const bool again = !beside_.insert(buffer.path).second;
+      buffer.bytes = FileBytes(*path, nullptr).view();
+      if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
+        fail("is shared by other buffers that are too large together");
+    } else if (i == 0 && chunks_.binary) {
+      buffer.bytes = *chunks_.binary;
+    } else {
+      fail("has neither data nor a URI");
+    }
+    if (buffer.bytes.size() < *length && !buffer.path.empty())
+      refuse_foreign(buffer.path.string(), buffer.bytes);
+    if (buffer.bytes.size() < *length)
+      fail("should have " + std::to_string(*length) + " bytes and has " +
+           std::to_string(buffer.bytes.size()));
+    buffer.bytes.resize(*length);
+    file_.buffers.push_back(std::move(buffer));
+  }
+
+  void take_image(std::size_t i) {
+    const GltfJson& json = document_["images"][i];
+    GltfImage image;
+    image.file.name = text_of(json, "name");
+    const std::string uri = text_of(json, "uri");
+    if (uri.starts_with("data:")) {
+      const std::string place = "image " + std::to_string(i);
+      image.file.bytes = std::make_shared<const std::string>(embedded(source_, place, uri));
+    } else if (!uri.empty()) {
+      take_image_beside(image, uri);
+    } else {
+      image.file.bytes = bytes_of_view(count_of(json, "bufferView"));
+      if (!image.file.bytes) warn("image " + std::to_string(i) + " is not in the file");
+    }
+    file_.images.push_back(std::move(image));
+  }
+
+  void take_image_beside(GltfImage& image, const std::string& uri) {
+    image.uri = uri;
+    if (const auto path = path_of_uri(source_, uri)) {
+      image.file.path = fs::absolute(*path);
+    } else {
+      warn("image " + uri.substr(0, 200) + " has no file path and is not opened");
+    }
+  }
+
+  // Shares one copy per view, and limits the total to the file's size, as views may overlap.
+  std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
+    const GltfJson& views = list_of(document_, "bufferViews");
+    if (!view || *view >= views.size()) return nullptr;
+    const GltfJson& json = views[*view];
+    const auto buffer = count_of(json, "buffer"), length = count_of(json, "byteLength");
+    const std::uint64_t offset = count_of(json, "byteOffset").value_or(0);
+    if (!buffer || !length || *buffer >= file_.buffers.size()) return nullptr;
+    const std::string& bytes = file_.buffers[*buffer].bytes;
+    if (offset > bytes.size() || *length > bytes.size() - offset) return nullptr;
+    auto& kept = of_view_[*view];
+    if (!kept && *length <= left_for_images_) {
+      kept = std::make_shared<const std::string>(bytes, offset, *length);
+      left_for_images_ -= *length;
+    }
+    return kept;
+  }
+
+  void tell_what_is_not_played() {
+    std::string list;
+    for (const char* key : {"animations", "skins", "cameras"}) {
+      if (source_.played && key == std::string_view("animations")) continue;
+      if (!list_of(document_, key).empty()) list += (list.empty() ? "" : ", ") + std::string(key);
+    }
+    if (!list.empty()) warn(list + " are ignored");
+    for (const GltfJson& node : list_of(document_, "nodes")) {
+      if (member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing").is_null()) continue;
+      return warn("EXT_mesh_gpu_instancing is not supported: each instanced mesh is shown once");
+    }
+  }
+
+  void warn(const std::string& text) { file_.warnings.push_back(source_.name + ": " + text); }
+
+  const Source& source_;
+  Chunks chunks_;
+  GltfFile file_;
+  GltfJson& document_;
+  static constexpr std::size_t most_repeated_bytes = std::size_t{1} << 28;
+  std::set<fs::path> beside_;
+  std::size_t repeated_ = 0;
+  std::map<std::uint64_t, std::shared_ptr<const std::string>> of_view_;
+  std::uint64_t left_for_images_ = 0;
+};
+
+bool is_glb(const Source& source) {
+  return source.bytes.starts_with(glb_magic);
+}
+
+}  // namespace
+
+GltfFile take_apart(const Source& source) {
+  const bool binary = is_glb(source);
+  return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
+      .take();
+}
+
+std::string encoded_uri(std::string_view path) {
+  return base::percent_encoded(path, [](char c) {
+    constexpr std::string_view plain = "-._~/!$&'()*+,;=@";
+    return (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
+           plain.find(c) != std::string_view::npos;
+  });
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,208 @@
+#include "formats/gltf_original.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/encoding.h"
+#include "base/text.h"
+#include "formats/gltf_morphs.h"
+
+namespace viete::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Is>
+bool any_primitive(const GltfJson& document, const Is& is) {
+  for (const GltfJson& mesh : list_of(document, "meshes")) {
+    const GltfJson& all = list_of(mesh, "primitives");
+    if (std::any_of(all.begin(), all.end(), is)) return true;
+  }
+  return false;
+}
+
+class GltfOriginal final : public Original {
+public:
+  GltfOriginal(const Source& source, GltfFile file, GltfMap map)
+      : Original("glTF", source),
+        shared_file_(std::make_shared<const GltfFile>(std::move(file))),
+        shared_map_(std::make_shared<const GltfMap>(std::move(map))),
+        file_(*shared_file_),
+        map_(*shared_map_) {}
+
+  std::vector<std::string> beyond_attributes() const override {
+    const GltfJson& document = file_.document;
+    std::vector<std::string> found;
+    for (const char* key : {"animations", "skins", "cameras"}) {
+      if (!list_of(document, key).empty()) found.emplace_back(key);
+    }
+    const auto add = [&](const char* what, const auto& is) {
+      if (any_primitive(document, is)) found.emplace_back(what);
+    };
+    add("morph targets", [](const GltfJson& p) { return !list_of(p, "targets").empty(); });
+    add("tangents", [](const GltfJson& p) { return accessor_of(p, "TANGENT") >= 0; });
+    add("second texture coordinates", [](const GltfJson& p) { return accessor_of(p, "TEXCOORD_1") >= 0; });
+    add("points and lines", [](const GltfJson& p) {
+      const auto mode = count_of(p, "mode");
+      return mode && *mode < 4;
+    });
+    return found;
+  }
+
+  std::vector<fs::path> files_beside() const override {
+    std::vector<fs::path> files;
+    for (const GltfBuffer& buffer : file_.buffers) files.push_back(buffer.path);
+    for (const GltfImage& image : file_.images) files.push_back(image.file.path);
+    return files;
+  }
+
+  // Writes a single file with embedded data.
+  std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
+                                 TextWriter& out) const override {
+    if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
+    GltfRewritten result = rewritten_gltf(file_, map_, rest, positions);
+    for (std::size_t i = file_.binary ? 1 : 0; i < result.buffers.size(); ++i) embed(result, i);
+    put(result, file_.binary, out);
+    return std::move(result.notes);
+  }
+
+  std::vector<std::string> write_file(const fs::path& path, const mesh::Surface& rest,
+                                      std::span<const mesh::Point> positions, Digits /*floats have none*/,
+                                      base::Progress* progress) const override {
+    const bool binary = extension_of(path) == "glb";
+    if (file_.binary == binary && leads_nowhere() && is_at_rest(rest, positions)) {
+      base::replace_file(path, bytes_);
+      return {};
+    }
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions), progress);
+  }
+
+  std::vector<std::string> write_animated(const fs::path& path, const mesh::Surface& rest,
+                                          std::span<const mesh::Point> positions, const MorphMotion& motion,
+                                          base::Progress* progress) const override {
+    check_motion(motion, rest.positions.size());
+    return write_result(path, rewritten_gltf(file_, map_, rest, positions, &motion, progress), progress);
+  }
+
+  std::shared_ptr<const MorphClip> morphs() const override { return gltf_morphs(shared_file_, shared_map_); }
+
+private:
+  std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
+                                        base::Progress* progress) const {
+    const bool binary = extension_of(path) == "glb";
+    lead_images(path, result);
+    if (!binary && !file_.other_chunks.empty())
+      result.notes.push_back("unknown chunks are left out: .gltf files cannot contain them");
+    base::FilesTogether files;
+    put_buffers(path, binary, result, files);
+    files.put(path, [&](const base::ByteSink& sink) {
+      TextWriter out(sink, progress);
+      put(result, binary, out);
+      out.finish();
+    });
+    files.replace();
+    return std::move(result.notes);
+  }
+
+  bool is_at_rest(const mesh::Surface& rest, std::span<const mesh::Point> positions) const {
+    return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
+  }
+
+  // True without external buffers or images.
+  bool leads_nowhere() const {
+    return std::ranges::none_of(file_.buffers,
+                                [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
+           std::ranges::all_of(file_.images, [](const GltfImage& i) { return i.uri.empty(); });
+  }
+
+  static void embed(GltfRewritten& result, std::size_t buffer) {
+    result.document["buffers"][buffer]["uri"] =
+        "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
+  }
+
+  // In a GLB the first buffer is the binary chunk; the others keep their URIs.
+  void put(GltfRewritten& result, bool binary, TextWriter& out) const {
+    const auto& buffers = result.buffers;
+    for (std::size_t i = 0; i < buffers.size(); ++i)
+      result.document["buffers"][i]["byteLength"] = buffers[i].size();
+    if (!binary) return void(out.text(result.document.dump(2)).text("\n"));
+    if (!buffers.empty()) result.document["buffers"][0].erase("uri");
+    write_glb_chunks(result.document.dump(), buffers.empty() ? std::string_view() : buffers.front(),
+                     file_.other_chunks, out);
+  }
+
+  // Stores the buffers: embedded in a GLB; in a .gltf embedded or in external files, as in the original.
+  void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
+                   base::FilesTogether& files) const {
+    std::set<fs::path> beside;
+    for (std::size_t i = binary ? 1 : 0; i < result.buffers.size(); ++i) {
+      if (binary || file_.buffers[i].home == GltfBuffer::Home::text) {
+        embed(result, i);
+        continue;
+      }
+      const fs::path name = name_beside(path, beside);
+      beside.insert(name);
+      files.put(name, [&](const base::ByteSink& sink) { sink(result.buffers[i]); });
+      result.document["buffers"][i]["uri"] = encoded_uri(name.filename().string());
+    }
+    if (beside.empty()) return;
+    std::string names;
+    for (const fs::path& name : beside) names += (names.empty() ? "" : ", ") + name.string();
+    result.notes.push_back((beside.size() == 1 ? "the buffer is in " : "the buffers are in ") + names);
+  }
+
+  // Images stay in place; from another folder they get relative URIs.
+  void lead_images(const fs::path& path, GltfRewritten& result) const {
+    const fs::path to = folder_of(path);
+    if (folder_of(file_.name) == to) return;
+    std::size_t led = 0;
+    for (std::size_t i = 0; i < file_.images.size(); ++i) {
+      const GltfImage& image = file_.images[i];
+      if (image.uri.empty() || image.file.path.empty()) continue;
+      const fs::path way = (folder_of(image.file.path) / image.file.path.filename()).lexically_relative(to);
+      result.document["images"][i]["uri"] = encoded_uri(way.generic_string());
+      ++led;
+    }
+    if (led > 0)
+      result.notes.push_back(base::counted(led, "image") + " stayed in the model's old folder, and " +
+                             path.filename().string() + " refers to it: move them together");
+  }
+
+  // A free name: "out.bin", otherwise with a number. Also avoids other buffers of the same file.
+  fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
+    for (int i = 1;; ++i) {
+      const std::string number = i == 1 ? "" : "-" + std::to_string(i);
+      const fs::path name = path.parent_path() / (path.stem().string() + number + ".bin");
+      std::error_code ignored;
+      const bool is_there = fs::exists(fs::symlink_status(name, ignored));
+      if (taken.count(name) == 0 && (!is_there || is_of_older_result(path, name))) return name;
+    }
+  }
+
+  // True if the buffer belongs to the replaced file and may be overwritten; false for the model's own source.
+  bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
+    std::error_code failed;
+    for (const GltfBuffer& own : file_.buffers) {
+      if (!own.path.empty() && fs::equivalent(own.path, buffer, failed)) return false;
+    }
+    if (!fs::is_regular_file(path, failed) || !fs::is_regular_file(buffer, failed)) return false;
+    const FileBytes older(path, nullptr);
+    return older.view().find('"' + encoded_uri(buffer.filename().string()) + '"') != std::string_view::npos;
+  }
+
+  std::shared_ptr<const GltfFile> shared_file_;
+  std::shared_ptr<const GltfMap> shared_map_;
+  const GltfFile& file_;
+  const GltfMap& map_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map) {
+  return std::make_shared<GltfOriginal>(source, std::move(file), std::move(map));
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,264 @@
+// Writes GLB and glTF: the container, and any surface as a new file.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <string>
+#include <unordered_map>
+
+#include "base/encoding.h"
+#include "base/error.h"
+#include "formats/codecs.h"
+#include "formats/conversion.h"
+#include "formats/gltf_file.h"
+#include "formats/gltf_morphs.h"
+#include "formats/printed.h"
+#include "mesh/normals.h"
+
+namespace viete::formats {
+
+namespace {
+
+double linear_of_srgb(double x) {
+  return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
+}
+
+// A vertex of the file: a surface vertex with a texture point, a normal and a face colour.
+struct OutputVertex {
+  std::uint32_t vertex, texture, normal, color;
+  friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
+};
+
+struct HashOfVertex {
+  std::size_t operator()(const OutputVertex& v) const {
+    return (std::size_t{v.vertex} * 0x9E3779B97F4A7C15U) ^ (std::size_t{v.texture} << 32) ^
+           ((std::size_t{v.normal} ^ std::size_t{v.color} << 32) * 0xC2B2AE3D27D4EB4FU);
+  }
+};
+
+class GltfMaker {
+public:
+  explicit GltfMaker(const Content& content)
+      : surface_(content.surface), positions_(content.positions), given_(content.given()) {
+    document["asset"] = {{"version", "2.0"}, {"generator", "viete"}};
+    if (!content.comments.empty()) document["asset"]["extras"] = {{"comments", content.comments}};
+    document["scene"] = 0;
+    document["scenes"][0]["nodes"].push_back(0);
+    document["nodes"].push_back({{"mesh", 0}});
+    list_normals();
+    list_vertices();
+    document["meshes"][0]["primitives"].push_back(primitive());
+    document["buffers"] = {{{"byteLength", bytes.size()}}};
+  }
+
+  GltfJson document;
+  std::string bytes;
+
+  // Call last.
+  void animate(const MorphMotion& motion, base::Progress* progress) {
+    if (motion.targets.empty()) return;
+    mesh::Surface base = surface_;
+    base.positions.assign(positions_.begin(), positions_.end());
+    GltfMorphs out(document, bytes);
+    constexpr std::size_t node = 0;
+    out.add(
+        motion, {&node, 1}, written_.positions.size() + (motion.normals ? written_.normals.size() : 0),
+        progress, [&](const std::vector<mesh::Point>& now) { add_target(out, base, now, motion.normals); },
+        [](int) { return std::vector<double>(); });
+    document["buffers"] = {{{"byteLength", bytes.size()}}};
+  }
+
+private:
+  // Normals of the file, followed by computed vertex normals for corners without one.
+  void list_normals() {
+    normals_ = given_.normals;
+    corner_normal_ = given_.corner_normal;
+    corner_normal_.resize(surface_.corners.size(), mesh::none);
+    const auto without = static_cast<std::size_t>(std::ranges::count(corner_normal_, mesh::none));
+    if (without == 0 || (without == corner_normal_.size() && is_flat(given_))) return;
+    const std::size_t first = normals_.size();
+    normals_.resize(first + positions_.size());
+    mesh::vertex_normals(positions_, surface_.triangles,
+                         mesh::vertex_triangles(positions_.size(), surface_.triangles), 0, positions_.size(),
+                         std::span(normals_).subspan(first));
+    for (std::size_t c = 0; c < corner_normal_.size(); ++c) {
+      if (corner_normal_[c] == mesh::none)
+        corner_normal_[c] = static_cast<std::uint32_t>(first + surface_.corners[c]);
+    }
+  }
+
+  void list_vertices() {
+    std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
+    std::map<Color, std::uint32_t> first_with_color;  // for each face colour the first face that has it
+    const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
+    std::size_t t = 0;
+    for_each_triangle(surface_, [&](const mesh::Triangle& triangle, const mesh::Triangle& corners) {
+      const std::uint32_t polygon = surface_.triangle_polygon[t++];
+      const std::uint32_t color =
+          faces_colored ? first_with_color.try_emplace(given_.polygon_colors[polygon], polygon).first->second
+                        : mesh::none;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const OutputVertex v{triangle[k],
+                             given_.corner_texture.empty() ? mesh::none : given_.corner_texture[corners[k]],
+                             corner_normal_[corners[k]], color};
+        const auto [at, added] = numbers.try_emplace(v, static_cast<std::uint32_t>(vertices_.size()));
+        if (added) vertices_.push_back(v);
+        indices_.push_back(at->second);
+      }
+    });
+    if (!vertices_.empty()) return;
+    for (std::uint32_t v = 0; v < positions_.size(); ++v)
+      vertices_.push_back({v, mesh::none, mesh::none, mesh::none});
+  }
+
+  // Offsets of unmoved vertices are exactly 0.
+  void add_target(GltfMorphs& out, const mesh::Surface& base, std::span<const mesh::Point> now,
+                  bool with_normals) const {
+    const bool turns = with_normals && !written_.normals.empty();
+    std::vector<mesh::Vec3> normals;
+    if (turns) normals = deformed_normals(base, now, normals_, corner_normal_);
+    std::vector<double> places(written_.positions.begin(), written_.positions.end()), turned;
+    if (turns) turned.assign(written_.normals.begin(), written_.normals.end());
+    for (std::size_t i = 0; i < vertices_.size(); ++i) {
+      const OutputVertex& v = vertices_[i];
+      const auto at = static_cast<std::ptrdiff_t>(3 * i);
+      if (now[v.vertex] != positions_[v.vertex]) std::ranges::copy(now[v.vertex], places.begin() + at);
+      if (!turns) continue;
+      const mesh::Vec3& n = normals[v.normal];
+      const double length = mesh::norm(n);
+      if (n != normals_[v.normal] && length > 0) std::ranges::copy((1 / length) * n, turned.begin() + at);
+    }
+    out.add_target(written_, places, turned, {});
+  }
+
+  GltfJson primitive() {
+    GltfJson made = {{"attributes", GltfJson::object()}};
+    GltfJson& attributes = made["attributes"];
+    const auto has = [&](std::uint32_t OutputVertex::*part) {
+      return std::ranges::any_of(vertices_, [&](const auto& v) { return v.*part != mesh::none; });
+    };
+    written_.primitives = {0};
+    written_.positions = add_vectors(attributes["POSITION"], 3, [&](const OutputVertex& v, float* to) {
+      check_written("glTF", v.vertex, positions_[v.vertex], largest_float);
+      for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(positions_[v.vertex][k]);
+    });
+    if (has(&OutputVertex::normal)) {
+      written_.normals = add_vectors(attributes["NORMAL"], 3, [&](const OutputVertex& v, float* to) {
+        const mesh::Vec3& n = normals_[v.normal];
+        const double length = mesh::norm(n);
+        for (std::size_t k = 0; k < 3; ++k) to[k] = static_cast<float>(length > 0 ? n[k] / length : k == 2);
+      });
+    }
+    if (has(&OutputVertex::texture)) {
+      add_vectors(attributes["TEXCOORD_0"], 2, [&](const OutputVertex& v, float* to) {
+        const Vec2 p = v.texture == mesh::none ? Vec2{0, 0} : given_.texture_points[v.texture];
+        to[0] = static_cast<float>(p[0]), to[1] = static_cast<float>(1 - p[1]);
+      });
+    }
+    if (!given_.colors.empty() || has(&OutputVertex::color)) {
+      add_vectors(attributes["COLOR_0"], 4, [&](const OutputVertex& v, float* to) {
+        const Color& c = v.color == mesh::none ? given_.colors[v.vertex] : given_.polygon_colors[v.color];
+        for (std::size_t k = 0; k < 4; ++k) to[k] = static_cast<float>(k < 3 ? linear_of_srgb(c[k]) : c[k]);
+      });
+    }
+    if (indices_.empty()) {
+      made["mode"] = gltf_points;
+    } else {
+      made["indices"] =
+          add_accessor(indices_.data(), indices_.size(), 1, gltf_unsigned_int, gltf_element_buffer);
+    }
+    return made;
+  }
+
+  // Adds an accessor with values of all vertices; stores its index in the attribute.
+  template <class Fill>
+  std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
+    std::vector<float> values(vertices_.size() * components);
+    for (std::size_t i = 0; i < vertices_.size(); ++i) fill(vertices_[i], &values[i * components]);
+    const std::size_t accessor =
+        add_accessor(values.data(), vertices_.size(), components, gltf_float, gltf_array_buffer);
+    if (components == 3) set_gltf_bounds(document["accessors"][accessor], values, components);
+    attribute = accessor;
+    return values;
+  }
+
+  std::size_t add_accessor(const void* data, std::size_t count, std::size_t components, int type,
+                           int target) {
+    static constexpr const char* types[] = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+    const std::size_t view = add_gltf_view(document, bytes, data, 4 * count * components);
+    document["bufferViews"][view]["target"] = target;
+    document["accessors"].push_back(
+        {{"bufferView", view}, {"componentType", type}, {"count", count}, {"type", types[components]}});
+    return document["accessors"].size() - 1;
+  }
+
+  const mesh::Surface& surface_;
+  std::span<const mesh::Point> positions_;
+  const Attributes& given_;
+  std::vector<mesh::Vec3> normals_;
+  std::vector<std::uint32_t> corner_normal_;  // indices into normals_
+  std::vector<OutputVertex> vertices_;
+  std::vector<std::uint32_t> indices_;
+  MorphedVertices written_;
+};
+
+// Replaces bytes that are not UTF-8, which names from other files may contain.
+std::string json_text(const GltfJson& document, int indent = -1) {
+  return document.dump(indent, ' ', false, GltfJson::error_handler_t::replace);
+}
+
+std::size_t padded_to_four(std::size_t size) {
+  return (size + 3) / 4 * 4;
+}
+
+// Pads chunks to multiples of four bytes; JSON with blanks.
+void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
+  constexpr std::size_t portion = 1 << 20;
+  out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);
+  for (std::size_t at = 0; at < bytes.size(); at += portion) {
+    out.text(bytes.substr(at, portion));
+    out.element_done(std::min(at + portion, bytes.size()), bytes.size());
+  }
+  out.text(std::string(padded_to_four(bytes.size()) - bytes.size(), padding));
+}
+
+void put_made(GltfMaker& made, bool binary, TextWriter& out) {
+  if (binary) return write_glb_chunks(json_text(made.document), made.bytes, {}, out);
+  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base::base64(made.bytes);
+  out.text(json_text(made.document, 2)).text("\n");
+}
+
+}  // namespace
+
+void write_glb(const Content& content, TextWriter& out) {
+  GltfMaker made(content);
+  put_made(made, true, out);
+}
+
+void write_gltf(const Content& content, TextWriter& out) {
+  GltfMaker made(content);
+  put_made(made, false, out);
+}
+
+void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
+                         base::Progress* progress) {
+  GltfMaker made(content);
+  made.animate(motion, progress);
+  put_made(made, binary, out);
+}
+
+void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
+                      TextWriter& out) {
+  const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
+  const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
+  if (all > std::numeric_limits<std::uint32_t>::max())
+    throw base::Error("", "more than 4 GB, which a GLB file cannot hold", "write .gltf or another format");
+  out.text("glTF").little_endian(std::uint32_t{2}).little_endian(static_cast<std::uint32_t>(all));
+  put_chunk(json, {"JSON", 4}, ' ', out);
+  if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);
+  out.text(others);
+}
+
+}  // namespace viete::formats

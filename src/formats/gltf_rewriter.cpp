@@ -1,0 +1,501 @@
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/gltf_accessors.h"
+#include "formats/gltf_morphs.h"
+#include "formats/gltf_original.h"
+#include "formats/printed.h"
+#include "mesh/normals.h"
+
+namespace viete::formats {
+
+namespace {
+
+using Json = GltfJson;
+
+// Finds accessors that share no bytes with others, so that their values can be replaced in place. Reflects
+// the document at construction; borrows the document and accessors.
+class GltfSharing {
+public:
+  GltfSharing(const Json& document, const GltfAccessors& accessors) : accessors_(accessors) {
+    count_uses(document);
+    list_bytes(document);
+  }
+
+  // The number of references to the accessor in the document.
+  std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
+
+  // True for float elements that share no byte with another accessor or image.
+  bool is_alone(int accessor, std::size_t components) {
+    const auto index = static_cast<std::size_t>(accessor);
+    const GltfPlace place = accessors_.place(accessor);
+    if (!place.has_bytes || !accessors_.holds_floats(accessor, components)) return false;
+    const Bytes mine = bytes_of(place, index);
+    auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
+    while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {
+      if (++comparisons_ > 100'000'000) return false;  // protects against files made to take long
+      if (at->accessor != index && at->end > mine.begin && !interleaved(place, *at)) return false;
+    }
+    return true;
+  }
+
+private:
+  struct Bytes {
+    std::size_t buffer, begin, end, stride;
+    std::size_t accessor;      // npos for an image
+    std::size_t furthest = 0;  // largest end of the buffer's ranges up to this one
+
+    friend bool operator<(const Bytes& a, const Bytes& b) {
+      return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
+    }
+  };
+
+  void count_uses(const Json& document) {
+    uses_.assign(document["accessors"].size(), 0);
+    const auto use = [&](const Json& value) {
+      if (const auto accessor = count_of(value); accessor && *accessor < uses_.size()) ++uses_[*accessor];
+    };
+    const auto use_all = [&](const Json& attributes) {
+      if (!attributes.is_object()) return;
+      for (const auto& [key, value] : attributes.items()) use(value);
+    };
+    for (const Json& mesh : list_of(document, "meshes")) {
+      for (const Json& primitive : list_of(mesh, "primitives")) {
+        use_all(member_of(primitive, "attributes"));
+        use(member_of(primitive, "indices"));
+        for (const Json& target : list_of(primitive, "targets")) use_all(target);
+      }
+    }
+    for (const Json& node : list_of(document, "nodes"))
+      use_all(member_of(member_of(member_of(node, "extensions"), "EXT_mesh_gpu_instancing"), "attributes"));
+    for (const Json& animation : list_of(document, "animations")) {
+      for (const Json& sampler : list_of(animation, "samplers")) use_all(sampler);
+    }
+    for (const Json& skin : list_of(document, "skins")) use(member_of(skin, "inverseBindMatrices"));
+  }
+
+  // Collects the byte ranges in use, sorted by start.
+  void list_bytes(const Json& document) {
+    for (std::size_t i = 0; i < uses_.size(); ++i) {
+      if (uses_[i] == 0) continue;
+      try {
+        const GltfPlace place = accessors_.place(static_cast<int>(i));
+        if (place.has_bytes) bytes_.push_back(bytes_of(place, i));
+      } catch (const base::Error&) {  // accessors that no surface uses may be invalid
+      }
+    }
+    for (const Json& image : list_of(document, "images")) {
+      const Json& view = element_of(document, "bufferViews", index_of(image, "bufferView"));
+      const auto buffer = count_of(view, "buffer");
+      const std::size_t begin = count_of(view, "byteOffset").value_or(0);
+      const std::size_t end = begin + count_of(view, "byteLength").value_or(0);
+      if (buffer) bytes_.push_back({*buffer, begin, end, 0, std::string::npos});
+    }
+    std::sort(bytes_.begin(), bytes_.end());
+    for (std::size_t i = 0; i < bytes_.size(); ++i) {
+      const bool follows = i > 0 && bytes_[i - 1].buffer == bytes_[i].buffer;
+      bytes_[i].furthest = std::max(bytes_[i].end, follows ? bytes_[i - 1].furthest : 0);
+    }
+  }
+
+  static Bytes bytes_of(const GltfPlace& p, std::size_t accessor) {
+    return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
+  }
+
+  // True if the elements of both accessors alternate in an interleaved view without overlap.
+  bool interleaved(const GltfPlace& a, const Bytes& other) const {
+    if (a.stride != other.stride) return false;
+    const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
+    const std::size_t from = a.offset % a.stride, to = b.offset % b.stride;
+    return from + a.size <= to || to + b.size <= from;
+  }
+
+  const GltfAccessors& accessors_;
+  std::vector<std::size_t> uses_;
+  std::vector<Bytes> bytes_;
+  std::size_t comparisons_ = 0;
+};
+
+// Builds the file with other positions, before it is stored as JSON or GLB.
+class GltfRewriter {
+public:
+  GltfRewriter(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
+               std::span<const mesh::Point> positions, const MorphMotion* motion, base::Progress* progress)
+      : file_(file), map_(map), rest_(rest), posed_(positions), accessors_(file), document_(file.document) {
+    for (const GltfBuffer& buffer : file.buffers) buffers_.push_back(buffer.bytes);
+    if (motion) find_morphing(*motion);
+    for (const GltfPiece& piece : map.pieces) {
+      if (moves(piece) || morphs(piece)) moved_.push_back(&piece);
+    }
+    if (!moved_.empty()) rewrite();
+    if (motion) put_morphs(*motion, progress);
+  }
+
+  GltfRewritten take() && { return {std::move(document_), std::move(buffers_), std::move(notes_)}; }
+
+private:
+  bool moves(std::size_t vertex) const {
+    const std::uint32_t v = map_.surface_vertex[vertex];
+    return rest_.positions[v] != posed_[v];
+  }
+
+  bool moves(const GltfPiece& piece) const {
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      if (moves(piece.first + i)) return true;
+    }
+    return false;
+  }
+
+  // Finds placements with vertices moved by a target.
+  void find_morphing(const MorphMotion& motion) {
+    morphing_.assign(map_.placements.size(), false);
+    for (const GltfPiece& piece : map_.pieces) {
+      for (std::size_t i = 0; i < piece.count && !morphing_[piece.placement]; ++i)
+        morphing_[piece.placement] = motion.moves[map_.surface_vertex[piece.first + i]] != 0;
+    }
+  }
+
+  bool morphs(const GltfPiece& piece) const { return !morphing_.empty() && morphing_[piece.placement]; }
+
+  void rewrite() {
+    part_instances();
+    sharing_.emplace(document_, accessors_);
+    list_primitives();
+    carry_vectors();
+    for (const GltfPiece* piece : moved_) {
+      const AffineMap inverse = inverse_of(*piece);
+      if (!moves(*piece)) continue;
+      put(*piece, "POSITION", piece->positions, 3, positions_of(*piece, inverse));
+      if (piece->normals >= 0) put(*piece, "NORMAL", piece->normals, 3, normals_of(*piece, inverse));
+      if (piece->tangents >= 0) put(*piece, "TANGENT", piece->tangents, 4, tangents_of(*piece, inverse));
+    }
+  }
+
+  AffineMap inverse_of(const GltfPiece& piece) const {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    const auto inverse = placement.map.inverse();
+    if (!inverse)
+      throw base::Error(file_.name + ": node " + std::to_string(placement.node),
+                        "flattens its mesh, so that a deformation cannot be inverted",
+                        "apply the node's scale in a modelling program first, or write another format");
+    return *inverse;
+  }
+
+  // Gives each moved node of a shared mesh its own copy.
+  void part_instances() {
+    std::map<int, std::size_t> users;
+    for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
+    std::size_t parted = 0, last = map_.placements.size();
+    for (const GltfPiece* piece : moved_) {
+      if (std::exchange(last, piece->placement) == piece->placement) continue;
+      const GltfPlacement& placement = map_.placements[piece->placement];
+      if (users[placement.mesh] < 2) continue;
+      --users[placement.mesh];
+      Json copy = document_["meshes"][static_cast<std::size_t>(placement.mesh)];
+      document_["nodes"][static_cast<std::size_t>(placement.node)]["mesh"] = document_["meshes"].size();
+      document_["meshes"].push_back(std::move(copy));
+      ++parted;
+    }
+    if (parted > 0)
+      notes_.push_back(std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
+                       " of shared meshes became separate meshes, because each deforms differently");
+  }
+
+  // Transforms normals and tangents of all vertices into the scene.
+  void carry_vectors() {
+    std::vector<mesh::Vec3> normals(map_.surface_vertex.size(), mesh::Vec3{0, 0, 0}), tangents = normals;
+    bool has_normals = false, has_tangents = false;
+    for (const GltfPiece* piece : moved_) {
+      const AffineMap& map = map_.placements[piece->placement].map;
+      const auto take = [&](int accessor, int GltfTarget::*of, std::vector<mesh::Vec3>& to, auto move) {
+        if (accessor < 0) return false;
+        const std::vector<double> numbers = accessors_.numbers(accessor, 3);
+        const std::vector<double> added = differences(*piece, of);
+        for (std::size_t i = 0; i < piece->count; ++i)
+          to[piece->first + i] = move(vector_at(numbers, i) + vector_at(added, i));
+        return true;
+      };
+      has_normals |= take(piece->normals, &GltfTarget::normals, normals,
+                          [&](const mesh::Vec3& n) { return map.of_normal(n); });
+      has_tangents |= take(piece->tangents, &GltfTarget::tangents, tangents,
+                           [&](const mesh::Vec3& t) { return map.of_vector(t); });
+    }
+    if (has_normals)
+      normals_ = deformed_normals(rest_, posed_, normals, map_.corner_vertex, map_.surface_vertex);
+    if (has_tangents)
+      tangents_ = deformed_tangents(rest_, posed_, tangents, map_.corner_vertex, map_.surface_vertex);
+    unmoved_normals_ = std::move(normals);
+    unmoved_tangents_ = std::move(tangents);
+  }
+
+  // Offsets of the file's targets at default weights, which are added to the written values.
+  std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    return morph_differences(accessors_, piece, of,
+                             default_weights(file_.document, placement, piece.targets->size()));
+  }
+
+  static mesh::Vec3 vector_at(std::span<const double> numbers, std::size_t i) {
+    return numbers.empty() ? mesh::Vec3{0, 0, 0}
+                           : mesh::Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
+  }
+
+  // The base vector whose sum with the targets' offsets has this direction.
+  static mesh::Vec3 before_targets(const mesh::Vec3& unit, const mesh::Vec3& added) {
+    const double along = mesh::dot(unit, added), rest = along * along - mesh::dot(added, added) + 1;
+    const double length = rest < 0 ? 1 : along + std::sqrt(rest);
+    return length > 0 ? unit_or_zero(length * unit - added) : unit;
+  }
+
+  std::vector<float> positions_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.positions, 3);
+    const std::vector<double> added = differences(piece, &GltfTarget::positions);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      if (!moves(piece.first + i)) continue;
+      const std::uint32_t v = map_.surface_vertex[piece.first + i];
+      const mesh::Point local = inverse.of_point(posed_[v]) - vector_at(added, i);
+      check_written(file_.name, v, local, largest_float);
+      set(values, 3 * i, local);
+    }
+    return values;
+  }
+
+  std::vector<float> normals_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.normals, 3);
+    const std::vector<double> added = differences(piece, &GltfTarget::normals);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      const mesh::Vec3& n = normals_[piece.first + i];
+      if (mesh::changed(unmoved_normals_[piece.first + i], n))
+        set(values, 3 * i, before_targets(unit_or_zero(inverse.of_normal(n)), vector_at(added, i)));
+    }
+    return values;
+  }
+
+  // Without normals the tangent need not be orthogonal to anything.
+  static mesh::Vec3 local_tangent(const AffineMap& inverse, const mesh::Vec3& tangent,
+                                  const mesh::Vec3& normal) {
+    const mesh::Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
+    return unit_or_zero(t - mesh::dot(t, n) * n);
+  }
+
+  std::vector<float> tangents_of(const GltfPiece& piece, const AffineMap& inverse) const {
+    std::vector<float> values = floats(piece.tangents, 4);
+    const std::vector<double> added = differences(piece, &GltfTarget::tangents);
+    for (std::size_t i = 0; i < piece.count; ++i) {
+      const std::size_t v = piece.first + i;
+      if (mesh::changed(unmoved_tangents_[v], tangents_[v]))
+        set(values, 4 * i,
+            before_targets(local_tangent(inverse, tangents_[v], normal_of(piece, normals_, v)),
+                           vector_at(added, i)));
+    }
+    return values;
+  }
+
+  static mesh::Vec3 normal_of(const GltfPiece& piece, const std::vector<mesh::Vec3>& normals,
+                              std::size_t vertex) {
+    return piece.normals < 0 ? mesh::Vec3{0, 0, 0} : normals[vertex];
+  }
+
+  struct MorphedPiece {
+    const GltfPiece* piece;
+    AffineMap inverse;
+    MorphedVertices vertices;
+  };
+
+  // Pieces that differ only in texture points share their primitives.
+  std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
+    std::vector<MorphedPiece> found;
+    std::set<std::array<int, 4>> seen;
+    for (const GltfPiece* piece : moved_) {
+      const bool is_new =
+          seen.insert({static_cast<int>(piece->placement), piece->positions, piece->normals, piece->tangents})
+              .second;
+      if (!morphs(*piece) || !is_new) continue;
+      const GltfPlacement& placement = map_.placements[piece->placement];
+      MorphedPiece made{piece, inverse_of(*piece), {}};
+      made.vertices.node = static_cast<std::size_t>(placement.node);
+      made.vertices.primitives = primitive_numbers(*piece);
+      made.vertices.positions = positions_of(*piece, made.inverse);
+      if (with_normals && piece->normals >= 0) made.vertices.normals = normals_of(*piece, made.inverse);
+      if (with_normals && piece->tangents >= 0) {
+        const std::vector<float> four = tangents_of(*piece, made.inverse);
+        for (std::size_t i = 0; i < four.size(); i += 4)
+          made.vertices.tangents.insert(made.vertices.tangents.end(), {four[i], four[i + 1], four[i + 2]});
+      }
+      found.push_back(std::move(made));
+    }
+    return found;
+  }
+
+  void put_morphs(const MorphMotion& motion, base::Progress* progress) {
+    const std::vector<MorphedPiece> pieces = morphed_pieces(motion.normals);
+    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation was written"));
+    const std::size_t own = list_of(document_, "animations").size();
+    GltfMorphs out(document_, buffers_.front());
+    std::vector<std::size_t> nodes;
+    std::size_t floats = 0;
+    for (const auto& [piece, inverse, vertices] : pieces) {
+      if (nodes.empty() || nodes.back() != vertices.node) nodes.push_back(vertices.node);
+      floats += vertices.positions.size() + vertices.normals.size() + vertices.tangents.size();
+    }
+    out.add(
+        motion, nodes, floats, progress,
+        [&](const std::vector<mesh::Point>& now) { add_target(out, pieces, now, motion.normals); },
+        [&](int output) { return accessors_.numbers(output, 1); });
+    if (own > 0)
+      notes_.push_back(base::counted(own, "animation") + " of the file " + (own == 1 ? "stays" : "stay") +
+                       " in addition to the new one");
+  }
+
+  // Offsets of unmoved vertices are exactly 0.
+  void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const mesh::Point> now,
+                  bool with_normals) const {
+    std::vector<mesh::Vec3> normals, tangents;
+    if (with_normals && !normals_.empty())
+      normals = deformed_normals(rest_, now, unmoved_normals_, map_.corner_vertex, map_.surface_vertex);
+    if (with_normals && !tangents_.empty())
+      tangents = deformed_tangents(rest_, now, unmoved_tangents_, map_.corner_vertex, map_.surface_vertex);
+    for (const MorphedPiece& p : pieces) {
+      const auto values = [&](const std::vector<float>& base, int GltfTarget::*of, const auto& moved,
+                              const auto& local) {
+        std::vector<double> all(base.begin(), base.end());
+        const std::vector<double> added = differences(*p.piece, of);
+        for (std::size_t i = 0; 3 * i < all.size(); ++i) {
+          const std::size_t v = p.piece->first + i;
+          if (!moved(v)) continue;
+          const mesh::Vec3 to = local(v) - vector_at(added, i);
+          std::copy(to.begin(), to.end(), all.begin() + static_cast<std::ptrdiff_t>(3 * i));
+        }
+        return all;
+      };
+      const auto place = [&](std::size_t v) { return map_.surface_vertex[v]; };
+      out.add_target(
+          p.vertices,
+          values(
+              p.vertices.positions, &GltfTarget::positions,
+              [&](auto v) { return now[place(v)] != posed_[place(v)]; },
+              [&](auto v) { return p.inverse.of_point(now[place(v)]); }),
+          values(
+              p.vertices.normals, &GltfTarget::normals, [&](auto v) { return normals[v] != normals_[v]; },
+              [&](auto v) { return unit_or_zero(p.inverse.of_normal(normals[v])); }),
+          values(
+              p.vertices.tangents, &GltfTarget::tangents, [&](auto v) { return tangents[v] != tangents_[v]; },
+              [&](auto v) {
+                return local_tangent(p.inverse, tangents[v], normal_of(*p.piece, normals, v));
+              }));
+    }
+  }
+
+  static mesh::Vec3 unit_or_zero(const mesh::Vec3& v) {
+    const double length = mesh::stable_norm(v);
+    return length > 0 ? (1 / length) * v : mesh::Vec3{0, 0, 0};
+  }
+
+  static void set(std::vector<float>& values, std::size_t at, const mesh::Vec3& v) {
+    for (std::size_t k = 0; k < 3; ++k) values[at + k] = static_cast<float>(v[k]);
+  }
+
+  std::vector<float> floats(int accessor, std::size_t components) const {
+    const std::vector<double> numbers = accessors_.numbers(accessor, components);
+    return {numbers.begin(), numbers.end()};
+  }
+
+  // Replaces the values in place if no other part of the file uses them.
+  void put(const GltfPiece& piece, const char* attribute, int accessor, std::size_t components,
+           const std::vector<float>& values) {
+    const std::vector<Json*> primitives = primitives_of(piece);
+    const auto index = static_cast<std::size_t>(accessor);
+    const bool in_place =
+        sharing_->uses(index) == primitives.size() && sharing_->is_alone(accessor, components);
+    const std::size_t to = in_place ? index : appended(index, components, values);
+    if (in_place) {
+      const GltfPlace place = accessors_.place(accessor);
+      for (std::size_t i = 0; i < place.count; ++i)
+        std::memcpy(buffers_[place.buffer].data() + place.offset + i * place.stride, &values[i * components],
+                    components * sizeof(float));
+    }
+    for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
+    Json& json = document_["accessors"][to];  // bounds are required for positions, and only updated otherwise
+    if (*attribute == 'P' || json.contains("min") || json.contains("max"))
+      set_gltf_bounds(json, values, components);
+  }
+
+  using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
+
+  void list_primitives() {
+    const Json& meshes = list_of(file_.document, "meshes");
+    for (std::size_t mesh = 0; mesh < meshes.size(); ++mesh) {
+      const Json& primitives = list_of(meshes[mesh], "primitives");
+      for (std::size_t i = 0; i < primitives.size(); ++i)
+        primitives_[{static_cast<int>(mesh), accessor_of(primitives[i], "POSITION"),
+                     accessor_of(primitives[i], "NORMAL"), accessor_of(primitives[i], "TANGENT")}]
+            .push_back(i);
+    }
+  }
+
+  // Primitives of the mesh that use the piece's vertices, by their indices in the file.
+  const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
+    return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
+                        piece.tangents}];
+  }
+
+  std::vector<Json*> primitives_of(const GltfPiece& piece) {
+    const GltfPlacement& placement = map_.placements[piece.placement];
+    const std::size_t mesh = document_["nodes"][static_cast<std::size_t>(placement.node)]["mesh"];
+    Json& primitives = document_["meshes"][mesh]["primitives"];
+    std::vector<Json*> found;
+    for (const std::size_t i : primitive_numbers(piece)) found.push_back(&primitives[i]);
+    return found;
+  }
+
+  // Adds an accessor like the old one, with new data at the end of its buffer.
+  std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
+    const GltfPlace place = accessors_.place(static_cast<int>(old));
+    const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
+                                           values.size() * sizeof(float), place.buffer);
+    document_["bufferViews"][view]["target"] = gltf_array_buffer;
+    Json accessor = document_["accessors"][old];
+    for (const char* key : {"sparse", "byteOffset", "normalized"}) accessor.erase(key);
+    accessor["bufferView"] = view;
+    accessor["componentType"] = gltf_float;
+    accessor["type"] = components == 4 ? "VEC4" : "VEC3";
+    document_["accessors"].push_back(std::move(accessor));
+    return document_["accessors"].size() - 1;
+  }
+
+  const GltfFile& file_;
+  const GltfMap& map_;
+  const mesh::Surface& rest_;
+  std::span<const mesh::Point> posed_;
+  GltfAccessors accessors_;
+  Json document_;
+  std::vector<std::string> buffers_;
+  std::vector<const GltfPiece*> moved_;
+  std::vector<std::string> notes_;
+  std::optional<GltfSharing> sharing_;
+  std::map<Vertices, std::vector<std::size_t>> primitives_;
+  std::vector<mesh::Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
+  std::vector<bool> morphing_;  // per placement; empty without an animation
+};
+
+}  // namespace
+
+GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
+                             std::span<const mesh::Point> positions, const MorphMotion* motion,
+                             base::Progress* progress) {
+  return GltfRewriter(file, map, rest, positions, motion, progress).take();
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,65 @@
+// Placement of meshes by the nodes of a glTF scene, and the map from the file's vertices to the surface's.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "formats/gltf_file.h"
+#include "mesh/surface.h"
+
+namespace viete::formats {
+
+/// x' = M x + offset; M is stored by columns.
+struct AffineMap {
+  std::array<mesh::Vec3, 3> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  mesh::Vec3 offset{0, 0, 0};
+
+  bool is_identity() const { return *this == AffineMap{}; }
+  double determinant() const { return dot(columns[0], mesh::cross(columns[1], columns[2])); }
+  mesh::Vec3 of_vector(const mesh::Vec3& v) const {
+    return v[0] * columns[0] + v[1] * columns[1] + v[2] * columns[2];
+  }
+  mesh::Vec3 of_point(const mesh::Point& p) const { return of_vector(p) + offset; }
+  /// Maps a plane's normal by the cofactors, which keep its side even in a mirror. Not normalised.
+  mesh::Vec3 of_normal(const mesh::Vec3& n) const;
+  /// Empty if the map is singular.
+  std::optional<AffineMap> inverse() const;
+
+  friend AffineMap operator*(const AffineMap& a, const AffineMap& b);
+  friend bool operator==(const AffineMap&, const AffineMap&) = default;
+};
+
+/// A mesh placed by one node.
+struct GltfPlacement {
+  int node = 0, mesh = 0;
+  AffineMap map;  ///< from the mesh to the scene
+};
+
+/// Placements of the default scene, otherwise of the first scene, otherwise of all nodes; parents first.
+/// Throws base::Error if the nodes do not form trees or an index is invalid.
+std::vector<GltfPlacement> placements_of(const GltfFile& file);
+
+/// Accessors of a morph target's offsets; -1: none.
+struct GltfTarget {
+  int positions = -1, normals = -1, tangents = -1;
+};
+
+/// Consecutive vertices of the file that primitives of one placement share.
+struct GltfPiece {
+  std::size_t placement = 0, first = 0, count = 0;
+  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1: none
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first of these primitives
+};
+
+struct GltfMap {
+  std::vector<GltfPlacement> placements;
+  std::vector<GltfPiece> pieces;              ///< sorted by `first`
+  std::vector<std::uint32_t> surface_vertex;  ///< for each vertex of the file
+  std::vector<std::uint32_t> corner_vertex;   ///< for each entry of Surface::corners, the vertex of the file
+};
+
+}  // namespace viete::formats

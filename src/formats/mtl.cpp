@@ -1,0 +1,176 @@
+#include "formats/mtl.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/text_cursor.h"
+
+namespace viete::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
+constexpr std::size_t most_library_bytes = 64 << 20;
+
+// The number of arguments of a map option; -o, -s and -t have one to three.
+std::size_t option_words(std::string_view option) {
+  constexpr auto one =
+      std::to_array<std::string_view>({"-blendu", "-blendv", "-bm", "-boost", "-cc", "-clamp", "-colorspace",
+                                       "-imfchan", "-texres", "-type"});
+  if (option == "-mm") return 2;
+  if (option == "-o" || option == "-s" || option == "-t") return 3;
+  return std::find(one.begin(), one.end(), option) == one.end() ? 0 : 1;
+}
+
+class MtlReader {
+public:
+  explicit MtlReader(const Source& source) : source_(source), text_(source, mtl_rules) {}
+
+  std::vector<MtlMaterial> read() {
+    for (; text_.next_filled_line(); text_.next_line()) statement(text_.word());
+    return std::move(found_);
+  }
+
+private:
+  void statement(std::string_view word) {
+    if (word == "newmtl") {
+      found_.emplace_back().material.name = text_.rest_of_line();
+      return;
+    }
+    if (found_.empty()) return;
+    Color& color = found_.back().material.base_color;
+    if (word == "Kd") {
+      diffuse(color);
+    } else if (word == "d" || word == "Tr") {
+      if (const auto value = next_number())
+        color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
+    } else if (word == "map_Kd") {
+      map(true);
+    } else if (is_map(word)) {
+      map(false);
+    }
+  }
+
+  static bool is_map(std::string_view word) {
+    constexpr auto others = std::to_array<std::string_view>({"bump", "disp", "decal", "refl", "norm"});
+    return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
+  }
+
+  std::optional<double> next_number() { return number_in(text_.word()); }
+
+  // Reads three components, or one for all; ignores curves and CIE colours.
+  void diffuse(Color& color) {
+    std::array<double, 3> rgb{};
+    const std::size_t count = text_.numbers(rgb);
+    if (count == 0) return;
+    if (count < 3) rgb[2] = rgb[count - 1];
+    if (count < 2) rgb[1] = rgb[0];
+    for (std::size_t i = 0; i < 3; ++i) color[i] = static_cast<float>(std::clamp(rgb[i], 0.0, 1.0));
+  }
+
+  void map(bool of_base_color) {
+    for (;;) {
+      TextCursor ahead = text_;
+      const std::string_view option = ahead.word();
+      const std::size_t words = option_words(option);
+      if (words == 0) break;
+      text_ = ahead;
+      map_option(option, words, of_base_color);
+    }
+    const std::string_view name = text_.rest_of_line();
+    if (name.empty()) return;
+    found_.back().maps.push_back(path_beside(source_.folder, name));
+    if (of_base_color) found_.back().image = found_.back().maps.back();
+  }
+
+  void map_option(std::string_view option, std::size_t words, bool of_base_color) {
+    for (std::size_t i = 0; i < words; ++i) {
+      TextCursor ahead = text_;
+      const std::string_view value = ahead.word();
+      if (words == 3 && i > 0 && !number_in(value)) return;
+      text_ = ahead;
+      if (option == "-clamp" && of_base_color) found_.back().material.repeats = value != "on";
+    }
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  std::vector<MtlMaterial> found_;
+};
+
+// Throws base::Error.
+std::vector<MtlMaterial> materials_in(const fs::path& path) {
+  const FileBytes bytes(path, nullptr, most_library_bytes);
+  return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
+}
+
+// One path if the whole text, with blanks, names an existing file; otherwise one path per word.
+std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
+  std::error_code code;
+  const fs::path whole = path_beside(folder, names);
+  const bool single = names.find_first_of(" \t") == std::string_view::npos;
+  if (single || names.size() > 4096 || fs::exists(whole, code)) return {whole};
+  std::vector<fs::path> paths;
+  const Source line{"", "", names};
+  TextCursor text(line, {});
+  while (!text.at_line_end() && paths.size() < 64) paths.push_back(path_beside(folder, text.word()));
+  return paths;
+}
+
+}  // namespace
+
+std::vector<MtlMaterial> read_mtl(const Source& source) {
+  return MtlReader(source).read();
+}
+
+std::vector<fs::path> read_materials(const Source& source, const std::vector<std::string>& libraries,
+                                     Attributes& attributes, SurfaceBuilder& builder) {
+  if (source.folder.empty()) return {};
+  constexpr std::size_t most_libraries = 64, most_files = 4096;
+  std::map<std::string, MtlMaterial, std::less<>> library;
+  std::set<fs::path> files;
+  std::size_t count = 0;
+  bool all_read = true;
+  for (const std::string& names : libraries) {
+    for (const fs::path& path : library_paths(source.folder, names)) {
+      if (files.size() >= most_files || !files.insert(path).second || ++count > most_libraries) continue;
+      try {
+        for (MtlMaterial& m : materials_in(path)) {
+          files.insert(m.maps.begin(), m.maps.end());
+          library.emplace(std::string(m.material.name), std::move(m));
+        }
+      } catch (const base::Error& error) {
+        all_read = false;
+        if (!attributes.materials.empty()) builder.warn(source.name + ": material library " + error.what());
+      }
+    }
+  }
+  std::size_t missing = 0;
+  std::map<fs::path, std::uint32_t> images;
+  for (Material& material : attributes.materials) {
+    const auto found = library.find(material.name);
+    if (found == library.end()) {
+      ++missing;
+      continue;
+    }
+    const fs::path& image = found->second.image;
+    material = found->second.material;
+    if (image.empty()) continue;
+    const auto [at, added] = images.emplace(image, static_cast<std::uint32_t>(attributes.images.size()));
+    if (added) attributes.images.push_back({image, nullptr, image.filename().string()});
+    material.base_color_image = at->second;
+  }
+  if (missing > 0 && all_read && !libraries.empty())
+    builder.warn(source.name + ": " + base::counted(missing, "material") +
+                 " not found in the material libraries");
+  return {files.begin(), files.end()};
+}
+
+}  // namespace viete::formats

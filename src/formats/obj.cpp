@@ -1,0 +1,357 @@
+#include "formats/codecs.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/conversion.h"
+#include "formats/foreign_content.h"
+#include "formats/mtl.h"
+#include "formats/obj_words.h"
+#include "formats/surface_builder.h"
+#include "formats/text_cursor.h"
+
+namespace viete::formats {
+
+namespace {
+
+constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
+constexpr Color white{1, 1, 1, 1};
+
+// Collects attributes. Unreadable ones cause a warning and are ignored; they never make a file unreadable.
+class ObjAttributes {
+public:
+  explicit ObjAttributes(const Source& source) : source_(source) {}
+
+  // Reads an optional weight or colour after x y z.
+  void behind_position(TextCursor& text, std::size_t vertex) {
+    std::array<double, 4> values{};
+    const std::size_t count = text.numbers(values);
+    if (count < 3) return;  // a weight
+    Color color = white;
+    for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
+    found_.colors.resize(vertex, white);
+    found_.colors.push_back(color);
+  }
+
+  std::size_t normal_count() const { return found_.normals.size(); }
+  // Libraries and images; valid after finish().
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+
+  void texture_point(TextCursor& text) {
+    std::array<double, 2> values{};
+    bad_numbers_ += text.numbers(values) == 0;
+    found_.texture_points.push_back(values);
+  }
+
+  void normal(TextCursor& text) {
+    mesh::Vec3 values{};
+    if (text.numbers(values) < 3) {
+      ++bad_numbers_;
+      values = {};
+    }
+    found_.normals.push_back(values);
+  }
+
+  // Call before the builder receives corner number `corner`, with the text after its vertex index.
+  void corner(std::size_t corner, std::string_view behind_vertex) {
+    const ObjIndices indices = obj_indices(behind_vertex);
+    bad_indices_ += !indices.readable;
+    put(found_.corner_texture, corner, indices.texture_point, found_.texture_points.size());
+    put(found_.corner_normal, corner, indices.normal, found_.normals.size());
+  }
+
+  // Call after the builder's end_polygon().
+  void end_polygon(const mesh::Surface& surface) {
+    const std::size_t corners = surface.corners.size();
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+      if (indices->size() > corners) indices->resize(corners);
+    }
+    const bool made = std::exchange(polygons_, surface.polygon_count()) != surface.polygon_count();
+    if (!changed_ || !made) return;
+    state_.first_polygon = static_cast<std::uint32_t>(surface.polygon_count() - 1);
+    changed_ = false;
+    if (found_.groups.size() < most_groups) {
+      found_.groups.push_back(state_);
+    } else {
+      ++groups_left_out_;
+    }
+  }
+
+  void name(std::string Group::*part, std::string_view name) {
+    state_.*part = name.substr(0, most_name_bytes);
+    changed_ = true;
+  }
+
+  void smoothing(std::string_view value) {
+    const bool smooth = value != "off" && value != "0";
+    changed_ |= smooth != state_.smooth;
+    state_.smooth = smooth;
+  }
+
+  void use_material(std::string_view name) {
+    auto at = materials_.find(name);
+    if (at == materials_.end()) {
+      at = materials_.emplace(name, static_cast<std::uint32_t>(found_.materials.size())).first;
+      found_.materials.emplace_back().name = name;
+    }
+    changed_ |= state_.material != at->second;
+    state_.material = at->second;
+  }
+
+  void library(std::string_view names) {
+    if (std::find(libraries_.begin(), libraries_.end(), names) != libraries_.end()) return;
+    if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
+  }
+
+  // Null without attributes. Reads the material libraries.
+  std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
+    check(found_.corner_texture, found_.texture_points.size());
+    check(found_.corner_normal, found_.normals.size());
+    const std::size_t corners = builder.surface().corners.size();
+    for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
+      if (!indices->empty()) indices->resize(corners, mesh::none);
+    }
+    to_unit_range(found_.colors);
+    if (!found_.colors.empty()) found_.colors.resize(builder.vertex_count(), white);
+    finish_groups();
+    files_ = read_materials(source_, libraries_, found_, builder);
+    tell_bad(builder);
+    if (found_.empty()) return nullptr;
+    return std::make_shared<const Attributes>(std::move(found_));
+  }
+
+private:
+  // Relative indices refer to this point of the file. Forward references are checked at the end.
+  void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
+    if (index == 0 && indices.empty()) return;
+    indices.resize(corner, mesh::none);
+    const bool is_none = index == 0;
+    if (index < 0) index += static_cast<std::int64_t>(count) + 1;
+    const bool good = index > 0 && index < mesh::none;
+    bad_indices_ += !good && !is_none;
+    indices.push_back(good ? static_cast<std::uint32_t>(index - 1) : mesh::none);
+  }
+
+  void check(std::vector<std::uint32_t>& indices, std::size_t count) {
+    for (std::uint32_t& i : indices) {
+      if (i == mesh::none || i < count) continue;
+      i = mesh::none;
+      ++bad_indices_;
+    }
+  }
+
+  // A file without groups keeps none.
+  void finish_groups() {
+    const auto plain = [](const Group& g) {
+      return g.object.empty() && g.name.empty() && g.material == mesh::none && g.smooth;
+    };
+    if (std::all_of(found_.groups.begin(), found_.groups.end(), plain)) found_.groups.clear();
+  }
+
+  void tell_bad(SurfaceBuilder& builder) const {
+    const std::string name = source_.name + ": ";
+    if (bad_indices_ > 0) {
+      builder.warn(name + base::counted(bad_indices_, "reference") +
+                   " to missing texture coordinates or normals ignored");
+    }
+    if (bad_numbers_ > 0) {
+      builder.warn(name + base::counted(bad_numbers_, "line") +
+                   " of texture coordinates or normals are unreadable and set to 0");
+    }
+    if (groups_left_out_ > 0)
+      builder.warn(name + "keeps " + base::counted(most_groups, "group") + ", further groups are merged");
+  }
+
+  const Source& source_;
+  Attributes found_;
+  Group state_;  // state of the following faces
+  bool changed_ = true;
+  std::size_t polygons_ = 0;
+  std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
+  std::map<std::string, std::uint32_t, std::less<>> materials_;
+  std::vector<std::string> libraries_;
+  std::vector<std::filesystem::path> files_;
+};
+
+class ObjReader {
+public:
+  explicit ObjReader(const Source& source)
+      : source_(source), text_(source, obj_rules), builder_(source), attributes_(source) {}
+
+  ReadResult read() {
+    builder_.comments(text_);
+    while (text_.next_filled_line()) {
+      statement(text_.word());
+      text_.next_line();
+      if (++lines_ % 8192 == 0) source_.report(text_.done());
+    }
+    check_highest();
+    refuse_other_content();
+    tell_skipped();
+    end_normals();
+    auto attributes = attributes_.finish(builder_);
+    ReadResult result = builder_.finish("OBJ");
+    if (source_.owner)
+      result.original = obj_original(source_, attributes, std::move(normal_blocks_), attributes_.files());
+    result.attributes = std::move(attributes);
+    return result;
+  }
+
+private:
+  void statement(std::string_view word) {
+    const ObjWord kind = obj_word(word);
+    if (ends_block(kind)) end_normals();
+    switch (kind) {
+      case ObjWord::vertex: return position();
+      case ObjWord::face: return face();
+      case ObjWord::texture_point: return attributes_.texture_point(text_);
+      case ObjWord::normal: return attributes_.normal(text_);
+      case ObjWord::group: return attributes_.name(&Group::name, text_.rest_of_line());
+      case ObjWord::object: return attributes_.name(&Group::object, text_.rest_of_line());
+      case ObjWord::smoothing: return attributes_.smoothing(text_.word());
+      case ObjWord::use_material: return attributes_.use_material(text_.rest_of_line());
+      case ObjWord::material_library: return attributes_.library(text_.rest_of_line());
+      case ObjWord::free_form: ++free_forms_; return;
+      case ObjWord::other: return;
+      case ObjWord::unknown: return skip_unknown(word);
+    }
+  }
+
+  void end_normals() {
+    const std::size_t count = attributes_.normal_count();
+    if (count > (normal_blocks_.empty() ? 0 : normal_blocks_.back()))
+      normal_blocks_.push_back(static_cast<std::uint32_t>(count));
+  }
+
+  void position() {
+    const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+    if (!text_.at_line_end()) attributes_.behind_position(text_, builder_.vertex_count());
+    builder_.position({x, y, z});
+  }
+
+  void face() {
+    if (text_.at_line_end())
+      text_.fail("face without vertices", "the file may be cut short: export it again");
+    do {
+      const std::uint32_t v = vertex(text_.leading_integer("vertex index"));
+      attributes_.corner(builder_.surface().corners.size(), behind_vertex());
+      builder_.corner(v);
+    } while (!text_.at_line_end());
+    builder_.end_polygon();
+    attributes_.end_polygon(builder_.surface());
+  }
+
+  std::uint32_t vertex(std::int64_t index) {
+    const auto count = static_cast<std::int64_t>(builder_.vertex_count());
+    if (index == 0) text_.fail("face refers to vertex 0, OBJ indices start at 1", "export the model again");
+    if (index < -count) refuse(text_.line(), index);
+    if (index < 0) return static_cast<std::uint32_t>(count + index);
+    if (index > std::numeric_limits<std::uint32_t>::max()) refuse(text_.line(), index);
+    if (index > count && index > highest_) {
+      highest_ = index;
+      highest_line_ = text_.line();
+    }
+    return static_cast<std::uint32_t>(index - 1);
+  }
+
+  std::string_view behind_vertex() {
+    const std::string_view rest = text_.rest_of_word();
+    if (rest.empty()) return rest;
+    if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos) {
+      text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
+    }
+    return rest;
+  }
+
+  void check_highest() const {
+    if (highest_ > static_cast<std::int64_t>(builder_.vertex_count())) refuse(highest_line_, highest_);
+  }
+
+  [[noreturn]] void refuse(std::size_t line, std::int64_t index) const {
+    const std::string count = std::to_string(builder_.vertex_count());
+    throw base::Error(text_.place(line),
+                      "face refers to vertex " + std::to_string(index) + ", the file has " + count +
+                          (index < 0 ? " before it" : ""),
+                      "export the model again");
+  }
+
+  void skip_unknown(std::string_view word) {
+    if (unknown_++ > 0) return;
+    first_unknown_ = in_quotes(word);
+    first_unknown_line_ = text_.line();
+  }
+
+  void refuse_other_content() const {
+    if (builder_.vertex_count() > 0 || unknown_ == 0) return;
+    throw base::Error(text_.place(first_unknown_line_),
+                      "unknown OBJ keyword " + first_unknown_ + ", and no vertices were found",
+                      "export the model again");
+  }
+
+  void tell_skipped() {
+    if (free_forms_ > 0) {
+      builder_.warn(source_.name + ": " + base::counted(free_forms_, "free-form element") +
+                    " cannot be shown");
+    }
+    if (unknown_ > 0) {
+      builder_.warn(text_.place(first_unknown_line_) + ": ignored " + base::counted(unknown_, "line") +
+                    " with unknown keywords, the first is " + first_unknown_);
+    }
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  ObjAttributes attributes_;
+  std::vector<std::uint32_t> normal_blocks_;  // number of vn lines up to the end of each block
+  std::size_t lines_ = 0;
+  std::int64_t highest_ = 0;  // largest forward reference
+  std::size_t highest_line_ = 0;
+  std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
+  std::string first_unknown_;
+};
+
+}  // namespace
+
+ReadResult read_obj(const Source& source) {
+  return ObjReader(source).read();
+}
+
+bool is_certainly_obj(const Beginning& file) {
+  const Source source = file.whole_lines();
+  TextCursor text(source, obj_rules);
+  std::size_t vertices = 0, statements = 0, unknown = 0;
+  const auto numbers = [&](int count) {
+    for (int i = 0; i < count; ++i) (void)text.coordinate();
+  };
+  try {
+    for (; text.next_filled_line(); text.next_line(), ++statements) {
+      switch (obj_word(text.word())) {
+        case ObjWord::vertex: numbers(3), ++vertices; break;
+        case ObjWord::normal: numbers(3); break;
+        case ObjWord::texture_point: numbers(1); break;
+        case ObjWord::face:
+          for (; !text.at_line_end(); (void)text.rest_of_word()) (void)text.leading_integer("corner");
+          break;
+        case ObjWord::unknown: ++unknown; break;
+        default: break;
+      }
+    }
+  } catch (const base::Error&) {
+    return false;
+  }
+  return vertices > 0 && 10 * unknown <= statements && !looks_binary(source.bytes);
+}
+
+bool looks_like_obj(const Source& source) {
+  TextCursor text(source, obj_rules);
+  if (!text.next_filled_line()) return false;
+  return small_obj_word(text.word()) != ObjWord::unknown;
+}
+
+}  // namespace viete::formats

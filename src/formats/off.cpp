@@ -1,0 +1,312 @@
+#include "formats/codecs.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "base/text.h"
+#include "formats/conversion.h"
+#include "formats/file_vectors.h"
+#include "formats/printed.h"
+#include "formats/surface_builder.h"
+#include "formats/text_cursor.h"
+
+namespace viete::formats {
+
+namespace {
+
+constexpr TextRules off_rules{.comment = '#'};
+
+// Layout of vertex rows after the positions.
+struct OffForm {
+  bool normals = false, colors = false, texture = false;
+  bool more_axes = false;     //< 4OFF, nOFF
+  bool colors_first = false;  //< four components before normals, as written by MeshLab
+
+  std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
+};
+
+// The keyword OFF after the prefixes ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
+std::optional<OffForm> off_form(std::string_view word) {
+  OffForm form;
+  if (word == "off") return form;
+  if (!word.ends_with("OFF")) return std::nullopt;
+  word.remove_suffix(3);
+  const std::pair<std::string_view, bool OffForm::*> prefixes[] = {{"ST", &OffForm::texture},
+                                                                   {"C", &OffForm::colors},
+                                                                   {"N", &OffForm::normals},
+                                                                   {"4", &OffForm::more_axes},
+                                                                   {"n", &OffForm::more_axes}};
+  while (!word.empty()) {
+    const auto prefix =
+        std::ranges::find_if(prefixes, [&](const auto& p) { return word.starts_with(p.first); });
+    if (prefix == std::end(prefixes)) return std::nullopt;
+    form.*prefix->second = true;
+    word.remove_prefix(prefix->first.size());
+  }
+  return form;
+}
+
+// numbers: red, green, blue and optionally opacity.
+Color off_color(std::span<const double> numbers) {
+  Color color{0, 0, 0, 1};
+  for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i)
+    color[i] = static_cast<float>(std::clamp(numbers[i], 0.0, 255.0));
+  return color;
+}
+
+class OffReader {
+public:
+  explicit OffReader(const Source& source) : source_(source), text_(source, off_rules), builder_(source) {}
+
+  ReadResult read() {
+    head();
+    const std::size_t vertices = count("vertex count"), faces = count("face count");
+    check_room(vertices, faces);
+    text_.next_line();
+    if (form_.normals && form_.colors) form_.colors_first = colors_come_first(vertices);
+    builder_.surface().positions.reserve(vertices);
+    for (std::size_t i = 0; i < vertices; ++i) {
+      row("the last vertex", i);
+      vertex();
+    }
+    for (std::size_t i = 0; i < faces; ++i) {
+      row("the last face", i);
+      face();
+    }
+    auto attributes = finished_attributes();
+    ReadResult result = builder_.finish("OFF");
+    VectorFile file{.format = "OFF", .vectors = {{.element = "vertex"}}};
+    file.vectors[0].set_places(std::move(positions_));
+    if (form_.normals) {
+      file.vectors.push_back({.kind = FileVectors::Kind::normals, .element = "vertex"});
+      file.vectors[1].set_places(std::move(normals_));
+    }
+    result.original = original_of(source_, std::move(file));
+    result.attributes = std::move(attributes);
+    return result;
+  }
+
+private:
+  void head() {
+    builder_.comments(text_);
+    TextCursor ahead = text_;
+    const std::string_view word = ahead.word();
+    if (const auto form = off_form(word)) {
+      if (form->more_axes)
+        text_.fail(in_quotes(word) + " has positions with four or n coordinates instead of three",
+                   "export as OFF");
+      text_ = ahead;
+      form_ = *form;
+      if (ahead.word() == "BINARY") text_.fail("binary OFF is not supported", "export as OFF text or as PLY");
+    }
+    builder_.comments(text_);
+    text_.need_word("the counts");
+  }
+
+  std::size_t count(std::string_view what) {
+    const std::int64_t value = text_.integer(what);
+    if (value < 0)
+      text_.fail(std::string(what) + " " + std::to_string(value) + " is negative", "export the model again");
+    return static_cast<std::size_t>(value);
+  }
+
+  // A vertex needs at least six bytes, a face two.
+  void check_room(std::size_t vertices, std::size_t faces) const {
+    const std::size_t left = text_.bytes_left() + 1;
+    if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
+    text_.fail(std::to_string(vertices) + " vertices and " + std::to_string(faces) +
+                   " faces do not fit into the " + std::to_string(text_.bytes_left()) + " bytes that follow",
+               "the file seems to be cut short: export or copy it again");
+  }
+
+  // Normals contain no numbers beyond 1, and hardly any integers.
+  bool colors_come_first(std::size_t vertices) const {
+    TextCursor ahead = text_;
+    for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
+      for (int i = 0; i < 3; ++i) ahead.word();
+      for (int i = 0; i < 3; ++i) {
+        const std::string_view word = ahead.word();
+        const bool whole = word.find_first_of(".eE") == word.npos;
+        if (!whole || number_in(word).value_or(0) > 1) return whole;
+      }
+    }
+    return false;
+  }
+
+  void row(std::string_view what, std::size_t index) {
+    text_.need_word(what);
+    if (index % 8192 == 0) source_.report(text_.done());
+  }
+
+  void vertex() {
+    TextCursor ahead = text_;
+    const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
+    builder_.position({x, y, z});
+    if (source_.owner) {
+      positions_.push_back(places_of_three(ahead));
+      for (int i = 0; form_.colors_first && i < 4; ++i) ahead.word();
+      if (form_.normals) normals_.push_back(places_of_three(ahead));
+    }
+    behind_position();
+    text_.next_line();
+  }
+
+  std::span<const double> numbers(std::size_t most) {
+    return std::span(numbers_).first(text_.numbers(std::span(numbers_).first(most)));
+  }
+
+  // Reads the optional normal, colour (three or four numbers) and texture point.
+  void behind_position() {
+    if (form_.numbers() == 0) return unnamed();
+    std::span<const double> left = numbers(form_.numbers());
+    const auto take = [&](std::size_t n) {
+      const auto taken = left.first(std::min(n, left.size()));
+      left = left.subspan(taken.size());
+      return taken;
+    };
+    const auto value = [](std::span<const double> of, std::size_t i) { return i < of.size() ? of[i] : 0; };
+    const auto color = [&](std::size_t most) { found_.colors.push_back(off_color(take(most))); };
+    if (form_.colors_first) color(4);
+    if (form_.normals) {
+      const auto n = take(3);
+      found_.normals.push_back({value(n, 0), value(n, 1), value(n, 2)});
+    }
+    if (form_.colors && !form_.colors_first)
+      color(std::min<std::size_t>(4, left.size() - (form_.texture && left.size() >= 2 ? 2 : 0)));
+    if (form_.texture) {
+      const auto t = take(2);
+      found_.texture_points.push_back({value(t, 0), value(t, 1)});
+    }
+  }
+
+  // Undeclared values: three or four non-negative numbers are a colour.
+  void unnamed() {
+    if (text_.at_line_end()) return;
+    const auto behind = numbers(5);
+    const bool is_color = (behind.size() == 3 || behind.size() == 4) &&
+                          std::ranges::all_of(behind, [](double x) { return x >= 0; });
+    if (!is_color) ++unknown_rows_;
+    if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
+  }
+
+  // Elements without a colour get the default.
+  static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
+                                   std::size_t count) {
+    std::vector<Color> colors;
+    for (const auto& [at, color] : given) colors.push_back(color);
+    to_unit_range(colors);
+    std::vector<Color> all(given.empty() ? 0 : count, Material{}.base_color);
+    for (std::size_t i = 0; i < colors.size(); ++i) all[given[i].first] = colors[i];
+    return all;
+  }
+
+  std::shared_ptr<const Attributes> finished_attributes() {
+    to_unit_range(found_.colors);
+    if (unknown_rows_ > 0) {
+      builder_.warn(source_.name + ": ignored extra values after the positions of " +
+                    base::counted(unknown_rows_, "row") + " that the header does not declare");
+    } else if (!unnamed_colors_.empty()) {
+      found_.colors = spread(unnamed_colors_, builder_.vertex_count());
+    }
+    found_.polygon_colors = spread(face_colors_, builder_.surface().polygon_count());
+    if (form_.normals) found_.corner_normal = builder_.surface().corners;
+    if (form_.texture) found_.corner_texture = builder_.surface().corners;
+    if (found_.empty()) return nullptr;
+    return std::make_shared<const Attributes>(std::move(found_));
+  }
+
+  void face() {
+    const std::size_t corners = count("corner count");
+    for (std::size_t i = 0; i < corners; ++i) {
+      text_.need_word("the last face");  // indices may continue on the next line
+      const std::int64_t index = text_.integer("vertex index");
+      if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
+        text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
+                       std::to_string(builder_.vertex_count()),
+                   "export the model again");
+      }
+      builder_.corner(static_cast<std::uint32_t>(index));
+    }
+    builder_.end_polygon();
+    if (corners >= 3) face_color(builder_.surface().polygon_count() - 1);
+    text_.next_line();
+  }
+
+  // Reads three or four numbers after the corners; a single one is an index into an external colour map.
+  void face_color(std::size_t polygon) {
+    const auto behind = numbers(4);
+    if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));
+  }
+
+  const Source& source_;
+  TextCursor text_;
+  SurfaceBuilder builder_;
+  std::vector<FileVectors::Places> positions_, normals_;
+  OffForm form_;
+  std::array<double, 9> numbers_{};                                          // of the current row
+  std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // for vertices, for polygons
+  std::size_t unknown_rows_ = 0;
+  Attributes found_;
+};
+
+}  // namespace
+
+ReadResult read_off(const Source& source) {
+  return OffReader(source).read();
+}
+
+bool looks_like_off(const Source& source) {
+  TextCursor text(source, off_rules);
+  return text.next_filled_line() && off_form(text.word()).has_value();
+}
+
+bool is_certainly_off(const Beginning& file) {
+  const Source source = file.whole_lines();
+  TextCursor text(source, off_rules);
+  if (!text.next_filled_line()) return false;
+  TextCursor ahead = text;
+  if (off_form(ahead.word())) text = ahead;
+  double counts[2] = {};
+  std::size_t numbers = 0;
+  for (; text.next_filled_line(); ++numbers) {
+    const auto number = number_in(text.word());
+    if (!number) return false;
+    if (numbers < 2) counts[numbers] = *number;
+  }
+  const double least = 3 + 3 * counts[0] + counts[1];
+  return counts[0] >= 0 && counts[1] >= 0 && numbers > 2 &&
+         (!file.is_whole_file() || static_cast<double>(numbers) >= least);
+}
+
+void write_off(const Content& content, TextWriter& out) {
+  const mesh::Surface& surface = content.surface;
+  const auto& positions = content.positions;
+  const std::size_t all = positions.size() + surface.polygon_count();
+  const auto &colors = content.given().colors, &face_colors = content.given().polygon_colors;
+  const auto color = [&](const Color& c) {
+    for (const float x : c) out.text(" ").number(std::uint64_t{color_byte(x)});
+  };
+  std::size_t done = 0;
+  out.text(colors.empty() ? "OFF\n" : "COFF\n").comments("# ", content.comments);
+  out.number(std::uint64_t{positions.size()}).text(" ");
+  out.number(std::uint64_t{surface.polygon_count()}).text(" 0\n");
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    print_point(positions[v], out);
+    if (!colors.empty()) color(colors[v]);
+    out.text("\n").element_done(++done, all);
+  }
+  for (std::size_t p = 0; p < surface.polygon_count(); ++p) {
+    const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];
+    out.number(std::uint64_t{end - begin});
+    for (auto c = begin; c < end; ++c) out.text(" ").number(std::uint64_t{surface.corners[c]});
+    if (!face_colors.empty()) color(face_colors[p]);
+    out.text("\n").element_done(++done, all);
+  }
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,436 @@
+#include "formats/codecs.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/file_vectors.h"
+#include "formats/ply_file.h"
+#include "formats/surface_builder.h"
+#include "formats/text_cursor.h"
+#include "mesh/point_index.h"
+
+namespace viete::formats {
+
+namespace {
+
+// The colour scale of a type. Integers wider than two bytes contain bytes, as some programs declare them in
+// text.
+double part_of_largest(NumberType type) {
+  return with_type(type, [](auto number) {
+    using Number = decltype(number);
+    if (!std::is_integral_v<Number>) return 1.0;
+    return 1.0 / (sizeof number > 2 ? 255.0 : static_cast<double>(std::numeric_limits<Number>::max()));
+  });
+}
+
+// Reads vertices with normals (nx ny nz), colours (red green blue alpha, also with the prefix diffuse_) and
+// texture coordinates (s t, u v, also with the prefix texture_); faces with colours, a list texcoord (u v per
+// corner) and texnumber, as written by MeshLab; and triangle strips.
+class PlyBody {
+public:
+  PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, const PlyValues& values)
+      : header_(header), source_(source), builder_(builder), values_(values) {
+    const PlyElement* vertices = header.find("vertex");
+    vertex_count_ = vertices ? vertices->count : 0;
+  }
+
+  Attributes read() {
+    for (const PlyElement& element : header_.elements) {
+      columns_.assign(element.properties.size(), {});
+      if (element.name == "vertex" && builder_.vertex_count() == 0) {
+        vertices(element);
+      } else if (element.name == "face") {
+        lists(element, record_face_normals(element), [this](std::size_t n) { polygon(n); });
+      } else if (element.name == "tristrips") {
+        lists(element, nullptr, [this](std::size_t n) { strips(n); });
+      } else {
+        rows(element, [this](const PlyProperty& property, std::size_t p) { take(property, p); });
+      }
+    }
+    if (values_.longer_rows() > 0)
+      builder_.warn(values_.place_of_longer() + ": ignored extra values after the header's properties in " +
+                    base::counted(values_.longer_rows(), "row"));
+    finish();
+    return std::move(found_);
+  }
+
+  // The vectors that writing the file again may change. Call after read().
+  std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
+
+private:
+  // The destinations of a property's values: a component of a vector's places, and a number.
+  struct Column {
+    std::vector<FileVectors::Places>* places = nullptr;
+    std::size_t axis = 0;
+    double* number = nullptr;
+    double factor = 1;
+  };
+  using RowOfCorner = std::vector<std::uint32_t>;
+
+  // Describes the vectors of three properties in the following rows. Null if a property is missing. Binary
+  // rows without lists have equal lengths; otherwise rows() records the places.
+  FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
+                      const std::array<const char*, 3>& names) {
+    std::array<std::size_t, 3> at;
+    for (std::size_t k = 0; k < 3; ++k) {
+      at[k] = element.find(names[k]);
+      if (!source_.owner || at[k] == element.properties.size() || element.properties[at[k]].list_size)
+        return nullptr;
+    }
+    FileVectors& vectors =
+        vectors_.emplace_back(FileVectors{.kind = kind, .element = element.name, .count = element.count});
+    for (std::size_t k = 0; k < 3; ++k) vectors.types[k] = element.properties[at[k]].type;
+    const bool is_text = header_.format == PlyHeader::Format::ascii;
+    if (const std::size_t row_bytes = element.row_bytes(); row_bytes > 0 && !is_text) {
+      FileVectors::Places first;
+      for (std::size_t k = 0; k < 3; ++k) first[k] = values_.place() + element.bytes_before(at[k]);
+      vectors.places = [first, row_bytes](std::size_t row) {
+        const std::size_t by = row * row_bytes;
+        return FileVectors::Places{first[0] + by, first[1] + by, first[2] + by};
+      };
+    } else {
+      const auto list = std::make_shared<std::vector<FileVectors::Places>>(element.count);
+      for (std::size_t k = 0; k < 3; ++k) columns_[at[k]] = {list.get(), k};
+      vectors.places = [list](std::size_t row) { return (*list)[row]; };
+    }
+    return &vectors;
+  }
+
+  // The list to be filled with the row of each corner's normal; null without normals.
+  std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
+    FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
+    if (!vectors) return nullptr;
+    const auto rows = std::make_shared<RowOfCorner>();
+    vectors->rows = FileVectors::Rows::faces;
+    vectors->row_of_corner = [rows](std::size_t c) { return c < rows->size() ? (*rows)[c] : mesh::none; };
+    return rows;
+  }
+
+  // Reads these properties into `to`; false if one is missing. Integer colours are scaled by the maximum of
+  // their type.
+  bool find(const PlyElement& element, std::initializer_list<std::string> names, double* to,
+            bool colors = false) {
+    std::vector<std::size_t> found;
+    for (const std::string& name : names) {
+      found.push_back(element.find(name));
+      if (found.back() == element.properties.size() || element.properties[found.back()].list_size)
+        return false;
+    }
+    for (const std::size_t p : found) {
+      columns_[p].number = to++;
+      if (colors) columns_[p].factor = part_of_largest(element.properties[p].type);
+    }
+    return true;
+  }
+
+  bool find_colors(const PlyElement& element, const std::string& prefix = "") {
+    color_ = {0, 0, 0, 1};
+    if (!find(element, {prefix + "red", prefix + "green", prefix + "blue"}, color_.data(), true))
+      return false;
+    find(element, {"alpha"}, &color_[3], true);
+    return true;
+  }
+
+  Color color() const {
+    Color c;
+    for (std::size_t i = 0; i < 4; ++i) c[i] = static_cast<float>(std::clamp(color_[i], 0.0, 1.0));
+    return c;
+  }
+
+  template <class Read>
+  void rows(const PlyElement& element, Read read) {
+    if (element.properties.empty()) return;
+    for (std::size_t i = 0; i < element.count; ++i) {
+      values_.start_row(element.name, i);
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (const Column& c = columns_[p]; c.places) (*c.places)[i][c.axis] = values_.place();
+        read(element.properties[p], p);
+      }
+      values_.end_row();
+      if (i % 8192 == 0) source_.report(values_.done());
+    }
+  }
+
+  void vertices(const PlyElement& element) {
+    const std::array<std::size_t, 3> axes = {element.find("x"), element.find("y"), element.find("z")};
+    for (const std::size_t axis : axes) {
+      if (axis == element.properties.size() || element.properties[axis].list_size) {
+        throw base::Error(source_.name, "element vertex lacks x, y or z", "export the model again");
+      }
+    }
+    record(element, FileVectors::Kind::positions, {"x", "y", "z"});
+    record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
+    record(element, FileVectors::Kind::tangents, {"tx", "ty", "tz"});
+    builder_.surface().positions.reserve(element.count);
+    const bool normals = find(element, {"nx", "ny", "nz"}, normal_.data());
+    const bool colors = find_colors(element) || find_colors(element, "diffuse_");
+    bool texture = false;
+    for (const auto& [u, v] :
+         {std::array{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
+      texture = texture || find(element, {u, v}, texture_.data());
+    mesh::Point point{};
+    rows(element, [&](const PlyProperty& property, std::size_t p) {
+      const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
+      if (axis < 3) {
+        point[axis] = values_.coordinate(property.type);
+      } else {
+        take(property, p);
+      }
+      if (p + 1 != element.properties.size()) return;
+      builder_.position(point);
+      if (normals) found_.normals.push_back(normal_);
+      if (texture) found_.texture_points.push_back(texture_);
+      if (colors) found_.colors.push_back(color());
+    });
+  }
+
+  template <class ReadList>
+  void lists(const PlyElement& element, const std::shared_ptr<RowOfCorner>& row_of_corner,
+             ReadList read_list) {
+    const std::size_t wanted = element.find("vertex_indices", "vertex_index");
+    if (element.count > 0 && (wanted == element.properties.size() || !element.properties[wanted].list_size)) {
+      throw base::Error(source_.name, "element " + element.name + " has no list vertex_indices",
+                        "export the model again");
+    }
+    const std::size_t texcoord = element.find("texcoord");
+    const bool colors = find_colors(element), numbered = find(element, {"texnumber"}, &image_);
+    std::uint32_t number = 0;
+    rows(element, [&](const PlyProperty& property, std::size_t p) {
+      if (p == wanted) {
+        const std::size_t length = list_length(property);
+        index_type_ = property.type;
+        read_list(length);
+      } else if (p == texcoord && property.list_size) {
+        for (std::size_t i = list_length(property); i-- > 0;) row_texture_.push_back(value(property));
+      } else {
+        take(property, p);
+      }
+      if (p + 1 != element.properties.size()) return;
+      const std::size_t first = corners_, end = builder_.surface().corners.size();
+      end_face(colors, numbered);
+      if (!row_of_corner) return;
+      row_of_corner->resize(first, mesh::none);
+      row_of_corner->resize(end, number++);
+    });
+  }
+
+  // Assigns the values of a row to the polygons added since the last one.
+  void end_face(bool colors, bool numbered) {
+    const std::size_t polygons = builder_.surface().polygon_count();
+    const std::size_t corners = builder_.surface().corners.size();
+    if (polygons > polygons_) {
+      if (colors) found_.polygon_colors.resize(polygons_, Material{}.base_color);
+      if (colors) found_.polygon_colors.resize(polygons, color());
+      if (row_texture_.size() == 2 * (corners - corners_)) add_face_texture();
+      if (numbered) use_image();
+    }
+    polygons_ = polygons;
+    corners_ = corners;
+    row_texture_.clear();
+  }
+
+  void add_face_texture() {
+    corner_texture_.resize(corners_, mesh::none);
+    for (std::size_t i = 0; i < row_texture_.size(); i += 2) {
+      const mesh::Point p{row_texture_[i] + 0.0, row_texture_[i + 1] + 0.0, 0};  // -0 becomes 0
+      corner_texture_.push_back(texture_index_.find_or_add(p, texture_points_));
+      if (corner_texture_.back() == texture_points_.size()) texture_points_.push_back(p);
+    }
+  }
+
+  // One group per texnumber, which becomes the material.
+  void use_image() {
+    const bool is_number = image_ >= 0 && image_ < 65536;
+    const std::uint32_t material = is_number ? static_cast<std::uint32_t>(image_) : mesh::none;
+    if (!groups_.empty() && groups_.back().material == material) return;
+    if (groups_.empty() && polygons_ > 0) groups_.emplace_back();
+    groups_.push_back({static_cast<std::uint32_t>(polygons_), "", "", material});
+  }
+
+  void finish() {
+    const mesh::Surface& surface = builder_.surface();
+    if (!found_.normals.empty()) found_.corner_normal = surface.corners;
+    if (!found_.texture_points.empty()) found_.corner_texture = surface.corners;
+    if (!found_.polygon_colors.empty())
+      found_.polygon_colors.resize(surface.polygon_count(), Material{}.base_color);
+    if (!texture_points_.empty()) {
+      found_.texture_points.clear();
+      for (const mesh::Point& p : texture_points_) found_.texture_points.push_back({p[0], p[1]});
+      corner_texture_.resize(surface.corners.size(), mesh::none);
+      found_.corner_texture = std::move(corner_texture_);
+    }
+    for (const std::string& image : header_.texture_files) {
+      if (source_.folder.empty()) break;
+      const auto path = path_beside(source_.folder, image);
+      Material material{path.stem().string(), {1, 1, 1, 1}};
+      material.base_color_image = static_cast<std::uint32_t>(found_.images.size());
+      found_.images.push_back({path, nullptr, path.filename().string()});
+      found_.materials.push_back(std::move(material));
+    }
+    if (found_.materials.empty() || surface.polygon_count() == 0) return;
+    if (groups_.empty()) groups_.push_back({0, "", "", 0});
+    for (Group& g : groups_) {
+      if (g.material >= found_.materials.size()) g.material = mesh::none;
+    }
+    found_.groups = std::move(groups_);
+  }
+
+  // 0 for non-numbers.
+  double value(const PlyProperty& property) {
+    const double value = values_.value(property.type);
+    return std::isfinite(value) ? value : 0;
+  }
+
+  std::size_t list_length(const PlyProperty& property) {
+    const std::int64_t length = values_.integer(*property.list_size);
+    if (length < 0 || static_cast<std::size_t>(length) > values_.most_values(property.type)) {
+      values_.fail("a list announces " + std::to_string(length) + " values, the file has room for " +
+                       std::to_string(values_.most_values(property.type)),
+                   "the file is damaged or cut short: export or copy it again");
+    }
+    return static_cast<std::size_t>(length);
+  }
+
+  // Stores a value that is wanted, and skips others.
+  void take(const PlyProperty& property, std::size_t p) {
+    if (const Column& c = columns_[p]; c.number) {
+      *c.number = c.factor * value(property);
+      return;
+    }
+    const std::size_t count = property.list_size ? list_length(property) : 1;
+    for (std::size_t i = 0; i < count; ++i) values_.skip(property.type);
+  }
+
+  std::uint32_t checked(std::int64_t index) {
+    if (index < 0 || static_cast<std::size_t>(index) >= vertex_count_) {
+      values_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
+                       std::to_string(vertex_count_),
+                   "export the model again");
+    }
+    return static_cast<std::uint32_t>(index);
+  }
+
+  void polygon(std::size_t corners) {
+    for (std::size_t i = 0; i < corners; ++i) builder_.corner(checked(values_.integer(index_type_)));
+    builder_.end_polygon();
+  }
+
+  // Triangle strips separated by -1; every second triangle is reversed. Triangles with repeated corners only
+  // join strips.
+  void strips(std::size_t length) {
+    std::uint32_t a = 0, b = 0;
+    std::size_t run = 0;
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::int64_t index = values_.integer(index_type_);
+      if (index == -1) {
+        run = 0;
+        continue;
+      }
+      const std::uint32_t c = checked(index);
+      if (run >= 2 && a != b && b != c && a != c) triangle(run % 2 == 0 ? a : b, run % 2 == 0 ? b : a, c);
+      a = b;
+      b = c;
+      ++run;
+    }
+  }
+
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    for (const std::uint32_t v : {a, b, c}) builder_.corner(v);
+    builder_.end_polygon();
+  }
+
+  const PlyHeader& header_;
+  const Source& source_;
+  SurfaceBuilder& builder_;
+  PlyValues values_;
+  std::vector<FileVectors> vectors_;
+  std::vector<Column> columns_;  // one per property of the current element
+  std::size_t vertex_count_ = 0;
+  NumberType index_type_ = NumberType::int32;
+  mesh::Vec3 normal_{0, 0, 0};  // of the current row, like the next four members
+  std::array<double, 4> color_{};
+  Vec2 texture_{};
+  double image_ = 0;
+  std::vector<double> row_texture_;
+  std::size_t polygons_ = 0, corners_ = 0;  // up to the previous row
+  Attributes found_;
+  std::vector<mesh::Point> texture_points_;  // (u, v, 0) of faces
+  mesh::PointIndex texture_index_;
+  std::vector<std::uint32_t> corner_texture_;
+  std::vector<Group> groups_;
+};
+
+// Names of the elements and properties that a surface and its attributes do not represent.
+std::vector<std::string> beyond_attributes(const PlyHeader& header) {
+  constexpr std::string_view of_vertices =
+      " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
+      "texture_v texture_s texture_t ";
+  constexpr std::string_view of_faces =
+      " vertex_indices vertex_index red green blue alpha texcoord texnumber ";
+  std::vector<std::string> found;
+  for (const PlyElement& element : header.elements) {
+    if (element.count == 0) continue;
+    const bool vertices = element.name == "vertex";
+    if (!vertices && element.name != "face" && element.name != "tristrips") {
+      found.push_back("element " + element.name);
+      continue;
+    }
+    for (const PlyProperty& p : element.properties) {
+      if ((vertices ? of_vertices : of_faces).find(" " + p.name + " ") == std::string_view::npos)
+        found.push_back("property " + p.name + " of " + element.name);
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+ReadResult read_ply(const Source& source) {
+  if (!looks_like_ply(source))
+    throw base::Error(source.name, "does not start with the word ply", "check the extension");
+  SurfaceBuilder builder(source);
+  TextCursor text(source, {});
+  const PlyHeader header = read_ply_header(text, source, builder);
+  PlyBody body(header, source, builder, {source, header, text});
+  Attributes found = body.read();
+  constexpr const char* formats[] = {"PLY ascii", "PLY binary little-endian", "PLY binary big-endian"};
+  ReadResult result = builder.finish(formats[static_cast<std::size_t>(header.format)]);
+  VectorFile file{"PLY",
+                  header.format == PlyHeader::Format::ascii,
+                  header.order(),
+                  body.take_vectors(),
+                  beyond_attributes(header),
+                  {source.folder, {}}};
+  for (const ImageFile& image : found.images) file.companions.files.push_back(image.path);
+  result.original = original_of(source, std::move(file));
+  if (!found.empty()) result.attributes = std::make_shared<const Attributes>(std::move(found));
+  return result;
+}
+
+bool looks_like_ply(const Source& source) {
+  std::string_view bytes = source.bytes;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // as TextCursor does
+  return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
+}
+
+bool is_certainly_ply(const Beginning& file) {
+  const Source source{"", "", file.bytes()};
+  if (!looks_like_ply(source)) return false;
+  TextCursor text(source, {});
+  bool has_format = false;
+  for (; text.next_filled_line(); text.next_line()) {
+    const std::string_view word = text.word();
+    has_format |= word == "format";
+    if (word == "end_header") return has_format;
+  }
+  return false;
+}
+
+}  // namespace viete::formats

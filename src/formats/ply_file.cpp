@@ -1,0 +1,184 @@
+#include "formats/ply_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+#include <string_view>
+
+#include "base/error.h"
+
+namespace viete::formats {
+
+namespace {
+
+NumberType type_named(TextCursor& text) {
+  static const std::map<std::string_view, NumberType> types = {
+      {"char", NumberType::int8},      {"int8", NumberType::int8},       {"uchar", NumberType::uint8},
+      {"uint8", NumberType::uint8},    {"short", NumberType::int16},     {"int16", NumberType::int16},
+      {"ushort", NumberType::uint16},  {"uint16", NumberType::uint16},   {"int", NumberType::int32},
+      {"int32", NumberType::int32},    {"uint", NumberType::uint32},     {"uint32", NumberType::uint32},
+      {"long", NumberType::int64},     {"int64", NumberType::int64},     {"ulong", NumberType::uint64},
+      {"uint64", NumberType::uint64},  {"longlong", NumberType::int64},  {"ulonglong", NumberType::uint64},
+      {"float", NumberType::float32},  {"float32", NumberType::float32}, {"double", NumberType::float64},
+      {"float64", NumberType::float64}};
+  const std::string_view word = text.word();
+  const auto found = types.find(word);
+  if (found == types.end()) text.fail(in_quotes(word) + " is not a PLY type", "export the model again");
+  return found->second;
+}
+
+PlyHeader::Format format_named(TextCursor& text) {
+  const std::string_view word = text.word();
+  if (word == "ascii") return PlyHeader::Format::ascii;
+  if (word == "binary_little_endian") return PlyHeader::Format::little_endian;
+  if (word == "binary_big_endian") return PlyHeader::Format::big_endian;
+  text.fail(in_quotes(word) + " is not a PLY format", "export as ascii or binary_little_endian");
+}
+
+PlyElement element(TextCursor& text) {
+  PlyElement element;
+  element.name = text.word();
+  const std::int64_t count = text.integer("element count");
+  if (count < 0)
+    text.fail("element count " + std::to_string(count) + " is negative", "export the model again");
+  element.count = static_cast<std::size_t>(count);
+  return element;
+}
+
+PlyProperty property(TextCursor& text) {
+  PlyProperty property;
+  TextCursor ahead = text;
+  if (ahead.word() == "list") {
+    text = ahead;
+    property.list_size = type_named(text);
+  }
+  property.type = type_named(text);
+  property.name = text.word();
+  return property;
+}
+
+std::size_t least_row_bytes(const PlyElement& element, bool ascii) {
+  if (ascii) return 2 * element.properties.size();  // at least a digit and a separator each
+  return std::accumulate(
+      element.properties.begin(), element.properties.end(), std::size_t{0},
+      [](std::size_t sum, const PlyProperty& p) { return sum + size_of(p.list_size.value_or(p.type)); });
+}
+
+void check_room(const PlyHeader& header, const TextCursor& text, const Source& source) {
+  const bool ascii = header.format == PlyHeader::Format::ascii;
+  std::size_t left = text.bytes_left() + (ascii ? 1 : 0);  // the last line end may be missing
+  for (const PlyElement& e : header.elements) {
+    const std::size_t row = least_row_bytes(e, ascii);
+    if (row == 0) continue;
+    if (e.count > left / row) {
+      throw base::Error(source.name,
+                        "the header announces " + std::to_string(e.count) + " elements " + in_quotes(e.name) +
+                            ", the file has room for " + std::to_string(left / row),
+                        "it seems to be truncated: export or copy it again");
+    }
+    left -= e.count * row;
+  }
+}
+
+// False at the end of the header.
+bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
+  const std::string_view word = text.word();
+  if (word == "end_header") return false;
+  if (word == "comment" || word == "obj_info") {
+    TextCursor ahead = text;
+    builder.comment(text.rest_of_line());
+    if (word == "comment" && ahead.word() == "TextureFile")
+      header.texture_files.emplace_back(ahead.rest_of_line());
+  } else if (word == "format") {
+    header.format = format_named(text);
+  } else if (word == "element") {
+    header.elements.push_back(element(text));
+  } else if (word == "property") {
+    if (header.elements.empty())
+      text.fail("a property stands before the first element", "export the model again");
+    header.elements.back().properties.push_back(property(text));
+  } else {
+    constexpr std::size_t most = 64;  // limits warnings about an endless header
+    if (++header.unknown_lines > most)
+      text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
+    if (header.unknown_lines == 1)
+      builder.warn(text.place() + ": ignored a header line that starts with " + in_quotes(word));
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t PlyElement::find(const std::string& wanted, const std::string& other) const {
+  std::size_t i = 0;
+  while (i < properties.size() && properties[i].name != wanted &&
+         (other.empty() || properties[i].name != other))
+    ++i;
+  return i;
+}
+
+std::size_t PlyElement::bytes_before(std::size_t property) const {
+  std::size_t sum = 0;
+  for (std::size_t p = 0; p < properties.size(); ++p) {
+    if (properties[p].list_size) return 0;
+    if (p < property) sum += size_of(properties[p].type);
+  }
+  return sum;
+}
+
+const PlyElement* PlyHeader::find(const std::string& name) const {
+  const auto found =
+      std::find_if(elements.begin(), elements.end(), [&](const PlyElement& e) { return e.name == name; });
+  return found == elements.end() ? nullptr : &*found;
+}
+
+PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder) {
+  PlyHeader header;
+  text.next_line();  // "ply"
+  text.need_word("the end of the PLY header");
+  while (header_line(text, header, builder)) {
+    text.next_line();
+    text.need_word("the end of the PLY header");
+  }
+  text.next_line();
+  check_room(header, text, source);
+  return header;
+}
+
+double PlyValues::coordinate(NumberType type) {
+  if (is_text_) return next_word().coordinate();
+  const double number = value(type);
+  if (!(std::abs(number) <= mesh::largest_coordinate))
+    fail("a coordinate is not a finite number up to 1e100", "repair the vertex");
+  return number;
+}
+
+std::int64_t PlyValues::integer(NumberType type) {
+  if (is_text_) return next_word().integer("whole number");
+  const double number = value(type);
+  if (!(std::abs(number) < 9e15) || number != std::floor(number))
+    fail("a value is not a whole number", "export again");
+  return static_cast<std::int64_t>(number);
+}
+
+double PlyValues::value(NumberType type) {
+  const std::string_view word = next(type);
+  return is_text_ ? number_in(word).value_or(std::nan("")) : number_of_bytes(word.data(), type, order_);
+}
+
+std::string_view PlyValues::next(NumberType type) {
+  if (is_text_) return next_word().word();
+  const std::size_t size = size_of(type);
+  if (at_.size() < size) fail("the file ends here", "it seems to be truncated: export or copy it again");
+  const std::string_view bytes = at_.substr(0, size);
+  at_.remove_prefix(size);
+  return bytes;
+}
+
+void PlyValues::fail(const std::string& problem, const std::string& advice) const {
+  if (is_text_) text_.fail(problem, advice);
+  throw base::Error(source_.place(element_, index_), problem, advice);
+}
+
+}  // namespace viete::formats

@@ -1,0 +1,113 @@
+// A parsed PLY file: its header and a reader of its values, text or binary.
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "formats/byte_order.h"
+#include "formats/source.h"
+#include "formats/surface_builder.h"
+#include "formats/text_cursor.h"
+
+namespace viete::formats {
+
+struct PlyProperty {
+  std::string name;
+  NumberType type = NumberType::float32;  ///< type of the value or of list items
+  std::optional<NumberType> list_size;    ///< type of the list's length; empty for a single value
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count = 0;
+  std::vector<PlyProperty> properties;
+
+  /// Index of the first property with one of these names, or properties.size().
+  std::size_t find(const std::string& name, const std::string& other = "") const;
+  /// Bytes of each row, and before a property, in a binary file; 0 if rows contain lists.
+  std::size_t row_bytes() const { return bytes_before(properties.size()); }
+  std::size_t bytes_before(std::size_t property) const;
+};
+
+struct PlyHeader {
+  enum class Format { ascii, little_endian, big_endian };
+
+  Format format = Format::ascii;
+  std::vector<PlyElement> elements;
+  std::vector<std::string> texture_files;  ///< from `comment TextureFile` lines, as MeshLab writes them
+  std::size_t unknown_lines = 0;           ///< skipped lines
+
+  std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
+  const PlyElement* find(const std::string& name) const;
+};
+
+/// Moves the cursor past the header. Comments go to the builder; lines without a header keyword are skipped
+/// with a warning. Throws base::Error also if the declared elements exceed the rest of the file.
+PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
+
+/// Reads the values of the body in sequence. In text a value is a word and a row a line; errors name the
+/// line. Errors in binary bodies name the element and its number.
+class PlyValues {
+public:
+  /// text: at the start of the body.
+  PlyValues(const Source& source, const PlyHeader& header, const TextCursor& text)
+      : source_(source),
+        text_(text),
+        at_(source.bytes.substr(text.offset())),
+        is_text_(header.format == PlyHeader::Format::ascii),
+        order_(header.order()) {}
+
+  void start_row(std::string_view element, std::size_t index) {
+    element_ = element;
+    index_ = index;
+    if (is_text_) text_.need_word("the last " + std::string(element));
+  }
+  /// Skips and counts extra values of the line.
+  void end_row() {
+    if (!is_text_ || text_.at_line_end()) return;
+    if (longer_rows_++ == 0) first_longer_ = text_.line();
+    text_.next_line();
+  }
+  std::string place_of_longer() const { return text_.place(first_longer_); }
+  std::size_t longer_rows() const { return longer_rows_; }
+
+  /// The offset of the next value in the file.
+  std::size_t place() { return is_text_ ? next_word().offset() : source_.bytes.size() - at_.size(); }
+  double coordinate(NumberType type);
+  std::int64_t integer(NumberType type);
+  /// NaN or infinity if it is not a finite number.
+  double value(NumberType type);
+  void skip(NumberType type) { next(type); }
+
+  std::size_t most_values(NumberType type) const {
+    return is_text_ ? text_.bytes_left() / 2 + 1 : at_.size() / size_of(type);
+  }
+  double done() const {
+    if (is_text_) return text_.done();
+    return 1 - static_cast<double>(at_.size()) / static_cast<double>(source_.bytes.size());
+  }
+  [[noreturn]] void fail(const std::string& problem, const std::string& advice) const;
+
+private:
+  TextCursor& next_word() {
+    text_.need_word("the last value");
+    return text_;
+  }
+  std::string_view next(NumberType type);
+
+  const Source& source_;
+  TextCursor text_;
+  std::string_view at_;  // the rest of a binary body
+  bool is_text_;
+  std::endian order_;
+  std::string_view element_;
+  std::size_t index_ = 0;
+  std::size_t longer_rows_ = 0, first_longer_ = 0;
+};
+
+}  // namespace viete::formats

@@ -1,0 +1,219 @@
+#include "formats/point_cache.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <memory>
+#include <mutex>
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "formats/byte_order.h"
+#include "formats/foreign_content.h"
+#include "formats/printed.h"
+#include "formats/source.h"
+
+namespace viete::formats {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view pc2_magic{"POINTCACHE2\0", 12};
+constexpr std::size_t pc2_head_size = 32, mdd_head_size = 8;
+constexpr std::size_t most_of_cache = std::numeric_limits<std::int32_t>::max();
+
+std::endian order_of(PointCacheFormat format) {
+  return format == PointCacheFormat::pc2 ? std::endian::little : std::endian::big;
+}
+
+std::string bytes_of(const PointCacheHead& head) {
+  std::string all;
+  const auto put = [&](auto number) {
+    const auto raw = bytes_of_number(number, order_of(head.format));
+    all.append(raw.data(), raw.size());
+  };
+  const auto points = static_cast<std::uint32_t>(head.points),
+             frames = static_cast<std::uint32_t>(head.frames);
+  if (head.format == PointCacheFormat::pc2) {
+    all = pc2_magic;
+    put(std::uint32_t{1}), put(points), put(head.start), put(head.rate), put(frames);
+  } else {
+    put(frames), put(points);
+    for (const float s : head.seconds) put(s);
+  }
+  return all;
+}
+
+const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head) {
+  if (head.points == 0 || head.frames == 0)
+    throw base::Error(path.string(), "a point cache needs points and frames",
+                      "export at least one frame of a model with vertices");
+  if (head.points > most_of_cache || head.frames > most_of_cache)
+    throw base::Error(path.string(), "a point cache can store at most 2,147,483,647 points and frames",
+                      "export fewer frames");
+  if (head.format == PointCacheFormat::mdd && head.seconds.size() != head.frames)
+    throw base::Error(
+        path.string(),
+        base::counted(head.seconds.size(), "time") + " for " + base::counted(head.frames, "frame"),
+        "pass one time per frame");
+  return head;
+}
+
+}  // namespace
+
+std::optional<PointCacheFormat> point_cache_format(const fs::path& path) {
+  const std::string extension = extension_of(path);
+  if (extension == "pc2") return PointCacheFormat::pc2;
+  if (extension == "mdd") return PointCacheFormat::mdd;
+  return std::nullopt;
+}
+
+void write_point_cache(const fs::path& path, const PointCacheHead& wished,
+                       const std::function<std::span<const float>(std::size_t)>& frame) {
+  const PointCacheHead head = writable(path, wished);
+  std::vector<std::array<char, 4>> ordered(3 * head.points);
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    sink(bytes_of(head));
+    for (std::size_t number = 0; number < head.frames; ++number) {
+      const std::span<const float> positions = frame(number);
+      const std::string place = path.string() + ": frame " + std::to_string(number);
+      if (positions.size() != 3 * head.points)
+        throw base::Error(place,
+                          "there are " + std::to_string(positions.size() / 3) + " points for " +
+                              std::to_string(head.points),
+                          "pass the positions of all vertices for each frame");
+      for (std::size_t i = 0; i < positions.size(); i += 3)
+        check_written(place, i / 3, {positions[i], positions[i + 1], positions[i + 2]}, largest_float);
+      std::ranges::transform(positions, ordered.begin(),
+                             [&](float x) { return bytes_of_number(x, order_of(head.format)); });
+      sink({reinterpret_cast<const char*>(ordered.data()), positions.size_bytes()});
+    }
+  });
+}
+
+PointCache::PointCache(const fs::path& path) : name_(path.string()) {
+  struct Open {
+    std::ifstream file;
+    std::mutex mutex;
+  };
+  const std::size_t size = regular_file_size(path);
+  const std::shared_ptr<Open> open(new Open{std::ifstream(path, std::ios::binary), {}});
+  read_ = [open, name = name_](std::uint64_t offset, std::span<char> to) {
+    const std::lock_guard lock(open->mutex);
+    open->file.clear();
+    open->file.seekg(static_cast<std::streamoff>(offset));
+    if (!open->file.read(to.data(), static_cast<std::streamsize>(to.size())))
+      throw base::Error(name, "cannot be read completely", "check the disk and the permissions");
+  };
+  read_head(size);
+}
+
+PointCache::PointCache(std::string name, std::string_view bytes) : name_(std::move(name)) {
+  read_ = [bytes](std::uint64_t offset, std::span<char> to) {
+    std::memcpy(to.data(), bytes.data() + offset, to.size());
+  };
+  read_head(bytes.size());
+}
+
+void PointCache::read_head(std::uint64_t size) {
+  std::string begins(std::min<std::uint64_t>(size, pc2_magic.size()), '\0');
+  read_(0, begins);
+  if (begins == pc2_magic) return read_pc2_head(size);
+  begins.resize(std::min<std::uint64_t>(size, 512));
+  read_(0, begins);
+  if (size > 0) refuse_foreign(name_, begins);
+  read_mdd_head(size);
+}
+
+namespace {
+
+std::int32_t count_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
+  return number_of_bytes<std::int32_t>(bytes.data() + at, order_of(format));
+}
+
+float float_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
+  return number_of_bytes<float>(bytes.data() + at, order_of(format));
+}
+
+std::string cache_size_text(std::int64_t points, std::int64_t frames) {
+  return std::to_string(frames) + (frames == 1 ? " frame" : " frames") + " of " + std::to_string(points) +
+         (points == 1 ? " point" : " points");
+}
+
+}  // namespace
+
+void PointCache::read_pc2_head(std::uint64_t size) {
+  constexpr auto format = PointCacheFormat::pc2;
+  if (size < pc2_head_size)
+    throw base::Error(name_, "ends within the header of a PC2 file", "export the point cache again");
+  std::vector<char> head(pc2_head_size);
+  read_(0, head);
+  const std::int32_t points = count_at(head, 16, format), samples = count_at(head, 28, format);
+  if (points <= 0 || samples <= 0)
+    throw base::Error(name_, "a PC2 file of " + cache_size_text(points, samples),
+                      "export the point cache again");
+  head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(samples),
+           float_at(head, 20, format), float_at(head, 24, format)};
+  first_frame_ = pc2_head_size;
+  const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
+  if (whole < head_.frames)
+    throw base::Error(name_,
+                      "is shorter than its header says: " + std::to_string(whole) + " whole of " +
+                          cache_size_text(points, samples),
+                      "export the point cache again");
+  if (size > first_frame_ + head_.frames * 12 * head_.points)
+    warnings_.push_back(name_ + ": continues after its last frame");
+  if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
+  warnings_.push_back(name_ + ": its first frame and sample rate are not finite; using 0 and 1");
+  head_.start = 0, head_.rate = 1;
+}
+
+// MDD has no signature and is recognised by its size.
+void PointCache::read_mdd_head(std::uint64_t size) {
+  constexpr auto format = PointCacheFormat::mdd;
+  std::vector<char> head(std::min<std::uint64_t>(size, mdd_head_size));
+  read_(0, head);
+  const std::int32_t frames = head.size() < mdd_head_size ? 0 : count_at(head, 0, format);
+  const std::int32_t points = head.size() < mdd_head_size ? 0 : count_at(head, 4, format);
+  if (frames <= 0 || points <= 0)
+    throw base::Error(name_, "this is neither a PC2 nor an MDD point cache",
+                      "check that it is the right file");
+  head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(frames), 0, 1};
+  const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size - mdd_head_size;
+  if (room / frame_size < head_.frames || room != frame_size * head_.frames)
+    throw base::Error(name_,
+                      "as an MDD point cache it would contain " + cache_size_text(points, frames) +
+                          ", which its " + std::to_string(size) + " bytes do not match",
+                      "check that it is the right file, or export it again");
+  std::vector<char> times(4 * head_.frames);
+  read_(mdd_head_size, times);
+  head_.seconds.resize(head_.frames);
+  for (std::size_t i = 0; i < head_.frames; ++i) {
+    head_.seconds[i] = float_at(times, 4 * i, format);
+    if (!std::isfinite(head_.seconds[i]))
+      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is not finite",
+                        "export the point cache again");
+  }
+  first_frame_ = mdd_head_size + times.size();
+}
+
+std::vector<mesh::Point> PointCache::frame(std::size_t number) const {
+  std::vector<char> bytes(12 * head_.points);
+  read_(first_frame_ + std::uint64_t{number} * bytes.size(), bytes);
+  std::vector<mesh::Point> points(head_.points);
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    for (std::size_t k = 0; k < 3; ++k) points[v][k] = float_at(bytes, 12 * v + 4 * k, head_.format);
+    if (!is_place(points[v]))
+      throw base::Error(name_ + ": frame " + std::to_string(number),
+                        "the position of point " + std::to_string(v) + " is invalid",
+                        "export the point cache again");
+  }
+  return points;
+}
+
+}  // namespace viete::formats

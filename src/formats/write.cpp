@@ -1,0 +1,179 @@
+#include "formats/write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <set>
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "formats/codecs.h"
+#include "formats/conversion.h"
+#include "formats/format_table.h"
+#include "formats/printed.h"
+
+namespace viete::formats {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+template <class Fill>
+void write_as(const std::filesystem::path& path, Digits digits, base::Progress* progress, const Fill& fill) {
+  base::replace_file(path, [&](const base::ByteSink& sink) {
+    TextWriter out(sink, progress, digits);
+    fill(out);
+    out.finish();
+  });
+}
+
+// The attributes after deformation; adds notes about lost content.
+Attributes converted(const Format& format, const Content& content, const Original* original,
+                     std::vector<std::string>& notes) {
+  Attributes now;
+  if (content.attributes) now = deformed_attributes(content.surface, content.positions, *content.attributes);
+  notes = left_out(format, content, now, original);
+  return now;
+}
+
+std::string list_of_names(const std::set<std::string>& names) {
+  std::string list;
+  std::size_t left = 8;
+  for (const std::string& name : names) {
+    if (left-- == 0) return list + " ...";
+    list += (list.empty() ? "" : ", ") + name;
+  }
+  return list;
+}
+
+// Copies external files beside the new file, so that it finds them, and adds them to `written`. Files outside
+// of the old folder are not copied, and no other file is overwritten. Returns messages for the user.
+std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
+                                         std::vector<fs::path>& written) {
+  if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
+  std::set<std::string> copied, others, stayed;
+  for (const fs::path& file : companions.files) {
+    const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
+    std::error_code code;
+    if (!fs::is_regular_file(file, code)) continue;  // reported where it is used
+    if (name.empty() || *name.begin() == "..") {
+      stayed.insert(file.string());
+      continue;
+    }
+    const FileBytes bytes(file, nullptr);
+    const bool is_new = !fs::exists(fs::symlink_status(path, code));
+    const bool is_there = !is_new && fs::file_size(path, code) == bytes.view().size() && !code &&
+                          FileBytes(path, nullptr).view() == bytes.view();
+    (is_new || is_there ? copied : others).insert(name.string());
+    if (!is_new) continue;
+    fs::create_directories(path.parent_path(), code);  // writing reports errors
+    base::replace_file(path, bytes.view());
+    written.push_back(path);
+  }
+  std::vector<std::string> notes;
+  const auto tell = [&](const char* what, const std::set<std::string>& names) {
+    if (!names.empty()) notes.push_back(what + list_of_names(names));
+  };
+  tell("copied files it refers to: ", copied);
+  tell("kept existing files of the same name that differ: ", others);
+  tell("not copied, and possibly not found by it: ", stayed);
+  return notes;
+}
+
+}  // namespace
+
+void write(const std::filesystem::path& path, const mesh::Surface& surface,
+           const std::vector<std::string>& comments) {
+  write(path, surface, surface.positions, comments);
+}
+
+void write(const std::filesystem::path& path, const mesh::Surface& surface,
+           std::span<const mesh::Point> positions, const std::vector<std::string>& comments,
+           base::Progress* progress) {
+  write(path, Content{surface, positions, comments}, nullptr, {}, progress);
+}
+
+std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
+                               const Original* original, Digits digits, base::Progress* progress) {
+  check_written(path.string(), content.positions);
+  if (writes_itself(original, path))
+    return original->write_file(path, content.surface, content.positions, digits, progress);
+  const Format& format = surface_format(path);
+  if (!format.holds(held::points) && content.surface.triangles.empty())
+    throw base::Error(path.string(), std::string(format.name) + " stores only triangles, and there are none",
+                      "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
+  std::vector<std::string> notes;
+  const Attributes now = converted(format, content, original, notes);
+  const Content what{content.surface, content.positions, content.comments, &now};
+  write_as(path, digits, progress, [&](TextWriter& out) { format.write(what, out); });
+  return notes;
+}
+
+std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
+                                        const Original* original, const MorphMotion& motion,
+                                        base::Progress* progress) {
+  const Format& format = surface_format(path);
+  if (!format.holds_morphs)
+    throw base::Error(path.string(), "this format has no morph targets",
+                      "write " + format_extensions(holds_morphs));
+  check_motion(motion, content.surface.positions.size());
+  check_written(path.string(), content.positions);
+  std::vector<std::string> notes;
+  if (writes_itself(original, path))
+    return original->write_animated(path, content.surface, content.positions, motion, progress);
+  const Attributes now = converted(format, content, original, notes);
+  const Content what{content.surface, content.positions, content.comments, &now};
+  write_as(path, {}, nullptr, [&](TextWriter& out) {
+    write_gltf_animated(what, motion, format.write == write_glb, out, progress);
+  });
+  return notes;
+}
+
+void check_keeps_vertices(const std::filesystem::path& path) {
+  const Format* format = find_format(path);
+  if (!format || !format->write || format->keeps_order) return;
+  throw base::Error(path.string(), std::string(format->name) + " does not keep the order of the vertices",
+                    "save it as " + format_extensions(keeps_order));
+}
+
+std::vector<std::string> Original::write_file(const std::filesystem::path& path, const mesh::Surface& rest,
+                                              std::span<const mesh::Point> positions, Digits digits,
+                                              base::Progress* progress) const {
+  std::vector<fs::path> copies;
+  std::vector<std::string> notes;
+  try {
+    notes = copy_companions(path, companions(), copies);
+    base::replace_file(path, [&](const base::ByteSink& sink) {
+      TextWriter out(sink, progress, digits);
+      std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
+      out.finish();
+    });
+  } catch (...) {
+    std::error_code ignored;
+    for (const fs::path& copy : copies) fs::remove(copy, ignored);
+    throw;
+  }
+  return notes;
+}
+
+std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const mesh::Surface&,
+                                                  std::span<const mesh::Point>, const MorphMotion&,
+                                                  base::Progress*) const {
+  throw base::Error(path.string(), "this format has no morph targets", "use a format with morph targets");
+}
+
+void check_motion(const MorphMotion& motion, std::size_t vertices) {
+  const auto& seconds = motion.seconds;
+  if (seconds.empty()) throw base::Error("", "an animation without keys", "add at least one");
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
+    if (!std::isfinite(seconds[i]) || !ascends)
+      throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
+                        "use ascending times");
+  }
+  if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())
+    throw base::Error("", "the animation belongs to another model or other targets",
+                      "create it for this model");
+}
+
+}  // namespace viete::formats

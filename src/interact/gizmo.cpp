@@ -1,0 +1,178 @@
+#include "interact/gizmo.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "interact/cursor_projection.h"
+
+namespace viete::interact {
+
+namespace {
+
+using Kind = Constraint::Kind;
+
+constexpr float arm_begin = 16, plane_begin = 24, plane_end = 42;  // pixels from the center along the axes
+constexpr int ring_points = 96;
+constexpr float faintest = 0.25f;  // lowest opacity of a handle that can be hit
+
+float smooth(float low, float high, double x) {
+  const float t = std::clamp((static_cast<float>(x) - low) / (high - low), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+// Converts offsets from the center, in pixels, to screen points. Offsets are small relative to the depth, so
+// lines stay straight but are in perspective.
+struct Layout {
+  const glm::dvec3& center;
+  const glm::dmat3& axes;
+  const document::Camera& camera;
+  const document::Viewport& viewport;
+  CursorProjection projection{center, camera, viewport};
+
+  const glm::dvec3& unit(int axis) const { return axes[axis % 3]; }
+
+  glm::vec2 at(const glm::dvec3& pixels) const {
+    return glm::vec2(CursorProjection(center + projection.per_pixel() * pixels, camera, viewport).at());
+  }
+};
+
+Gizmo::Arm arm(const Layout& layout, int axis) {
+  const glm::dvec3 a = layout.unit(axis);
+  const double seen = std::sqrt(std::max(0.0, 1 - std::pow(glm::dot(a, layout.projection.to_eye()), 2)));
+  const auto at = [&](float pixels) { return layout.at(double(pixels) * a); };
+  return {at(arm_begin), at(gizmo_radius), at(gizmo_radius + gizmo_head), smooth(0.12f, 0.3f, seen)};
+}
+
+Gizmo::Plane plane(const Layout& layout, int axis) {
+  const glm::dvec3 u = layout.unit(axis + 1), v = layout.unit(axis + 2);
+  const auto at = [&](double a, double b) { return layout.at(a * u + b * v); };
+  const double seen = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye()));
+  return {{at(plane_begin, plane_begin), at(plane_end, plane_begin), at(plane_end, plane_end),
+           at(plane_begin, plane_end)},
+          smooth(0.12f, 0.3f, seen)};
+}
+
+std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
+  // A ring that faces the viewer has no far side.
+  const bool faces = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye())) > 0.94;
+  std::vector<Gizmo::RingPoint> points;
+  for (int i = 0; i < ring_points; ++i) {
+    const double angle = 6.283185307179586 * i / ring_points;
+    const glm::dvec3 d = std::cos(angle) * layout.unit(axis + 1) + std::sin(angle) * layout.unit(axis + 2);
+    points.push_back(
+        {layout.at(double(gizmo_radius) * d), faces || glm::dot(d, layout.projection.to_eye()) > -0.03});
+  }
+  return points;
+}
+
+float side(const glm::vec2& a, const glm::vec2& b, const glm::vec2& p) {
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+bool inside(const std::array<glm::vec2, 4>& corners, const glm::vec2& p) {
+  int positive = 0;
+  for (int i = 0; i < 4; ++i) positive += side(corners[i], corners[(i + 1) % 4], p) > 0;
+  return positive == 0 || positive == 4;
+}
+
+// To the near side of the ring, or to the far side.
+float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p, bool front = true) {
+  float nearest = 1e9f;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const auto &a = ring[i], &b = ring[(i + 1) % ring.size()];
+    if (a.front == front && b.front == front) nearest = std::min(nearest, distance_to_segment(p, a.at, b.at));
+  }
+  return nearest;
+}
+
+// The nearest of the three axes within the tolerance.
+template <class Distance>
+std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
+  float nearest = tolerance;
+  std::optional<Constraint> best;
+  for (int axis = 0; axis < 3; ++axis) {
+    const float d = distance(axis);
+    if (d <= nearest) nearest = d, best = Constraint{Kind::axis, axis};
+  }
+  return best;
+}
+
+std::optional<Constraint> pick_ring(const Gizmo& gizmo, const glm::vec2& cursor, bool reach) {
+  const float tolerance = reach ? gizmo_reach : gizmo_tolerance;
+  const auto axis = nearest_axis(tolerance, [&](int i) { return distance_to_ring(gizmo.rings[i], cursor); });
+  const float off = std::abs(glm::distance(cursor, gizmo.center) - gizmo_view_ring);
+  if (axis) return axis;
+  if (off <= tolerance) return Constraint{};
+  if (!reach) return std::nullopt;
+  return nearest_axis(gizmo_tolerance,
+                      [&](int i) { return distance_to_ring(gizmo.rings[i], cursor, false); });
+}
+
+std::optional<Constraint> pick_arm(const Gizmo& gizmo, const glm::vec2& cursor, float tolerance) {
+  return nearest_axis(tolerance, [&](int i) {
+    const auto& arm = gizmo.arms[i];
+    return arm.opacity >= faintest ? distance_to_segment(cursor, arm.base, arm.end) : 1e9f;
+  });
+}
+
+std::optional<Constraint> pick_plane(const Gizmo& gizmo, const glm::vec2& cursor) {
+  for (int i = 2; i >= 0; --i) {
+    const int axis = gizmo.far_to_near[i];
+    const auto& plane = gizmo.planes[axis];
+    if (plane.opacity >= faintest && inside(plane.corners, cursor)) return Constraint{Kind::plane, axis};
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
+                                const document::Camera& camera, const document::Viewport& viewport) {
+  const Layout layout{center, axes, camera, viewport};
+  if (tool == Tool::select || tool == Tool::paint || !layout.projection.in_front()) return std::nullopt;
+  Gizmo gizmo;
+  gizmo.tool = tool;
+  gizmo.center = glm::vec2(layout.projection.at());
+  for (int axis = 0; axis < 3; ++axis) {
+    if (tool == Tool::rotate) gizmo.rings[axis] = ring(layout, axis);
+    gizmo.arms[axis] = arm(layout, axis);
+    gizmo.planes[axis] = plane(layout, axis);
+  }
+  const auto nearness = [&](int axis) { return glm::dot(layout.unit(axis), layout.projection.to_eye()); };
+  std::sort(gizmo.far_to_near.begin(), gizmo.far_to_near.end(),
+            [&](int a, int b) { return nearness(a) < nearness(b); });
+  return gizmo;
+}
+
+float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b) {
+  const glm::vec2 along = b - a;
+  const float square = glm::dot(along, along);
+  const float t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0f, 1.0f) : 0.0f;
+  return glm::distance(p, a + t * along);
+}
+
+std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach) {
+  if (gizmo.tool == Tool::rotate) return pick_ring(gizmo, cursor, reach);
+  if (glm::distance(cursor, gizmo.center) <= gizmo_center + 1) return Constraint{};
+  if (const auto arm = pick_arm(gizmo, cursor, reach ? gizmo_reach : gizmo_tolerance)) return arm;
+  return pick_plane(gizmo, cursor);
+}
+
+std::string handle_name(Tool tool, const Constraint& handle) {
+  const std::string letters = "XYZ";
+  const std::string axis(1, letters[handle.axis]);
+  const std::string plane = letters.substr(0, handle.axis) + letters.substr(handle.axis + 1);
+  const bool free = handle.kind == Kind::free;
+  switch (tool) {
+    case Tool::rotate: return free ? "Rotate in the view plane" : "Rotate about " + axis;
+    case Tool::scale:
+      return free ? "Scale uniformly" : "Scale along " + (handle.kind == Kind::axis ? axis : plane);
+    default:
+      return free                        ? "Move in the view plane"
+             : handle.kind == Kind::axis ? "Move along " + axis
+                                         : "Move in " + plane;
+  }
+}
+
+}  // namespace viete::interact

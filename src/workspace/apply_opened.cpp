@@ -1,0 +1,194 @@
+#include "workspace/apply_opened.h"
+
+#include <utility>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "document/camera.h"
+#include "document/edit.h"
+#include "document/elements.h"
+#include "document/pose_edit.h"
+#include "document/up_axis.h"
+#include "files/animation_import.h"
+#include "workspace/playing.h"
+#include "workspace/saving.h"
+
+namespace viete::workspace {
+
+namespace {
+
+void report(Workspace& w, const files::Opened& opened) {
+  const bool same_model = opened.document && opened.document->model.surface == w.document.model.surface;
+  const Concern concern{.scope = same_model || !opened.document ? Scope::cage : Scope::model};
+  w.messages.succeeded("open");
+  if (!opened.taken_as.empty()) w.messages.info(opened.taken_as, concern);
+  for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
+}
+
+// After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
+void report_losses(Workspace& w, const std::string& poses, bool in_file) {
+  const std::string file = w.saved.session.filename().string();
+  const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
+  const Concern concern{.scope = Scope::cage};
+  if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
+    w.messages.warn("Selection sets of the previous cage were removed: " + sets + where, concern);
+  if (!poses.empty()) w.messages.warn("Poses of the previous cage were removed: " + poses + where, concern);
+}
+
+void take_document(Workspace& w, document::Document&& document, bool keep_settings) {
+  const document::Document& old = w.document;
+  if (keep_settings) {
+    document.method = old.method;
+    document.scheme = old.scheme;
+  }
+  document.mark_replacing(old);
+  w.document = std::move(document);
+  w.interaction = {};
+  w.making = {.wish = w.making.wish};
+  w.playback = {.auto_key = w.playback.auto_key, .vectors = std::move(w.playback.vectors)};
+  w.chosen_pose.reset();
+  w.time_view = {};
+  w.offer_cage = true;
+  w.methods = {};
+  w.split.views[0] = {};
+  w.vertex = {};
+  forget_findings(w.checks);
+  ++w.opened;
+}
+
+// The hints of the first start stay hidden.
+void take_view(Workspace& w, const files::Session& session) {
+  const bool hints = w.view.hints;
+  w.view = session.view;
+  put_ways(w.split, session.sides);
+  w.view.hints = hints && session.view.hints;
+}
+
+// Resets pivots and planes, which are meaningless for another model.
+void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
+  if (opened.session) {
+    w.handling = opened.session->handling;
+  } else if (!same_model) {
+    w.handling.point.reset();
+    w.handling.mirror = document::MirrorPlane::none;
+    if (w.handling.pivot == document::Pivot::point) w.handling.pivot = document::Pivot::median;
+  }
+}
+
+// Applies loaded poses as an edit. Returns false if there are none.
+bool take_poses(Workspace& w, files::Opened& opened) {
+  const std::string name = opened.file.filename().string();
+  const auto add = [&](const auto& put, const std::string& done) {
+    try {
+      put();
+      w.messages.info("Added " + done);
+    } catch (const base::Error& error) {
+      w.messages.error(error.what(), {"open"});
+    }
+    return true;
+  };
+  if (!opened.poses.empty())
+    return add([&] { add_poses(w.document, std::move(opened.poses)); },
+               base::counted(opened.poses.size(), "pose") + " of " + name + ".");
+  if (!opened.shapes.empty())
+    return add([&] { add_shapes(w.document, std::move(opened.shapes)); },
+               base::counted(opened.shapes.size(), "shape") + " to the poses.");
+  if (opened.keys.empty()) return false;
+  const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
+  files::put_keys(w.document, std::move(opened.keys), "Import animation");
+  show_timeline(w);
+  w.messages.info("Imported " + base::counted(count, "key") + " of " + name +
+                  (before > 0 ? "; undo restores the previous " + std::to_string(before) + "." : "."));
+  return true;
+}
+
+void take_pose(Workspace& w, deform::Pose&& pose) {
+  const bool was_saved = !has_unsaved_edits(w);
+  replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
+  if (was_saved) mark_pose_saved(w);  // the file contains it
+}
+
+// Flat data is seen from the front without perspective.
+void frame_first(Workspace& w) {
+  const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
+  const bool z_up = w.camera.pose().up == document::UpAxis::z;
+  const document::StandardView along[] = {document::StandardView::right,
+                                          z_up ? document::StandardView::front : document::StandardView::top,
+                                          z_up ? document::StandardView::top : document::StandardView::front};
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (box.high[k] - box.low[k] > 1e-9 * box.diagonal()) continue;
+    w.camera.look(along[k]);
+    return w.camera.set_orthographic(true);
+  }
+  w.camera.look(document::StandardView::home);
+}
+
+}  // namespace
+
+void apply_opened(Workspace& w, files::Opened&& opened) {
+  if (opened.pose_of && opened.pose_of != w.document.cage)
+    return w.messages.error(
+        opened.file.string() + ": the cage changed while this pose was being read; open it again", {"open"});
+  if (!opened.document && opened.shapes_of && opened.shapes_of != w.document.model.surface)
+    return w.messages.error(
+        opened.file.string() + ": the model changed while this shape was being read; open it again",
+        {"open"});
+  report(w, opened);
+  if (opened.shapes_of) {
+    w.playback.vectors.follow_model(opened.shapes_of);
+    w.playback.vectors.take(std::move(opened.vectors));
+  }
+  w.document.also_read.insert(w.document.also_read.end(), opened.also_read.begin(), opened.also_read.end());
+  if (take_poses(w, opened)) return;
+  if (opened.pose) return take_pose(w, std::move(*opened.pose));
+  const bool same_model = opened.document->model.surface == w.document.model.surface;
+  if (same_model && !opened.session) report_losses(w, opened.lost, !has_unsaved_edits(w));
+  take_document(w, std::move(*opened.document), !opened.has_settings);
+  w.saved.reset();
+  w.recovered_from.clear();
+  const bool is_example = opened.session && opened.file == w.example;
+  if (opened.session) {
+    take_view(w, *opened.session);
+    if (!is_example) {  // Save asks for a name
+      w.saved.session = opened.recovered ? opened.session->origin : opened.file;
+      w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
+    }
+  }
+  take_handling(w, opened, same_model);
+  w.saved.recovered = opened.recovered;
+  if (opened.recovered) {
+    w.recovered_from = opened.file;
+    w.offers_recovery = false;
+    std::erase_if(w.recovery_files,
+                  [&](const files::RecoveryFile& leftover) { return leftover.file == opened.file; });
+  } else {
+    mark_saved(w);
+    if (opened.session)
+      w.saved.state.scheme = opened.session->scheme;  // with settings from the request: unsaved
+    if (!opened.session)
+      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // for another cage: in no file
+    w.preferences.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                              : RecentFile{w.saved.session, {}});
+  }
+  add_unkeyed_to_undo(w, opened.recovered);
+  if (is_example) show_timeline(w), start_playing(w);
+  if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
+  if (same_model) return;
+  w.camera.set_up(guessed_up(w.document.model));
+  frame_first(w);  // as after the first opening
+  frame_all(w, false);
+}
+
+bool open_now(Workspace& w, const files::OpenRequest& request) {
+  try {
+    files::Opened opened = open_files(request, w.document);
+    check_drawable(opened);
+    apply_opened(w, std::move(opened));
+    return true;
+  } catch (const std::exception& error) {
+    w.messages.error(error.what(), {"open"});
+    return false;
+  }
+}
+
+}  // namespace viete::workspace

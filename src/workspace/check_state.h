@@ -1,0 +1,43 @@
+// The results of the checks, and the finding shown in the view.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "document/checks.h"
+
+namespace viete::workspace {
+
+/// The findings about the open document, and the one shown.
+struct CheckState {
+  bool running = false;
+  double done = 0;  ///< in [0, 1]
+  std::vector<document::Finding> findings;
+  std::optional<std::size_t> shown;    ///< a finding highlighted in the view
+  std::optional<std::size_t> element;  ///< a single element of it; nullopt: all
+  bool fresh = false;                  ///< the findings have not been displayed yet
+
+  void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
+    shown = finding, element = one, ++revision_;
+  }
+  /// Increases when the findings or the shown one change.
+  unsigned long revision() const { return revision_; }
+
+private:
+  unsigned long revision_ = 0;
+};
+
+/// Clears the findings, for example after a change of the cage.
+void forget_findings(CheckState& checks);
+
+/// The finding about model vertices outside the cage; nullopt: none.
+std::optional<std::size_t> outside_finding(const CheckState& checks);
+
+/// Replaces the findings; none is shown.
+void take_findings(CheckState& checks, std::vector<document::Finding> findings);
+
+/// Indices of the shown elements within the finding: at most `most`, evenly spread.
+std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
+
+}  // namespace viete::workspace

@@ -1,0 +1,88 @@
+// A command: a user action with a name. menus.cpp assembles the table of all commands.
+#pragma once
+
+#include <concepts>
+#include <functional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "workspace/shortcut.h"
+
+namespace viete::workspace {
+
+struct Workspace;
+
+/// When a command can run, and the advice if it cannot.
+struct Condition {
+  bool (*holds)(const Workspace&);
+  std::string_view otherwise;
+  bool operator()(const Workspace& workspace) const { return holds(workspace); }
+};
+
+/// The name of a command: complete, and shorter for use under a headline.
+struct Label {
+  Label(const char* words) : words(words), brief(words) {}
+  Label(std::string words, std::string under_headline)
+      : words(std::move(words)), brief(std::move(under_headline)) {}
+
+  std::string words, brief;
+};
+
+/// The action of a command.
+struct Effect {
+  template <std::invocable<Workspace&> Run>
+  Effect(Run run) : run(std::move(run)) {}
+  /// A toggle; is_on returns its state.
+  Effect(std::function<void(Workspace&)> run, std::function<bool(const Workspace&)> is_on)
+      : run(std::move(run)), is_on(std::move(is_on)) {}
+
+  std::function<void(Workspace&)> run;
+  std::function<bool(const Workspace&)> is_on{};
+  bool passing = false;  ///< visible only while it can run (Cancel, Later)
+};
+
+inline Effect passing(Effect effect) {
+  effect.passing = true;
+  return effect;
+}
+
+struct Command : Effect {
+  std::string name;   ///< stable, for keys and tests: "undo"
+  std::string label;  ///< "Look from the front"
+  std::string brief;  ///< "Front", under "Look from"
+  std::string hint;   ///< one sentence: what it does
+  Condition enabled;
+  std::string_view group{};  ///< heading in the command reference
+  Shortcut shortcut{}, alternative{};
+  std::string_view submenu{};                          ///< shared submenu of the values of one choice
+  std::string (*subject)(const Workspace&) = nullptr;  ///< its current object: "Rotate" in "Undo Rotate"
+
+  /// "Undo Rotate"; `called` replaces the label.
+  std::string label_now(const Workspace& workspace, std::string_view called) const;
+  std::string label_now(const Workspace& workspace) const { return label_now(workspace, label); }
+  bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
+
+  // Optional fields, set with chained calls in a table row.
+  Command& or_by(Shortcut other) {
+    alternative = other;
+    return *this;
+  }
+  Command& of(std::string (*what)(const Workspace&)) {
+    subject = what;
+    return *this;
+  }
+  Command& under(std::string_view menu) {
+    submenu = menu;
+    return *this;
+  }
+};
+
+/// In the order of the command reference.
+std::span<const Command> commands();
+
+/// nullptr if there is no command of that name.
+const Command* find_command(std::string_view name);
+
+}  // namespace viete::workspace

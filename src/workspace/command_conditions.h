@@ -1,0 +1,154 @@
+// Conditions of commands with the advice if they are not met; toggles of the view.
+#pragma once
+
+#include "document/edit.h"
+#include "document/elements.h"
+#include "document/probes.h"
+#include "workspace/command.h"
+#include "workspace/workspace.h"
+
+namespace viete::workspace {
+
+// A drag, a stroke or a brush is one edit, which other edits must not interrupt.
+inline bool is_dragging(const Workspace& w) {
+  const auto& time = w.time_view.drag;
+  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
+         (time && time->what == TimeView::What::keys);
+}
+inline constexpr Condition no_drag_runs{[](const Workspace& w) { return !is_dragging(w); },
+                                        "Finish the current drag first."};
+template <const Condition& C>
+inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && !is_dragging(w); },
+                                        C.otherwise};
+
+inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
+inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
+                                       "This blend uses no exponential; choose the blend Log space first."};
+inline constexpr Condition has_maps{
+    [](const Workspace& w) { return w.document.scheme.has_maps(); },
+    "Not available for this deformer: its cage vertices only move and give no maps to follow."};
+inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
+                                     "Open a model first."};
+inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
+                                    "Open a cage first."};
+inline constexpr Condition is_movable{[](const Workspace& w) { return w.document.is_movable(); },
+                                      "Open a cage, add a probe or import shapes first."};
+inline constexpr Condition has_elements{
+    [](const Workspace& w) { return element_count(w.document, w.document.selection.kind()) > 0; },
+    "Nothing to select: open a cage or add a probe first."};
+inline constexpr Condition has_probe_room{
+    [](const Workspace& w) {
+      return has_model(w) && w.document.probes.all.size() < document::most_probes && !is_dragging(w);
+    },
+    "Open a model first. At most 256 probes are possible."};
+inline constexpr Condition has_probes_selected{[](const Workspace& w) {
+                                                 return w.document.selection.kind() ==
+                                                            document::ElementKind::probe &&
+                                                        !w.document.selection.empty() && !is_dragging(w);
+                                               },
+                                               "Select a probe first."};
+inline constexpr Condition has_pins_selected{
+    [](const Workspace& w) {
+      return has_probes_selected(w) && std::ranges::any_of(w.document.selection.indices(), [&](auto i) {
+               return w.document.probes.all[i].pin.has_value();
+             });
+    },
+    "Select a pin first."};
+inline constexpr Condition has_free_probes_selected{
+    [](const Workspace& w) { return has_free_probes(w.document) && !is_dragging(w); },
+    "Select an unlocked probe first."};
+inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.mask != nullptr; },
+                                    "Nothing is painted: the whole model follows the cage."};
+inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
+                                         "Nothing is selected."};
+inline constexpr Condition has_selection_or_hover{
+    [](const Workspace& w) {
+      return has_cage(w) && w.document.selection.kind() != document::ElementKind::probe &&
+             (has_selection(w) || w.interaction.hovered);
+    },
+    "Select or point at part of the cage first."};
+inline constexpr Condition selects_of_cage{[](const Workspace& w) {
+                                             return has_cage(w) && w.document.selection.kind() !=
+                                                                       document::ElementKind::probe;
+                                           },
+                                           "Open a cage and choose vertices, edges or faces first."};
+inline constexpr Condition has_selection_of_cage{
+    [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
+    "Select part of the cage first."};
+inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.document.groups.hidden.empty(); },
+                                      "No part of the cage is hidden."};
+inline constexpr Condition can_draw_selection{
+    [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !is_dragging(w); },
+    "Nothing to select: open a cage, show it (C) or add a probe first."};
+inline constexpr Condition is_armed{[](const Workspace& w) { return w.interaction.armed.has_value(); },
+                                    "Start box, lasso or brush selection first."};
+inline constexpr Condition is_working{
+    [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
+    "No task is running."};
+inline constexpr Condition can_make_cage{[](const Workspace& w) {
+                                           return has_model(w) && !w.making.open && !w.loading.running &&
+                                                  !is_dragging(w);
+                                         },
+                                         "Open a model first and finish making the cage (Done)."};
+inline constexpr Condition lacks_pairs{
+    [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
+    "Choose a mirror in the section Transform; the cage must have vertices without a mirror image."};
+inline constexpr Condition can_edit_cage{
+    [](const Workspace& w) { return has_cage(w) && !w.making.open && !is_dragging(w); },
+    "Open or make a cage first and finish making it (Done)."};
+inline constexpr Condition is_editing{
+    [](const Workspace& w) { return is_editing_cage(w.document) && !is_dragging(w); },
+    "Start cage editing first (Tab)."};
+inline constexpr Condition has_cage_selected{
+    [](const Workspace& w) {
+      return is_editing(w) && w.document.selection.kind() != document::ElementKind::probe &&
+             has_selection(w) && !w.time_view.hovered;  // over the timeline the keys act on timeline keys
+    },
+    "Start cage editing (Tab) and select part of the cage first."};
+inline constexpr Condition has_outside{
+    [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
+    "The cage encloses all vertices of the model."};
+inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
+                                     "No cage is being made."};
+inline constexpr Condition is_wishing{[](const Workspace& w) { return w.making.open && !w.making.closing; },
+                                      "The new cage is still being computed, or no cage is being made."};
+inline constexpr Condition has_cage_beside{
+    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
+    "The model's folder has no file that looks like its cage."};
+inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
+                                        "Nothing is being exported."};
+inline constexpr Condition is_reporting{[](const Workspace& w) { return w.reporting.running; },
+                                        "No report is being made."};
+inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.reporting.running; },
+                                            "A report is being made; cancel it first."};
+inline constexpr Condition has_recovery_files{
+    [](const Workspace& w) { return !w.recovery_files.empty() && !w.loading.running; },
+    "There are no recovered edits."};
+inline constexpr Condition offers_recovery{
+    [](const Workspace& w) { return has_recovery_files(w) && w.offers_recovery; },
+    "No recovered edits are shown."};
+inline constexpr Condition can_undo{
+    [](const Workspace& w) { return w.document.history.can_undo() && !is_dragging(w); },
+    "There is no edit to undo."};
+inline constexpr Condition can_redo{
+    [](const Workspace& w) { return w.document.history.can_redo() && !is_dragging(w); },
+    "There is no edit to redo."};
+inline constexpr Condition is_posed{
+    [](const Workspace& w) { return !is_dragging(w) && differs_from_rest(w.document); },
+    "Cage and probes are at rest."};
+inline constexpr Condition has_posed_selection{
+    [](const Workspace& w) {
+      const bool of_cage = w.document.selection.kind() != document::ElementKind::probe;
+      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document)) &&
+             !w.time_view.hovered;
+    },
+    "The selection is already at rest."};
+
+/// A toggle of the view, or of another part of the workspace.
+template <class Part = document::ViewOptions>
+Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
+  return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },
+          [=](const Workspace& w) { return w.*part.*option; }};
+}
+
+}  // namespace viete::workspace

@@ -1,0 +1,261 @@
+#include "workspace/file_browser.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "base/atomic_file.h"
+#include "base/numbered_files.h"
+#include "files/animation_export.h"
+#include "files/output.h"
+#include "files/session.h"
+#include "formats/format_table.h"
+#include "formats/source.h"
+
+namespace viete::workspace {
+
+namespace fs = std::filesystem;
+using Purpose = FileBrowser::Purpose;
+using Entry = FileBrowser::Entry;
+
+namespace {
+
+bool fits(const fs::path& path, const FileBrowser& browser) {
+  const auto formats = browser.formats();
+  const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
+  return (session && files::is_session(path)) ||
+         std::find(formats.begin(), formats.end(), formats::extension_of(path)) != formats.end();
+}
+
+std::string lower(std::string text) {
+  for (char& c : text) {
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
+  }
+  return text;
+}
+
+bool before(const Entry& a, const Entry& b) {
+  if (a.folder != b.folder) return a.folder;
+  const std::string x = lower(a.name), y = lower(b.name);
+  return x != y ? x < y : a.name < b.name;
+}
+
+std::vector<Entry> list(const fs::path& folder, const FileBrowser& browser) {
+  std::vector<Entry> entries;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    std::error_code ignored;
+    const std::string name = entry.path().filename().string();
+    if (name.empty() || name[0] == '.') continue;
+    if (entry.is_directory(ignored)) {
+      entries.push_back({name, true, 0});
+    } else if (fits(entry.path(), browser)) {
+      entries.push_back({name, false, entry.file_size(ignored)});
+    }
+  }
+  std::sort(entries.begin(), entries.end(), before);
+  return entries;
+}
+
+}  // namespace
+
+std::vector<std::string_view> FileBrowser::formats() const {
+  std::vector<std::string_view> names;
+  const auto add = [&](bool (*is)(const formats::Format&)) {
+    for (const formats::Format& f : formats::all_formats())
+      if (is(f)) names.push_back(f.extension);
+  };
+  if (purpose == Purpose::save_session) return names;
+  if (purpose == Purpose::pose || purpose == Purpose::save_pose || purpose == Purpose::save_cage) {
+    add(formats::keeps_order);
+  } else if (purpose == Purpose::animation || purpose == Purpose::save_animation) {
+    add(formats::is_sequence);
+    add(formats::holds_morphs);
+    add(purpose == Purpose::animation ? formats::keeps_order : formats::holds_one_frame);
+    if (purpose == Purpose::save_animation) names.push_back("png");
+  } else {
+    add(formats::holds_surface);
+    if (purpose == Purpose::shapes) add(formats::is_sequence);
+  }
+  return names;
+}
+
+bool FileBrowser::makes_morphs() const {
+  return purpose == Purpose::save_animation && formats::is_a(formats::holds_morphs, path) &&
+         !base::NumberedName::is_pattern(path);
+}
+
+bool FileBrowser::makes_pictures() const {
+  return purpose == Purpose::save_animation && format_of(*this) == "png";
+}
+
+bool FileBrowser::replaces() const {
+  if (!saves()) return false;
+  const fs::path file = chosen_file(*this);
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && !in_use.find(file);
+}
+
+void show(FileBrowser& browser, Purpose purpose, const fs::path& folder, const std::string& suggested,
+          document::FilesInUse in_use) {
+  browser.suggested = suggested;
+  browser.in_use = std::move(in_use);
+  browser.open = browser.appearing = true;
+  browser.purpose = purpose;
+  browser.problem.clear();
+  browser.warned.clear();
+  browser.asked.clear();
+  std::error_code ignored;
+  if (!folder.empty()) enter(browser, folder);
+  if (folder.empty() || !browser.problem.empty()) enter(browser, fs::current_path(ignored));
+}
+
+void enter(FileBrowser& browser, const fs::path& folder) {
+  try {
+    const fs::path absolute = fs::weakly_canonical(fs::absolute(folder));
+    std::error_code ignored;
+    browser.changed = fs::last_write_time(absolute, ignored);
+    browser.entries = list(absolute, browser);
+    browser.folder = absolute;
+    browser.path =
+        (browser.saves() ? files::proposed_name(absolute / browser.suggested, browser.in_use) : absolute)
+            .string();
+    browser.problem.clear();
+    browser.filter.clear();
+    browser.highlighted = browser.saves() ? FileBrowser::none : 0;
+  } catch (const fs::filesystem_error& error) {
+    browser.problem = folder.string() + ": " + error.code().message() + "; choose another folder";
+  }
+}
+
+void refresh(FileBrowser& browser) {
+  std::error_code code;
+  const auto changed = fs::last_write_time(browser.folder, code);
+  if (code || changed == browser.changed) return;
+  const auto before = shown(browser);
+  const std::string name = browser.highlighted < before.size() ? before[browser.highlighted]->name : "";
+  try {
+    browser.entries = list(browser.folder, browser);
+  } catch (
+      const fs::filesystem_error&) {  // the folder is gone: keeps the list; entering it reports the error
+  }
+  browser.changed = changed;
+  if (name.empty()) return;
+  const auto now = shown(browser);
+  const auto found = std::ranges::find(now, name, &Entry::name);
+  browser.highlighted = found != now.end()
+                            ? static_cast<std::size_t>(found - now.begin())
+                            : std::min(browser.highlighted, std::max<std::size_t>(now.size(), 1) - 1);
+}
+
+std::vector<const Entry*> shown(const FileBrowser& browser) {
+  std::vector<const Entry*> entries;
+  const std::string filter = lower(browser.filter);
+  for (const auto& entry : browser.entries) {
+    if (lower(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
+  }
+  return entries;
+}
+
+void highlight(FileBrowser& browser, std::size_t index) {
+  const auto entries = shown(browser);
+  if (index >= entries.size()) return;
+  browser.highlighted = index;
+  if (browser.saves() && entries[index]->folder) return;
+  browser.path = (browser.folder / entries[index]->name).string();
+  browser.problem.clear();
+}
+
+void move_highlight(FileBrowser& browser, int steps) {
+  const auto last = static_cast<std::ptrdiff_t>(shown(browser).size()) - 1;
+  const bool from_none = browser.highlighted == FileBrowser::none;
+  const auto wanted = from_none ? 0 : static_cast<std::ptrdiff_t>(browser.highlighted) + steps;
+  browser.highlighted =
+      static_cast<std::size_t>(std::clamp<std::ptrdiff_t>(wanted, 0, std::max<std::ptrdiff_t>(last, 0)));
+  if (!browser.saves()) highlight(browser, browser.highlighted);
+}
+
+bool filters_by_path(const FileBrowser& browser) {
+  return !browser.filter.empty() && (browser.filter[0] == '/' || browser.filter[0] == '~');
+}
+
+fs::path typed_path(const FileBrowser& browser) {
+  const char* home = std::getenv("HOME");
+  if (home && (browser.path == "~" || browser.path.starts_with("~/"))) return home + browser.path.substr(1);
+  return browser.folder / browser.path;
+}
+
+namespace {
+
+// Formats of a single model get a placeholder for the frame number.
+fs::path animation_name(const fs::path& file) {
+  if (files::is_animation_format(formats::extension_of(file)) || base::NumberedName::is_pattern(file))
+    return file;
+  return file.parent_path() / (file.stem().string() + "_####" + file.extension().string());
+}
+
+}  // namespace
+
+fs::path chosen_file(const FileBrowser& browser) {
+  fs::path file = typed_path(browser);
+  const bool session = browser.purpose == Purpose::save_session;
+  if (session && !files::is_session(file)) file += files::session_extension;
+  const bool animation = browser.purpose == Purpose::save_animation;
+  if (browser.saves() && !session && file.extension().empty()) file += animation ? ".pc2" : ".obj";
+  return animation ? animation_name(file) : file;
+}
+
+std::string problem_of_name(const FileBrowser& browser) {
+  const fs::path file = chosen_file(browser);
+  const std::string name = file.filename().string();
+  std::error_code ignored;
+  const bool sequence = browser.purpose == Purpose::shapes || browser.purpose == Purpose::animation;
+  if (sequence && base::NumberedName::is_pattern(file)) return "";
+  if (!browser.saves())
+    return fs::exists(file, ignored)
+               ? ""
+               : name + " does not exist; choose a file from the list or enter another path";
+  if (name.empty() || fs::is_directory(file, ignored)) return "Enter a file name.";
+  if (!fs::is_directory(file.parent_path(), ignored))
+    return file.parent_path().string() + " is not a folder; choose another folder";
+  if (const std::string* used = browser.in_use.find(file))
+    return name + " is open (" + *used + ") and cannot be replaced; " +
+           base::unused_name(file).filename().string() + " is a free name.";
+  const auto formats = browser.formats();
+  const bool known = browser.purpose == Purpose::save_session ||
+                     std::find(formats.begin(), formats.end(), formats::extension_of(file)) != formats.end();
+  return known ? "" : name + " has an unknown extension; use " + format_list(browser);
+}
+
+std::string format_list(const FileBrowser& browser) {
+  std::string text;
+  for (const auto format : browser.formats()) {
+    const bool last = format == browser.formats().back();
+    text += text.empty() ? "" : last ? " or " : ", ";
+    for (const char c : format) text += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+  }
+  return text;
+}
+
+std::string format_of(const FileBrowser& browser) {
+  return formats::extension_of(browser.path);
+}
+
+bool refuse(FileBrowser& browser, const fs::path& asked, const std::string& problem) {
+  if (asked.empty() || browser.asked != asked) return false;
+  const std::string place = asked.string() + ": ";  // the path is displayed above
+  browser.problem = problem.starts_with(place) ? problem.substr(place.size()) : problem;
+  browser.appearing = !std::exchange(browser.open, true);
+  browser.asked.clear();
+  return true;
+}
+
+void set_format(FileBrowser& browser, const std::string& extension) {
+  fs::path path = browser.path;
+  browser.suggested = path.replace_extension(extension).filename().string();
+  browser.path = path.string();
+  browser.path = files::proposed_name(chosen_file(browser), browser.in_use).string();
+  browser.highlighted = FileBrowser::none;  // the name is being edited
+  browser.problem.clear();
+}
+
+}  // namespace viete::workspace

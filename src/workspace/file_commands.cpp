@@ -1,0 +1,180 @@
+#include "workspace/file_commands.h"
+
+#include "files/output.h"
+#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
+#include "workspace/saving.h"
+
+namespace viete::workspace {
+
+namespace {
+
+using Purpose = FileBrowser::Purpose;
+namespace fs = std::filesystem;
+
+// The file of the cage, or else of the model.
+const fs::path& file_of_cage(const document::Document& document) {
+  const bool in_file = document.has_cage() && !document.cage_file.path.empty();
+  return in_file ? document.cage_file.path : document.model.path;
+}
+
+// In the folder of the related file.
+void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
+  std::error_code ignored;
+  const bool there = fs::is_directory(file.parent_path(), ignored);
+  show(w.browser, purpose, there ? file.parent_path() : w.preferences.folder);
+}
+
+// The open file that this purpose may overwrite: its own source.
+std::string_view own_of(Purpose purpose) {
+  switch (purpose) {
+    case Purpose::save_session: return document::the_session;
+    case Purpose::save_pose: return document::the_pose;
+    case Purpose::save_cage: return document::the_cage;
+    default: return document::no_own;
+  }
+}
+
+void browse_for_model(Workspace& w) {
+  // The last chosen folder, else that of the open files.
+  const fs::path& last = w.preferences.folder;
+  show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
+}
+
+// In the folder of the cage.
+template <Purpose For>
+void browse_for(Workspace& w) {
+  browse_beside(w, For, file_of_cage(w.document));
+}
+
+// Proposes "cage_pose.obj" for "cage", in the folder of the session or else of the source file.
+void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
+  const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
+  show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
+       files_open(w, own_of(purpose)));
+}
+
+void save_animation(Workspace& w) {
+  browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
+  const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
+  w.browser.pictures =
+      PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
+}
+
+constexpr Condition has_example{[](const Workspace& w) { return !w.example.empty(); },
+                                "The bundled dragon was not found."};
+
+}  // namespace
+
+void save(Workspace& w) {
+  if (w.saved.session.empty()) return browse_to_save_session(w);
+  w.requests.save_session = w.saved.session;
+}
+
+void browse_to_save_session(Workspace& w) {
+  browse_to_save(w, Purpose::save_session, w.saved.session.empty() ? w.document.model.path : w.saved.session,
+                 ".viete");
+}
+
+void browse_to_locate(Workspace& w, Purpose purpose) {
+  const fs::path& session = w.unopened->files.front();
+  const bool recovery =
+      w.unopened->what == files::OpenRequest::What::recovery;  // in the program's own folder
+  recovery ? show(w.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
+}
+
+void add_file_commands(CommandTable& table) {
+  table.heading("File");
+  table.add("open_model", {"Open model or session", "Open"}, "Open a mesh to deform or a saved session.",
+            {key('O'), true}, always, browse_for_model);
+  table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
+            [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
+  table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
+            "Open the file in the model's folder that looks like its cage.", has_cage_beside,
+            passing([](Workspace& w) {
+              w.requests.open = files::OpenRequest{files::OpenRequest::What::cage, {w.document.cage_beside}};
+            }));
+  table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
+            browse_for<Purpose::pose>);
+  table.add("open_example", "Open example animation",
+            "Open the dragon with its poses and keys of a five-second loop, and play it.", has_example,
+            [](Workspace& w) {
+              w.requests.open = files::OpenRequest{files::OpenRequest::What::model, {w.example}};
+            });
+  table.add("save_session", {"Save session", "Save"},
+            "Save model, cage, pose, settings and camera in a session file.", {key('S'), true}, has_model,
+            save);
+  table.add("save_session_as", {"Save session as", "Save as"}, "Save the session under a new name.",
+            {key('S'), true, true}, has_model, browse_to_save_session);
+  table.add(
+      "save_pose", "Save pose", "Write the posed cage to a mesh file.", {key('P'), true, true}, has_cage,
+      [](Workspace& w) { browse_to_save(w, Purpose::save_pose, file_of_cage(w.document), "_pose.obj"); });
+  table.add("save_cage", "Save cage", "Write the cage at rest to a mesh file.", has_cage,
+            [](Workspace& w) { browse_to_save(w, Purpose::save_cage, w.document.model.path, "_cage.obj"); });
+  table.add("save_model", {"Export deformed mesh", "Export mesh"}, "Write the deformed mesh to a file.",
+            {key('E'), true}, is_movable, [](Workspace& w) {
+              browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
+            });
+  table.add("stop_work", {"Cancel current task", "Cancel"},
+            "Stop reading, making a cage or binding. Nothing changes.", {Key::escape}, is_working,
+            passing([](Workspace& w) { w.requests.stop_work = true; }));
+  table.add("stop_export", {"Cancel export", "Cancel"},
+            "Stop the export. Each file is either complete or unchanged.", is_exporting,
+            passing([](Workspace& w) { w.requests.stop_export = true; }));
+  table.add("restore_leftover", {"Restore recovered edits", "Restore"},
+            "Open the most recent recovered edits.", {key('B'), true}, has_recovery_files,
+            passing([](Workspace& w) {
+              if (!std::exchange(w.offers_recovery, true)) return;
+              w.requests.open =
+                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery_files.front().file}};
+            }));
+  table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
+            "Delete all recovered edits permanently.", offers_recovery,
+            passing([](Workspace& w) { w.question = ask_before_discarding(w.recovery_files.size()); }));
+  table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
+            "Hide this row. The next start offers the recovered edits again.", offers_recovery,
+            passing([](Workspace& w) { w.offers_recovery = false; }));
+  table.add("screenshot", {"Save screenshot", "Screenshot"}, "Save a picture of the window as PNG.",
+            {Key::f12}, always, [](Workspace& w) { w.requests.screenshot = true; });
+  table.add("quit", "Quit", "Close Viete.", {key('Q'), true}, always,
+            [](Workspace& w) { w.requests.quit = true; });
+}
+
+namespace {
+
+constexpr Condition can_import{
+    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a cage first and leave cage editing (Tab)."};
+constexpr Condition can_import_shapes{
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a model first and leave cage editing (Tab)."};
+constexpr Condition can_export_animation{[](const Workspace& w) {
+                                           return is_movable(w) && !w.document.timeline.keys.empty() &&
+                                                  !is_editing_cage(w.document);
+                                         },
+                                         "No keys yet: pose the model and set a key (I)."};
+
+}  // namespace
+
+void add_animation_file_commands(CommandTable& table) {
+  table.heading("Poses");
+  table.add("import_poses", "Import poses",
+            "Add posed cages to the pose list from a file, its morph targets or a folder.", can_import,
+            browse_for<Purpose::poses>);
+  table.add("import_shapes", "Import shapes",
+            "Add shapes of the model to the pose list from mesh files, numbered sequences, point caches "
+            "(PC2, MDD), morph targets (glTF) or a folder.",
+            can_import_shapes,
+            [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
+  table.heading("Time");
+  table.add("import_animation", "Import animation",
+            "Import keys from numbered posed cages, a point cache of cage or model (PC2, MDD) or animated "
+            "morph targets (glTF).",
+            can_import_shapes, browse_for<Purpose::animation>);
+  table.add(
+      "save_animation", "Export animation",
+      "Write the playback range as a point cache (PC2, MDD), glTF with morph targets or numbered models.",
+      can_export_animation, save_animation);
+}
+
+}  // namespace viete::workspace

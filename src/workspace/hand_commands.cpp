@@ -1,0 +1,234 @@
+// Commands for tools and handling.
+#include <algorithm>
+#include <type_traits>
+
+#include "document/edit.h"
+#include "document/elements.h"
+#include "document/probes.h"
+#include "interact/mirror_edit.h"
+#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
+#include "workspace/pointer.h"
+
+namespace viete::workspace {
+
+namespace {
+
+// The field for each kind of choice.
+template <class Value>
+Value& place(document::Handling& h) {
+  if constexpr (std::is_same_v<Value, document::Pivot>) return h.pivot;
+  if constexpr (std::is_same_v<Value, document::Axes>) return h.axes;
+  if constexpr (std::is_same_v<Value, document::MirrorPlane>) return h.mirror;
+  if constexpr (std::is_same_v<Value, document::SoftCurve>) return h.soft.curve;
+  if constexpr (std::is_same_v<Value, document::SoftDistance>) return h.soft.distance;
+}
+
+// Reports a plane that does not fit the cage, without a change.
+void choose(Workspace& w, document::MirrorPlane plane) {
+  document::MirrorCache wanted;
+  wanted.follow(w.document.cage, plane);
+  if (plane != document::MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
+    return w.messages.info("The cage has no plane of symmetry; choose X, Y or Z.");
+  w.handling.mirror = plane;
+  w.mirror = std::move(wanted);
+}
+
+template <class Value>
+void choose(Workspace& w, Value value) {
+  place<Value>(w.handling) = value;
+}
+
+template <class Value>
+void add_hand_choices(CommandTable& table, std::string_view headline) {
+  add_choices<Value>(table, headline, no_drag_runs, [](Workspace& w, Value value) { choose(w, value); });
+}
+
+template <class Value>
+void choose_next(Workspace& w) {
+  choose(w, next_choice(place<Value>(w.handling)));
+}
+
+template <interact::Tool Use, interact::Shape Kind = interact::Shape::none>
+void grab(Workspace& w) {
+  w.interaction.grab = {Use, Kind};
+}
+
+void copy_pose(Workspace& w) {
+  w.copied = {w.document.cage, moving_vertices(w.document), {}};
+  for (const auto v : w.copied.vertices) w.copied.positions.push_back(w.document.pose.positions[v]);
+  w.messages.info("Copied the pose of " + counted(document::ElementKind::vertex, w.copied.vertices.size()) +
+                  ".");
+}
+
+constexpr Condition can_grab{
+    [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !is_dragging(w); },
+    "Select a visible element first."};
+
+constexpr Condition can_shape{[](const Workspace& w) {
+                                return can_grab(w) &&
+                                       w.document.selection.kind() != document::ElementKind::probe;
+                              },
+                              "Select part of the cage first."};
+constexpr Condition has_copied{
+    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !is_dragging(w); },
+    "Copy a pose of this cage first."};
+
+constexpr Condition has_mirror{
+    [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
+    "Choose a mirror first."};
+constexpr Condition has_mirrored_selection{
+    [](const Workspace& w) {
+      return has_mirror(w) && has_selection(w) && w.document.selection.kind() != document::ElementKind::probe;
+    },
+    "Choose a mirror and select the part of the cage to copy."};
+
+}  // namespace
+
+void add_hand_commands(CommandTable& table) {
+  table.heading("Transform");
+  table.add("grab", {"Move selection", "Move"},
+            "Move the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
+            grab<interact::Tool::move>);
+  table.add("grab_rotate", {"Rotate selection", "Rotate"},
+            "Rotate the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
+            grab<interact::Tool::rotate>);
+  table.add("grab_scale", {"Scale selection", "Scale"},
+            "Scale the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
+            grab<interact::Tool::scale>);
+  table.add("bend", {"Bend selection", "Bend"},
+            "Bend the selection from the pivot or joint to the active element or far end.", can_shape,
+            grab<interact::Tool::select, interact::Shape::bend>);
+  table.add("twist", {"Twist selection", "Twist"}, "Twist the selection between its ends by any angle.",
+            can_shape, grab<interact::Tool::select, interact::Shape::twist>);
+  table.add("taper", {"Taper selection", "Taper"},
+            "Scale the selection's cross sections increasingly towards its far end.", can_shape,
+            grab<interact::Tool::select, interact::Shape::taper>);
+  table.add("smooth", {"Smooth selection", "Smooth"},
+            "Move the selection towards the mean of its neighbours.", can_shape,
+            grab<interact::Tool::select, interact::Shape::smooth>);
+  table.add("relax", {"Relax selection", "Relax"}, "Move the selection towards its rest position.", can_shape,
+            grab<interact::Tool::select, interact::Shape::relax>);
+  table.add("copy_pose", "Copy pose", "Copy the positions of the selected vertices.", {key('C'), true},
+            can_shape, copy_pose);
+  table.add("paste_pose", "Paste pose",
+            "Paste the copied vertex positions. With a mirror, paste them on the other side too.",
+            {key('V'), true}, has_copied, [](Workspace& w) {
+              interact::paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
+            });
+  table.add("place_pivot", "Place pivot",
+            "Place the pivot with the next click: on a vertex or the model's surface.", {key('J')}, has_model,
+            [](Workspace& w) { w.interaction.placing_pivot ^= true; });
+  table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
+            {key('.')}, no_drag_runs, choose_next<document::Pivot>);
+  add_hand_choices<document::Pivot>(table, "Pivot");
+  table.add("next_axes", "Next axes", "Switch to the next axes: world, view, selection and so on.",
+            {key(',')}, no_drag_runs, choose_next<document::Axes>);
+  add_hand_choices<document::Axes>(table, "Axes");
+  table.add("next_mirror", "Next mirror", "Switch to the next mirror: X, Y, Z, best-fit plane or off.",
+            {key('M'), false, true}, no_drag_runs, choose_next<document::MirrorPlane>);
+  add_hand_choices<document::MirrorPlane>(table, "Mirror");
+  table.add("mirror_copy", {"Copy pose to other side", "Copy to other side"},
+            "Copy the mirrored pose of the selection to the other side.", has_mirrored_selection,
+            [](Workspace& w) { interact::copy_to_other_side(w.document, *mirror_of(w)); });
+  table.add("mirror_swap", {"Swap poses of sides", "Swap sides"},
+            "Exchange the poses of both sides of the selection, or of the whole cage.", has_mirror,
+            [](Workspace& w) { interact::swap_sides(w.document, *mirror_of(w)); });
+  table.add("toggle_soft", {"Soft selection", "Soft selection"},
+            "Move neighbours along with the selection, less with distance. The wheel changes the radius "
+            "during a drag.",
+            {key('S')}, no_drag_runs, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+  add_hand_choices<document::SoftCurve>(table, "Falloff");
+  add_hand_choices<document::SoftDistance>(table, "Falloff");
+  table.heading("Keys");
+  add_choices<KeyPreset>(table, "Keymap", no_drag_runs,
+                         [](Workspace& w, KeyPreset preset) { w.preferences.keymap.set_preset(preset); });
+}
+
+namespace {
+
+template <interact::Tool Use>
+Effect uses() {
+  const auto use = [](Workspace& w) {
+    w.tool = Use;
+    w.interaction.handle.reset();
+  };
+  return {use, [](const Workspace& w) { return w.tool == Use; }};
+}
+
+// Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
+template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
+void add_in_view(Workspace& w) {
+  const glm::vec2 middle = w.viewport.middle();
+  const auto on_model = [&](const glm::vec2& at) {
+    return pick_model(w.document, w.posed, w.camera.ray(at, w.viewport));
+  };
+  auto at = w.interaction.cursor ? on_model(*w.interaction.cursor) : std::nullopt;
+  if (!at) at = on_model(middle);
+  Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
+  w.interaction.hovered.reset();
+  w.view.cage = true;  // also displays the probes
+}
+
+// True if `holds` for all selected probes.
+bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
+  return std::ranges::all_of(w.document.selection.indices(),
+                             [&](auto i) { return holds(w.document.probes.all[i]); });
+}
+
+bool all_pull(const Workspace& w) {
+  return all_are(w, [](const deform::Probe& p) { return !p.pin || p.pin->pulls; });
+}
+
+void toggle_locked(Workspace& w) {
+  set_locked(w.document, !all_are(w, [](const deform::Probe& p) { return p.locked; }));
+}
+
+}  // namespace
+
+void add_tool_commands(CommandTable& table) {
+  table.heading("Tool");
+  table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
+            {key('Q')}, always, uses<interact::Tool::select>());
+  table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
+            always, uses<interact::Tool::move>());
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
+            {key('E')}, always, uses<interact::Tool::rotate>());
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
+            uses<interact::Tool::scale>());
+  table.add("tool_paint", {"Paint tool", "Paint"},
+            "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
+            uses<interact::Tool::paint>());
+  table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
+            without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
+  table.add("mask_invert", "Invert paint",
+            "Invert the mask: painted vertices become unpainted, and the reverse.", without_drag<is_movable>,
+            [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
+  table.heading("Probes");
+  table.add("add_probe", {"Add probe", "Add"},
+            "Add a probe on the model under the pointer: a frame that moves, rotates and stretches its "
+            "neighbourhood.",
+            {key('P')}, has_probe_room, add_in_view<document::add_probe>);
+  table.add("add_pin", {"Pin vertex", "Pin"},
+            "Pin the model's vertex under the pointer. Drag pins to pose the model from the listed shapes, "
+            "or as rigidly as possible without shapes.",
+            {key('P'), false, false, true}, has_probe_room, add_in_view<document::add_pin>);
+  table.add("toggle_pulls", {"Make pins soft", "Soft pins"},
+            "Let the selected pins pull their vertices softly. Otherwise they fix them exactly.",
+            has_pins_selected,
+            {[](Workspace& w) { set_pulls(w.document, !all_pull(w)); },
+             [](const Workspace& w) { return has_pins_selected(w) && all_pull(w); }});
+  table.add(
+      "mirror_probe", {"Mirror probes", "Mirror"},
+      "Add mirrored copies of the selected probes on the other side, across the model's most symmetric axis.",
+      {key('P'), false, true}, has_probes_selected,
+      [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); });
+  table.add("remove_probe", {"Remove probes", "Remove"}, "Remove the selected probes. Locked probes stay.",
+            {Key::delete_key, false, true}, has_free_probes_selected,
+            [](Workspace& w) { remove_probes(w.document); });
+  table.add("toggle_locked", {"Lock probes", "Locked"},
+            "Lock the selected probes. They keep acting but cannot be dragged.", has_probes_selected,
+            toggle_locked);
+}
+
+}  // namespace viete::workspace

@@ -1,0 +1,76 @@
+// Keyboard shortcuts and the mouse button for orbiting: presets known from other programs, and user changes.
+#pragma once
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/choice.h"
+#include "workspace/shortcut.h"
+
+namespace viete::workspace {
+
+using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
+
+struct Command;
+
+enum class KeyPreset { viete, blender, maya, viewer };
+std::span<const Choice> choices(KeyPreset);
+
+struct Shortcuts {
+  Shortcut first, second;
+};
+/// "Ctrl+A, A".
+std::string text(const Shortcuts& keys);
+
+/// A key runs one command, except in cage editing, see shares_keys(). Assigning a key removes it from other
+/// commands.
+class Keymap {
+public:
+  using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by command name
+
+  Keymap() { resolve(); }
+
+  KeyPreset preset() const { return preset_; }
+  /// Changes the preset; keeps the user's changes.
+  void set_preset(KeyPreset preset);
+
+  const Changes& changes() const { return changes_; }
+  /// Assigns this key only; Key::none: no key.
+  void change(std::string_view command, const Shortcut& shortcut);
+  /// Restores the preset's keys.
+  void take_back(std::string_view command);
+  /// Replaces all changes.
+  void put(Changes changes);
+
+  Shortcuts of(const Command& command) const;
+  /// The commands that the key may run.
+  std::vector<const Command*> commands_of(const Shortcut& shortcut) const;
+
+  /// The commands that lose the key if it is assigned to `command`.
+  std::vector<const Command*> losers(std::string_view command, const Shortcut& shortcut) const;
+
+  /// True if dragging the background with the left button orbits.
+  bool left_orbits() const { return preset_ == KeyPreset::viewer; }
+  /// True if, with Alt, the middle button pans and the right button zooms.
+  bool alt_moves_camera() const { return preset_ == KeyPreset::maya; }
+
+  friend bool operator==(const Keymap& a, const Keymap& b) {
+    return a.preset_ == b.preset_ && a.changes_ == b.changes_;
+  }
+
+private:
+  void resolve();
+  void give(const Command& command, const Shortcuts& shortcuts);
+
+  KeyPreset preset_ = KeyPreset::viete;
+  Changes changes_;
+  std::map<std::string_view, Shortcuts> keys_;  // by command name
+};
+
+/// True if the two commands may share a key because they apply in different modes.
+bool shares_keys(std::string_view command, std::string_view other);
+
+}  // namespace viete::workspace

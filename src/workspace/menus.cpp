@@ -1,0 +1,134 @@
+#include "workspace/menus.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <sstream>
+
+#include "workspace/command_tables.h"
+
+namespace viete::workspace {
+
+namespace {
+
+struct Title {
+  std::string_view title;
+  std::array<std::string_view, 4> groups;
+};
+
+constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
+                            {"Select", {"Select"}},    {"Cage", {"Cage"}},
+                            {"Tool", {"Tool"}},        {"Transform", {"Transform"}},
+                            {"Probes", {"Probes"}},    {"Time", {"Poses", "Time"}},
+                            {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
+                            {"Help", {"Help", "Keys"}}};
+
+// Commands without a menu of their own are in "Tools".
+std::string_view title_of(const Command& command) {
+  for (const Title& title : titles) {
+    if (std::ranges::count(title.groups, command.group) > 0) return title.title;
+  }
+  return "Tool";
+}
+
+std::vector<Menu> make_menus() {
+  std::vector<Menu> all;
+  for (const Title& title : titles) {
+    Menu menu{title.title, {}};
+    for (const Command& command : commands()) {
+      if (title_of(command) == title.title) menu.items.push_back(&command);
+    }
+    all.push_back(std::move(menu));
+  }
+  return all;
+}
+
+std::string in_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return lower;
+}
+
+// Contains the letters in order, with others in between.
+bool has_letters(std::string_view text, std::string_view letters) {
+  std::size_t at = 0;
+  for (const char c : text) {
+    if (at < letters.size() && c == letters[at]) ++at;
+  }
+  return at == letters.size();
+}
+
+// How well a word matches a command; 0: no match.
+int fit(const Command& command, const std::string& word) {
+  const std::string label = in_lower(command.label), group = in_lower(command.group);
+  const std::string words = ' ' + label;
+  if (label == word) return 120;
+  if (label.starts_with(word)) return 100;
+  if (words.find(' ' + word) != std::string::npos) return 80;
+  if (label.find(word) != std::string::npos) return 60;
+  if (group.starts_with(word)) return 50;
+  if (in_lower(command.name).find(word) != std::string::npos) return 40;
+  if (in_lower(command.hint).find(word) != std::string::npos) return 20;
+  if (!has_letters(label, word)) return 0;
+  return label.front() == word.front() ? 15 : 10;
+}
+
+int fit_of_all(const Command& command, const std::vector<std::string>& words) {
+  int sum = 1;
+  for (const std::string& word : words) {
+    const int one = fit(command, word);
+    if (one == 0) return 0;
+    sum += one;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::span<const Menu> menus() {
+  static const std::vector<Menu> all = make_menus();
+  return all;
+}
+
+std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed) {
+  std::vector<std::string> words;
+  std::istringstream stream(in_lower(typed));
+  for (std::string word; stream >> word;) words.push_back(word);
+  std::vector<std::pair<int, const Command*>> found;
+  for (const Command& command : commands()) {
+    if (command.passing && !command.enabled(workspace)) continue;
+    if (const int score = fit_of_all(command, words); score > 0) found.emplace_back(score, &command);
+  }
+  std::ranges::stable_sort(found, [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<const Command*> all;
+  for (const auto& [score, command] : found) all.push_back(command);
+  return all;
+}
+
+std::span<const Command> commands() {
+  static const CommandTable all = [] {
+    CommandTable table;
+    for (const auto add :
+         {add_file_commands, add_select_commands, add_cage_commands, add_tool_commands, add_blend_commands,
+          add_camera_commands, add_view_commands, add_map_commands, add_split_commands, add_help_commands,
+          add_hand_commands, add_time_commands, add_animation_file_commands})
+      add(table);
+    return table;
+  }();
+  return all.rows();
+}
+
+std::string Command::label_now(const Workspace& workspace, std::string_view called) const {
+  std::string what = subject ? subject(workspace) : "";
+  if (what.empty()) return std::string(called);
+  what[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(what[0])));
+  return std::string(called) + ' ' + what;
+}
+
+const Command* find_command(std::string_view name) {
+  const auto all = commands();
+  const auto found = std::ranges::find(all, name, &Command::name);
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace viete::workspace

@@ -1,0 +1,58 @@
+// A small scene as flat shapes, sorted so that it can be drawn without a depth buffer.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "mesh/surface.h"
+#include "sym3/rotation.h"
+
+namespace viete::workspace {
+
+/// A face of the model, convex and clockwise on screen.
+struct PictureShape {
+  bool outlined = true;
+  std::vector<glm::vec2> points{};  ///< logical pixels, y down
+  float tone = 1;                   ///< brightness
+  std::vector<mesh::Triangle>
+      triangles{};  ///< triangulation by point index, if a fan about the last point does not work
+
+  friend bool operator==(const PictureShape&, const PictureShape&) = default;
+};
+
+/// View rotation in degrees: about the up axis, then about the right axis.
+struct PictureAngles {
+  double yaw = 0, pitch = 0;
+};
+
+/// An orthographic view along -z.
+class PictureView {
+public:
+  /// Points that the view is fitted to.
+  struct Frame {
+    std::span<const mesh::Point> points;
+    glm::vec2 size;  ///< picture size
+    float margin;    ///< empty border around the points
+  };
+  PictureView(const PictureAngles& angles, const Frame& frame);
+
+  glm::vec2 at(const mesh::Point& p) const;
+  /// Coordinates in the view: right, up, towards the viewer.
+  mesh::Vec3 seen(const mesh::Point& p) const;
+
+private:
+  sym3::Mat3<double> turn_;
+  mesh::Point middle_{0, 0, 0};
+  glm::vec2 size_;
+  double scale_ = 1;
+};
+
+/// The brightness of a face with this normal in view coordinates.
+float lightness(const mesh::Vec3& normal);
+
+/// All front-facing polygons of the model, lit, farthest first.
+std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
+                                    std::span<const mesh::Point> at);
+
+}  // namespace viete::workspace

@@ -1,0 +1,272 @@
+#include "workspace/playing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "base/text.h"
+#include "document/edit.h"
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
+#include "workspace/command_conditions.h"
+
+namespace viete::workspace {
+
+namespace {
+
+constexpr const char* leave_label = "go to frame";
+
+// True if the document has that pose. Ignores locked probes.
+bool is_there(const Workspace& w, const document::WholePose& pose) {
+  if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
+  if (!document::same_shape(pose.shape, w.document.shape)) return false;
+  const auto& probes = w.document.probes.all;
+  for (std::size_t i = 0; i < probes.size(); ++i) {
+    if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
+  }
+  return true;
+}
+
+// True if the cached animation belongs to this timeline.
+bool is_current(const Workspace& w) {
+  return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
+         w.playback.timeline == w.document.timeline;
+}
+
+// The pose of the keys at the document's frame. Requires an animation. Cached until frame or animation
+// change, since blending shapes is slow.
+const document::WholePose& keyed_pose(const Workspace& w) {
+  TimedPose& known = w.playback.by_time;
+  if (known.animation != w.playback.animation || known.frame != w.document.frame)
+    known = {w.playback.animation, w.document.frame,
+             std::make_shared<const document::WholePose>(w.playback.animation->at(w.document.frame))};
+  return *known.pose;
+}
+
+bool is_shown(const Workspace& w) {
+  return w.playback.shown && is_there(w, *w.playback.shown);
+}
+
+// Shows the document's frame without storing an unkeyed pose.
+void show_frame(Workspace& w, double frame) {
+  w.document.frame = frame;
+  if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
+  const auto animation = animation_of(w);
+  if (!animation) return;
+  end_mix(w.document);
+  put_whole_pose(w.document, keyed_pose(w));
+  w.playback.shown = w.playback.by_time.pose;
+}
+
+void see(Workspace& w) {
+  w.playback.seen_revision = w.document.history.revision();
+  w.playback.seen_timeline = w.document.timeline;
+}
+
+bool leaves_unkeyed(Workspace& w) {
+  animation_of(w);
+  return has_unkeyed_pose(w) && differs_from_rest(w.document);
+}
+
+void leave_for(Workspace& w, double frame) {
+  if (leaves_unkeyed(w)) {
+    replace_pose(w, [&] { record_edit(w.document, leave_label); });
+    w.messages.info("The previous pose was not keyed; undo restores it.");
+  }
+  show_frame(w, frame);
+  see(w);
+}
+
+// An edit of the timeline changes the pose at this frame.
+void follow_edits(Workspace& w) {
+  Playback& p = w.playback;
+  const unsigned long revision = w.document.history.revision();
+  const bool moves_keys = w.time_view.drag.has_value();  // dragging keys shows the result immediately
+  if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
+  const bool retimed = p.seen_timeline != w.document.timeline;
+  see(w);
+  if (!animation_of(w)) {
+    p.shown = nullptr;
+    return;
+  }
+  if (p.auto_key && !retimed && !is_shown(w) && !is_there(w, keyed_pose(w))) {
+    try {
+      add_key_to_edit(w.document, current_frame(w.document));
+      see(w);
+    } catch (const base::Error& error) {
+      w.messages.error(error.what(), {"key"});
+    }
+    animation_of(w);
+  }
+  if (is_there(w, keyed_pose(w))) {
+    p.shown = shared_pose(w.document);
+  } else if (retimed && is_shown(w)) {
+    show_frame(w, w.document.frame);
+  } else {
+    p.playing = false;
+  }
+}
+
+void play(Workspace& w, double seconds) {
+  const auto frame = played(w.document.timeline, w.document.frame, seconds, w.playback.backward);
+  if (frame) return show_frame(w, *frame);
+  show_frame(w, w.playback.backward ? w.document.timeline.first : w.document.timeline.last);
+  stop_playing(w);
+}
+
+}  // namespace
+
+std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
+  Playback& p = w.playback;
+  const document::Document& document = w.document;
+  if (is_editing_cage(document)) return nullptr;
+  if (is_current(w) && (p.animation || p.timeline.keys.empty())) return p.animation;
+  p.vectors.follow(document.cage);
+  p.vectors.follow_model(document.model.surface);
+  p.cage = document.cage;
+  p.model = document.model.surface;
+  p.timeline = document.timeline;
+  p.animation =
+      p.timeline.keys.empty() ? nullptr : std::make_shared<const document::Animation>(p.timeline, p.vectors);
+  return p.animation;
+}
+
+bool has_unkeyed_pose(const Workspace& w) {
+  if (w.document.timeline.keys.empty() || is_editing_cage(w.document) || is_shown(w)) return false;
+  const bool known = w.playback.animation && is_current(w);
+  return !known || !is_there(w, keyed_pose(w));
+}
+
+void go_to_frame(Workspace& w, double frame) {
+  if (is_dragging(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
+  leave_for(w, std::clamp<double>(frame, document::Timeline::least_frame, document::Timeline::largest_frame));
+}
+
+namespace {
+
+double weight_in(const document::PoseKey& key, const document::NamedPose& named) {
+  const auto mixed = std::ranges::find(key.mix, named.name, &document::MixedPose::name);
+  if (mixed != key.mix.end()) return mixed->weight;
+  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
+}
+
+}  // namespace
+
+std::vector<double> shown_weights(const Workspace& w) {
+  const auto& poses = w.document.library.poses;
+  const document::Timeline& timeline = w.document.timeline;
+  std::vector<double> weights(poses.size());
+  std::ranges::transform(poses, weights.begin(), &document::NamedPose::weight);
+  if (w.document.library.mixes() || timeline.keys.empty() || has_unkeyed_pose(w)) return weights;
+  for (const document::KeyShare& share : moment_at(timeline, w.document.frame).shares)
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      weights[i] += share.factor * weight_in(timeline.keys[share.key], poses[i]);
+  return weights;
+}
+
+void replace_pose(Workspace& w, const std::function<void()>& edit) {
+  const bool unkeyed = leaves_unkeyed(w);
+  document::PoseKey left{current_frame(w.document), unkeyed ? shared_pose(w.document) : nullptr};
+  edit();
+  const auto has_it = [&](const auto& kept) { return *kept.pose == *left.pose; };
+  document::Timeline& t = w.document.timeline;
+  if (unkeyed && std::ranges::none_of(t.keys, has_it) &&
+      std::ranges::none_of(w.document.library.poses, has_it))
+    t.unkeyed.push_back(std::move(left));
+}
+
+void apply_pose(Workspace& w, std::size_t pose) {
+  stop_playing(w);
+  replace_pose(w, [&] { apply_pose(w.document, pose); });
+}
+
+void change_mix(Workspace& w, const std::function<bool()>& change) {
+  stop_playing(w);
+  if (change()) return w.messages.succeeded("mix");
+  w.messages.error("these weights move the model too far to draw; nothing was changed", {"mix"});
+}
+
+void go_to_key(Workspace& w, bool forward) {
+  const std::vector<int> frames = key_frames(w.document.timeline);
+  if (frames.empty()) return;
+  const double now = w.document.frame;
+  if (forward) {
+    const auto next = std::ranges::upper_bound(frames, now);
+    return go_to_frame(w, next == frames.end() ? frames.front() : *next);
+  }
+  const auto here = std::ranges::lower_bound(frames, now);
+  go_to_frame(w, here == frames.begin() ? frames.back() : *(here - 1));
+}
+
+void add_unkeyed_to_undo(Workspace& w, bool show) {
+  document::Document& document = w.document;
+  const std::size_t count = document.timeline.unkeyed.size();
+  if (count == 0) return;
+  const bool shows_keys = animation_of(w) && !has_unkeyed_pose(w);
+  document::Document then = document;
+  end_mix(then);
+  then.timeline.unkeyed.clear();
+  for (const document::PoseKey& left : document.timeline.unkeyed) {
+    put_whole_pose(then, *left.pose);
+    then.frame = left.frame;
+    document.history.record(leave_label, state_of(then));
+    then.timeline.unkeyed.push_back(left);
+  }
+  const bool shown = show && shows_keys;
+  if (shown) undo(document);
+  see(w);
+  w.messages.info(shown ? "The pose at this frame is not keyed; set a key (I) to keep it."
+                        : "Undo restores " + base::counted(count, "unkeyed pose") + ".");
+}
+
+void show_timeline(Workspace& w) {
+  w.preferences.layout.timeline = true;
+  w.time_view.seen = fitting(w.document.timeline);
+}
+
+void start_playing(Workspace& w) {
+  Playback& p = w.playback;
+  const document::Timeline& t = w.document.timeline;
+  if (t.empty() || is_editing_cage(w.document) || is_dragging(w)) return;
+  p.playing = true;
+  p.backward = false;
+  const bool at_end = t.repeat == document::Repeat::once && w.document.frame >= t.last;
+  const bool outside = w.document.frame < t.first || w.document.frame > t.last;
+  go_to_frame(w, at_end || outside ? t.first : w.document.frame);
+}
+
+void stop_playing(Workspace& w) {
+  if (!w.playback.playing) return;
+  w.playback.playing = false;
+  leave_for(w, std::round(w.document.frame));
+}
+
+void follow_time(Workspace& w, double seconds) {
+  if (w.playback.playing && (is_dragging(w) || is_editing_cage(w.document) || w.document.timeline.empty()))
+    w.playback.playing = false;
+  follow_edits(w);
+  if (w.playback.playing) play(w, seconds);
+}
+
+document::SharedPose pose_by_other_blending(Workspace& w) {
+  const bool straight = !w.document.timeline.straight;
+  const auto animation = animation_of(w);
+  if (animation && is_shown(w))
+    return std::make_shared<const document::WholePose>(animation->at(w.document.frame, straight));
+  return mixed_by(w.document, w.playback.vectors, straight);
+}
+
+bool has_blended_pose(const Workspace& w) {
+  return !w.document.timeline.keys.empty() || w.document.library.mixes();
+}
+
+void follow_pins(Workspace& w) {
+  try {
+    const document::PinPosing::Hand hand{w.handling.freedom, w.interaction.drag.has_value()};
+    if (w.pins.follow(w.document, w.playback.vectors, hand)) w.messages.succeeded("pins");
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {"pins"});
+  }
+}
+
+}  // namespace viete::workspace

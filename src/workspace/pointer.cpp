@@ -1,0 +1,539 @@
+#include "workspace/pointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "document/elements.h"
+#include "document/probes.h"
+#include "interact/cursor_projection.h"
+#include "interact/shaping.h"
+
+namespace viete::workspace {
+
+namespace {
+
+document::SelectMode mode_of(const PointerInput& input) {
+  if (input.shift) return document::SelectMode::add;
+  return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
+}
+
+// `small`: a small element is under the cursor, which has priority over a handle nearby.
+std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
+  const auto gizmo = gizmo_of(w);
+  if (!gizmo) return std::nullopt;
+  const auto handle = pick_handle(*gizmo, cursor);
+  return handle || small ? handle : pick_handle(*gizmo, cursor, true);
+}
+
+// Edges and faces are large: one of them is almost always near a handle.
+bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) {
+  const document::ElementKind kind = w.document.selection.kind();
+  return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
+}
+
+std::optional<mesh::Point> brush_under(const Workspace& w, const glm::vec2& cursor) {
+  return pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport));
+}
+
+bool over_axes(const Workspace& w, const glm::vec2& cursor) {
+  const auto axes = axis_widget_of(w);
+  return axes && axes->contains(cursor);
+}
+
+glm::dvec3 in_view(const document::Document& document, const glm::dvec3& place) {
+  return glm::dvec3(document.space.to_view({place.x, place.y, place.z}));
+}
+
+interact::Anchor anchor_of(const Workspace& w) {
+  return interact::anchor_of(w.document, w.handling, mirror_of(w), w.camera);
+}
+
+mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
+  const glm::dvec3 target(w.camera.pose().target);
+  const interact::CursorProjection projection(target, w.camera, w.viewport);
+  const auto at = projection.in_plane(-glm::dvec3(w.camera.forward()), w.camera.ray(cursor, w.viewport));
+  return w.document.space.to_file(at.value_or(target));
+}
+
+// Positions on the way, at most `apart` pixels apart, so that fast strokes have no gaps; ends with `to`.
+std::vector<glm::vec2> steps_between(const glm::vec2& from, const glm::vec2& to, float apart) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / apart)));
+  std::vector<glm::vec2> all;
+  for (int step = 1; step <= steps; ++step)
+    all.push_back(glm::mix(from, to, static_cast<float>(step) / static_cast<float>(steps)));
+  return all;
+}
+
+using Seen = std::vector<std::optional<glm::vec3>>;
+
+void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Triangle> triangles) {
+  for (const auto& t : triangles) {
+    if (points[t[0]] && points[t[1]] && points[t[2]])
+      sight.hide_behind(*points[t[0]], *points[t[1]], *points[t[2]]);
+  }
+}
+
+// With the drawn model and the cage's faces as occluders.
+interact::Sight sight_of(const Workspace& w) {
+  interact::Sight sight(w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.camera, w.viewport);
+  Seen points;
+  if (w.view.model && w.document.model.surface) {
+    const mesh::Surface& model = *w.document.model.surface;
+    points.reserve(model.positions.size());
+    for (std::size_t v = 0; v < model.positions.size(); ++v) points.push_back(project(w.posed.at(model, v)));
+    hide(sight, points, model.triangles);
+  }
+  if (w.document.has_cage()) {
+    points.clear();
+    for (const auto& p : w.document.pose.positions) points.push_back(project(p));
+    // Hidden faces do not occlude.
+    const auto hidden = hidden_elements(w.document, document::ElementKind::face);
+    const mesh::Surface& cage = w.document.cage->surface;
+    std::vector<mesh::Triangle> triangles;
+    for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+      if (!hidden[cage.triangle_polygon[t]]) triangles.push_back(cage.triangles[t]);
+    }
+    hide(sight, points, triangles);
+  }
+  return sight;
+}
+
+}  // namespace
+
+mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
+  if (w.document.has_cage() && w.view.cage) {
+    const auto vertex =
+        interact::pick_element(w.document, document::ElementKind::vertex, w.camera, w.viewport, cursor);
+    if (vertex) return w.document.pose.positions[vertex->index];
+  }
+  if (const auto on_model = pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport)))
+    return *on_model;
+  return beside_target(w, cursor);
+}
+
+const interact::Sight* SightCache::of(const Workspace& w) {
+  if (!w.view.select_visible) return nullptr;
+  const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
+                    w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
+  if (picture_ != now) {
+    picture_ = now;
+    sight_.emplace(sight_of(w));
+  }
+  return &*sight_;
+}
+
+void arm(Workspace& w, interact::SelectShape shape) {
+  const bool again = w.interaction.armed == shape;
+  disarm(w);
+  if (!again) w.interaction.armed = shape;
+}
+
+void disarm(Workspace& w) {
+  w.interaction.armed.reset();
+}
+
+std::optional<interact::Gizmo> gizmo_of(const Workspace& w) {
+  if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
+  if (w.document.selection.kind() == document::ElementKind::probe && !has_free_probes(w.document))
+    return std::nullopt;
+  const interact::Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
+  const interact::Anchor anchor = anchor_of(w);
+  // The pivot stays during rotation and scale; a move takes the gizmo along.
+  const bool turning = w.interaction.drag && w.interaction.drag->tool() != interact::Tool::move;
+  const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
+  const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
+  return make_gizmo(tool, in_view(w.document, center), axes, w.camera, w.viewport);
+}
+
+interact::Grip grip_of(const Workspace& w) {
+  return interact::grip_of(w.document, w.handling, mirror_of(w), w.camera);
+}
+
+std::optional<interact::AxisWidget> axis_widget_of(const Workspace& w) {
+  const bool shown = w.view.axes && w.view.panels && w.document.model.surface;
+  return shown ? interact::axis_widget(w.camera, w.viewport) : std::nullopt;
+}
+
+void Pointer::frame(Workspace& w, const PointerInput& input) {
+  w.mirror.follow(w.document.cage, w.handling.mirror);
+  // After a change of document or cage the running gesture is void.
+  const document::Revisions& now = w.document.revisions();
+  if (surfaces_ != now.surfaces || cage_ != now.cage) {
+    surfaces_ = now.surfaces;
+    cage_ = now.cage;
+    if (active()) finish(w, Gesture::ignored);
+  }
+  if (w.interaction.placing_pivot && input.escape) w.interaction.placing_pivot = false;
+  if (w.interaction.grab && !active()) begin_grab(w, input);
+  if (gesture_ == Gesture::grabbed) end_grab(w, input);
+  const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
+  if (left_gesture && (input.escape || pressed_now(input, right_button))) {
+    cancel(w);
+  } else if (!active()) {
+    press(w, input);
+  }
+  if (active()) move(w, input);
+  if (active() && gesture_ != Gesture::grabbed && !input.down[button_]) release(w, input);
+  if (!active()) hover(w, input);
+  const bool free = !active() || gesture_ == Gesture::brushing;
+  if (free && input.over_view && input.wheel != 0) turn_wheel(w, input);
+  last_ = input;
+}
+
+void Pointer::turn_wheel(Workspace& w, const PointerInput& input) {
+  const float factor = std::pow(1.1f, input.wheel);
+  float& select_radius = w.interaction.select_radius;
+  if (w.interaction.armed == interact::SelectShape::brush) {
+    select_radius =
+        std::clamp(select_radius * factor, interact::least_select_radius, interact::largest_select_radius);
+  } else if (shows_mask(w) && input.shift) {
+    const float radius = w.brush.radius * factor;
+    w.brush.radius = std::clamp(radius, document::Brush::least_radius, document::Brush::largest_radius);
+  } else {
+    w.camera.zoom(input.wheel, input.position, w.viewport);
+  }
+}
+
+std::optional<interact::Pick> Pointer::element_under(const Workspace& w, const glm::vec2& cursor) {
+  if (!shows_selectable(w)) return std::nullopt;
+  return pick_element(w.document, w.camera, w.viewport, cursor, sight_.of(w));
+}
+
+// Priority under the mouse: armed tool, axis widget, gizmo, cage.
+void Pointer::hover(Workspace& w, const PointerInput& input) {
+  Interaction& interaction = w.interaction;
+  interaction.over_axes = input.over_view && over_axes(w, input.position);
+  const bool free = input.over_view && !interaction.over_axes;
+  interaction.brush.reset();
+  interaction.crowded = false;
+  interaction.cursor = free ? std::optional(input.position) : std::nullopt;
+  if (free && interaction.armed) {
+    interaction.handle.reset(), interaction.hovered.reset();
+    return;
+  }
+  if (free && shows_mask(w)) {
+    interaction.handle.reset(), interaction.hovered.reset();
+    interaction.brush = brush_under(w, input.position);
+    return;
+  }
+  auto pick = free ? element_under(w, input.position) : std::nullopt;
+  interaction.handle = free ? handle_under(w, input.position, is_small(w, pick)) : std::nullopt;
+  if (interaction.handle) pick.reset();
+  interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
+  interaction.crowded = pick && is_crowded(w.document, w.camera, w.viewport, input.position, sight_.of(w));
+}
+
+void Pointer::press(Workspace& w, const PointerInput& input) {
+  if (!input.over_view) return;
+  for (const int button : {left_button, right_button, middle_button}) {
+    if (!pressed_now(input, button)) continue;
+    button_ = button;
+    travelled_ = false;
+    press_ = input.position;
+    last_.position = input.position;
+    if (button == left_button && !input.alt) return press_left(w, input);
+    gesture_ = camera_gesture(w, button, input);
+    return;
+  }
+}
+
+Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const PointerInput& input) const {
+  const Keymap& keys = w.preferences.keymap;
+  if (keys.alt_moves_camera() && input.alt && button == middle_button) return Gesture::panning;
+  if (keys.alt_moves_camera() && input.alt && button == right_button) return Gesture::zooming;
+  if (keys.left_orbits() && button == right_button) return Gesture::panning;
+  return input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
+}
+
+// Like dragging the gizmo's center, but without a button.
+void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
+  const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
+  if (wanted && !input.over_view)
+    return;  // requested by a panel button: starts when the pointer is in the view
+  const auto [tool, shape] = *std::exchange(w.interaction.grab, std::nullopt);
+  if (!wanted) return;
+  gesture_ = Gesture::grabbed;
+  button_ = left_button;
+  press_ = last_.position = input.position;
+  grabbed_.reset();
+  handle_.reset();
+  selection_before_ = w.document.selection;
+  interact::Grip grip = grip_of(w);
+  if (shape != interact::Shape::none)
+    grip.shaping = shaping_of(w.document, shape, grip, w.handling.pivot == document::Pivot::median, w.camera);
+  if (grip.shaping.shape != shape) {
+    gesture_ = Gesture::none;
+    return w.messages.info("The selection has no two ends to " + std::string(name(shape)) + " between.");
+  }
+  const double depth = w.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
+  w.interaction.handle.reset(), w.interaction.hovered.reset();
+  w.interaction.drag.emplace(w.document, std::move(grip), tool, interact::Constraint{}, depth, press_,
+                             w.camera);
+}
+
+void Pointer::end_grab(Workspace& w, const PointerInput& input) {
+  if (!pressed_now(input, left_button)) return;
+  w.interaction.drag->commit(w.document);
+  w.view.hints = false;
+  finish(w, Gesture::ignored);
+}
+
+void Pointer::press_left(Workspace& w, const PointerInput& input) {
+  gesture_ = over_axes(w, press_) ? Gesture::on_axes : Gesture::pressed;
+  if (gesture_ == Gesture::pressed && w.interaction.placing_pivot) {
+    gesture_ = Gesture::ignored;
+    w.interaction.placing_pivot = false;
+    w.handling.pivot = document::Pivot::point;
+    w.handling.point = pivot_place(w, press_);
+    return;
+  }
+  mode_ = mode_of(input);
+  shape_.reset();
+  selection_before_ = w.document.selection;
+  if (gesture_ == Gesture::pressed && w.interaction.armed) return press_armed(w, input);
+  if (gesture_ == Gesture::pressed && shows_mask(w)) {
+    gesture_ = Gesture::painting;
+    w.interaction.stroke.emplace(w.document);
+    return paint(w, input);
+  }
+  again_ = input.double_click && clicked_;
+  clicked_ = false;
+  grabbed_ = element_under(w, press_);
+  handle_ = handle_under(w, press_, is_small(w, grabbed_));
+  crowded_ = is_crowded(w.document, w.camera, w.viewport, press_, sight_.of(w));
+}
+
+// A click selects as usual; a brush starts immediately and stays armed.
+void Pointer::press_armed(Workspace& w, const PointerInput& input) {
+  shape_ = w.interaction.armed;
+  handle_.reset();
+  grabbed_ = element_under(w, press_);
+  if (shape_ != interact::SelectShape::brush) return disarm(w);
+  gesture_ = shows_selectable(w) ? Gesture::brushing : Gesture::ignored;
+  if (gesture_ == Gesture::ignored) return;
+  w.interaction.brushing = mode_ == document::SelectMode::remove ? mode_ : document::SelectMode::add;
+  brush_on(w, input);
+}
+
+void Pointer::move(Workspace& w, const PointerInput& input) {
+  // The pressed element's index is valid only for its kind, which a key may have changed, and only while it
+  // exists.
+  const document::ElementKind kind = w.document.selection.kind();
+  const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
+  if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
+  const glm::vec2 delta = input.position - last_.position;
+  if (glm::distance(input.position, press_) >= drag_threshold) {
+    travelled_ = true;
+    if (gesture_ == Gesture::pressed) begin_left_drag(w, input);
+    if (gesture_ == Gesture::on_axes) gesture_ = Gesture::orbiting;
+  }
+  switch (gesture_) {
+    case Gesture::moving:
+    case Gesture::grabbed: transform(w, input); break;
+    case Gesture::painting:
+      if (delta != glm::vec2(0)) paint(w, input);
+      break;
+    case Gesture::boxing: w.interaction.box->opposite = input.position; break;
+    case Gesture::lassoing: draw_on(*w.interaction.lasso, input.position); break;
+    case Gesture::brushing:
+      if (delta != glm::vec2(0)) brush_on(w, input);
+      break;
+    case Gesture::orbiting:
+      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) w.camera.orbit(delta);
+      break;
+    case Gesture::panning:
+      if (delta != glm::vec2(0)) w.camera.pan(delta, w.viewport);
+      break;
+    case Gesture::zooming:
+      if (delta.y != 0) w.camera.zoom(-0.05f * delta.y, press_, w.viewport);
+      break;
+    default: break;
+  }
+}
+
+// Faces and dense vertices cover the whole cage: if pressing an unselected one dragged it, a box could not be
+// started.
+bool Pointer::draws_box(const Workspace& w) const {
+  if (handle_) return false;
+  const document::Selection& selection = w.document.selection;
+  if (!grabbed_ || mode_ != document::SelectMode::replace) return true;
+  return (selection.kind() == document::ElementKind::face || crowded_) &&
+         !selection.contains(grabbed_->index);
+}
+
+void Pointer::begin_left_drag(Workspace& w, const PointerInput& input) {
+  if (!shape_ && !draws_box(w)) return begin_transform(w);
+  if (!shape_ && !grabbed_ && w.preferences.keymap.left_orbits() && mode_ == document::SelectMode::replace) {
+    gesture_ = Gesture::orbiting;
+  } else if (!shows_selectable(w)) {
+    gesture_ = Gesture::ignored;
+  } else if (shape_ == interact::SelectShape::lasso) {
+    gesture_ = Gesture::lassoing;
+    w.interaction.lasso = interact::Lasso{{press_}, mode_};
+  } else {
+    gesture_ = Gesture::boxing;
+    w.interaction.box = Interaction::Box{press_, input.position, mode_};
+  }
+}
+
+// A handle uses its tool; an element moves with its selection.
+void Pointer::begin_transform(Workspace& w) {
+  document::Document& document = w.document;
+  gesture_ = Gesture::moving;
+  selection_before_ = document.selection;
+  if (handle_) {
+    interact::Grip grip = grip_of(w);
+    const double depth = w.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
+    w.interaction.drag.emplace(document, std::move(grip), w.tool, *handle_, depth, press_, w.camera);
+    return;
+  }
+  if (!document.selection.contains(grabbed_->index)) {
+    document.selection.apply(std::array{grabbed_->index}, document::SelectMode::replace);
+  }
+  w.interaction.hovered = grabbed_->index;
+  w.interaction.drag.emplace(document, grip_of(w), interact::Tool::move, interact::Constraint{},
+                             grabbed_->depth, press_, w.camera);
+}
+
+void Pointer::transform(Workspace& w, const PointerInput& input) {
+  interact::TransformDrag& drag = *w.interaction.drag;
+  bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
+  if (input.backspace) drag.backspace();
+  for (const char c : input.typed) changed |= drag.type(c);
+  changed |= soften_by_wheel(w, input.wheel);
+  if (changed) {
+    drag.update(w.document, {input.position, input.ctrl, input.shift}, w.camera, w.viewport);
+  }
+  if (!input.enter) return;
+  commit_drag(w);
+  finish(w, Gesture::ignored);
+}
+
+// Dragging an unselected element has selected it: that is part of the move, or the whole edit if nothing
+// moved.
+void Pointer::commit_drag(Workspace& w) {
+  document::Document& document = w.document;
+  const unsigned long edits = document.history.revision();
+  w.interaction.drag->commit(document);
+  if (document.history.revision() != edits) return document.history.began_with(selection_before_);
+  record_selection(document, selection_before_);
+}
+
+void Pointer::brush_on(Workspace& w, const PointerInput& input) {
+  const float radius = w.interaction.select_radius;
+  w.interaction.cursor = input.position;
+  for (const glm::vec2& at : steps_between(last_.position, input.position, 0.5f * radius))
+    w.document.selection.apply(
+        pick_elements_in_circle(w.document, w.camera, w.viewport, at, radius, sight_.of(w)),
+        *w.interaction.brushing);
+}
+
+// For a finished box or lasso.
+void Pointer::select_inside(Workspace& w, const PointerInput& input) {
+  const auto inside =
+      gesture_ == Gesture::lassoing
+          ? pick_elements_in_lasso(w.document, w.camera, w.viewport, w.interaction.lasso->line, sight_.of(w))
+          : pick_elements_in_box(w.document, w.camera, w.viewport, press_, input.position, sight_.of(w));
+  document::Selection selection = w.document.selection;
+  selection.apply(inside, mode_);
+  set_selection(w.document, std::move(selection));
+}
+
+bool Pointer::soften_by_wheel(Workspace& w, float steps) {
+  document::SoftSelection& soft = w.handling.soft;
+  const bool shapes = w.interaction.drag->grip().shaping.shape != interact::Shape::none;
+  if (!soft.on || steps == 0 || shapes) return false;  // shapes depend on the original vertices
+  soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), document::SoftSelection::least_radius,
+                           document::SoftSelection::largest_radius);
+  w.interaction.drag->soften(w.document, soft, mirror_of(w));
+  return true;
+}
+
+void Pointer::paint(Workspace& w, const PointerInput& input) {
+  const document::Brush& brush = w.brush;
+  for (const glm::vec2& at : steps_between(last_.position, input.position, 0.25f * brush.radius)) {
+    const auto center = brush_under(w, at);
+    w.interaction.brush = center;
+    if (!center) continue;
+    const float depth = w.camera.depth(w.document.space.to_view(*center));
+    const double radius = brush.radius * w.camera.per_pixel(depth, w.viewport) / w.document.space.scale;
+    w.interaction.stroke->dab(w.document, w.posed, *center, radius, input.ctrl ? 1 : brush.share);
+  }
+}
+
+void Pointer::release(Workspace& w, const PointerInput& input) {
+  document::Document& document = w.document;
+  if (gesture_ == Gesture::moving) {
+    commit_drag(w);
+    w.view.hints = false;
+  } else if (gesture_ == Gesture::painting) {
+    w.interaction.stroke->commit(document);
+  } else if (gesture_ == Gesture::boxing || gesture_ == Gesture::lassoing) {
+    select_inside(w, input);
+  } else if (gesture_ == Gesture::brushing) {
+    record_selection(document, selection_before_);
+  } else if (gesture_ == Gesture::pressed) {
+    click(w);
+  } else if (gesture_ == Gesture::orbiting && button_ == right_button && !travelled_) {
+    ask_for_menu(w);
+  } else if (gesture_ == Gesture::on_axes) {
+    const auto axes = axis_widget_of(w);
+    const interact::AxisBall* ball = axes ? axes->ball(press_) : nullptr;
+    if (ball) look_from(w.camera, *ball), frame_all(w, true);
+  }
+  finish(w, Gesture::none);
+}
+
+// A click on a gizmo handle selects the element below it. Without one, the selection is unchanged.
+void Pointer::click(Workspace& w) {
+  clicked_ = !again_;
+  if (std::exchange(again_, false) && w.document.model.surface) {
+    const mesh::Point place = pivot_place(w, press_);
+    return w.camera.center(w.document.space.to_view(place));
+  }
+  document::Selection selection = w.document.selection;
+  if (grabbed_) {
+    selection.apply(std::array{grabbed_->index}, mode_);
+  } else if (!handle_ && mode_ == document::SelectMode::replace) {
+    selection.clear();
+  }
+  set_selection(w.document, std::move(selection));
+}
+
+// Requests the context menu of the selection; selects the element under the cursor first if it is unselected.
+void Pointer::ask_for_menu(Workspace& w) {
+  const auto hovered = w.interaction.hovered;
+  if (hovered && !w.document.selection.contains(*hovered)) {
+    document::Selection selection(w.document.selection.kind());
+    selection.apply(std::array{*hovered}, document::SelectMode::replace);
+    set_selection(w.document, std::move(selection));
+  }
+  w.interaction.menu = press_;
+}
+
+void Pointer::finish(Workspace& w, Gesture next) {
+  w.interaction.drag.reset();
+  w.interaction.box.reset();
+  w.interaction.lasso.reset();
+  w.interaction.brushing.reset();
+  w.interaction.stroke.reset();
+  gesture_ = next;
+}
+
+// The button is ignored until it is released.
+void Pointer::cancel(Workspace& w) {
+  if (w.interaction.drag) w.interaction.drag->cancel(w.document);
+  if (w.interaction.stroke) w.interaction.stroke->cancel(w.document);
+  if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
+    return finish(w, Gesture::ignored);  // nothing was selected yet
+  // Elements removed in the meantime are not selected again.
+  const auto& before = selection_before_.indices();
+  const bool all_there =
+      before.empty() || before.back() < element_count(w.document, selection_before_.kind());
+  w.document.selection = all_there ? selection_before_ : document::Selection(selection_before_.kind());
+  finish(w, Gesture::ignored);
+}
+
+}  // namespace viete::workspace

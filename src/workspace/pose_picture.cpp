@@ -1,0 +1,147 @@
+#include "workspace/pose_picture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace viete::workspace {
+
+namespace {
+
+constexpr std::size_t most_faces = 3000;  // beyond this, illegible and slow
+
+// Fits both sets of points.
+PictureView view_of(std::vector<mesh::Point> rest, const std::vector<mesh::Point>& posed, glm::vec2 size) {
+  rest.insert(rest.end(), posed.begin(), posed.end());
+  return {{-32, 18}, {rest, size, 3}};
+}
+
+}  // namespace
+
+std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose,
+                                       document::UpAxis up) {
+  if (cage.surface.polygon_count() > most_faces) return {};
+  const std::vector<mesh::Point> at = upright(pose.positions, up);
+  return lit_model(view_of(upright(cage.surface.positions, up), at, pose_picture_size), cage.surface, at);
+}
+
+const std::vector<PictureShape>& PosePictures::of(const document::Document& document,
+                                                  const document::SharedPose& pose, document::UpAxis up) {
+  if (document.cage != cage_ || document.model.surface != model_ || up != up_) pictures_.clear();
+  cage_ = document.cage;
+  model_ = document.model.surface;
+  up_ = up;
+  Picture& picture = pictures_[pose.get()];
+  if (picture.pose) return picture.shapes;
+  picture.pose = pose;
+  if (pose->shape) {
+    picture.shapes = shape_picture(*model_, *pose->shape, up, pose_picture_size);
+  } else if (cage_) {
+    picture.shapes = pose_picture(*cage_, pose->cage, up);
+  }
+  return picture.shapes;
+}
+
+void PosePictures::tidy() {
+  std::erase_if(pictures_, [](const auto& entry) { return entry.second.pose.use_count() == 1; });
+}
+
+namespace {
+
+constexpr int pixels_per_point = 2, shades = 7;
+
+// Depth-tested shading of front-facing triangles.
+class Raster {
+public:
+  explicit Raster(glm::vec2 size)
+      : width_(static_cast<int>(size.x) * pixels_per_point),
+        height_(static_cast<int>(size.y) * pixels_per_point),
+        depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
+        tones_(depth_.size(), 0.0f) {}
+
+  // Corners: x and y in pixels, z towards the viewer. Tiny triangles cover at least one pixel.
+  void add(const std::array<mesh::Vec3, 3>& t, float tone) {
+    const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
+    const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});
+    const double z = (t[0][2] + t[1][2] + t[2][2]) / 3;
+    if (high_x - low_x < 1 && high_y - low_y < 1) return put(low_x, low_y, z, tone);
+    for (int y = first(low_y); y <= last(high_y, height_); ++y)
+      for (int x = first(low_x); x <= last(high_x, width_); ++x)
+        if (covers(t, x + 0.5, y + 0.5)) put(x, y, z, tone);
+  }
+
+  std::vector<PictureShape> rows() const {
+    std::vector<PictureShape> rows;
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0, end = 0; x < width_; x = end) {
+        const float tone = tones_[index(x, y)];
+        while (end < width_ && tones_[index(end, y)] == tone) ++end;
+        if (tone > 0) rows.push_back(row(x, end, y, tone));
+      }
+    }
+    return rows;
+  }
+
+private:
+  static int first(double low) { return std::max(0, static_cast<int>(std::floor(low))); }
+  static int last(double high, int size) { return std::min(size - 1, static_cast<int>(std::floor(high))); }
+  std::size_t index(int x, int y) const { return static_cast<std::size_t>(y * width_ + x); }
+
+  static bool covers(const std::array<mesh::Vec3, 3>& t, double x, double y) {
+    const auto side = [&](int i, int j) {
+      return (t[j][0] - t[i][0]) * (y - t[i][1]) - (t[j][1] - t[i][1]) * (x - t[i][0]);
+    };
+    const double a = side(0, 1), b = side(1, 2), c = side(2, 0);
+    return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
+  }
+
+  void put(double x, double y, double z, float tone) {
+    const int column = static_cast<int>(std::floor(x)), line = static_cast<int>(std::floor(y));
+    if (column < 0 || line < 0 || column >= width_ || line >= height_) return;
+    const std::size_t i = index(column, line);
+    if (z > depth_[i]) depth_[i] = z, tones_[i] = tone;
+  }
+
+  static PictureShape row(int begin, int end, int y, float tone) {
+    constexpr float point = 1.0f / pixels_per_point;
+    const float x0 = point * static_cast<float>(begin), x1 = point * static_cast<float>(end);
+    const float y0 = point * static_cast<float>(y), y1 = y0 + point;
+    return {false, {{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}}, tone, {{0, 1, 2}, {0, 2, 3}}};
+  }
+
+  int width_, height_;
+  std::vector<double> depth_;
+  std::vector<float> tones_;  // 0: empty
+};
+
+}  // namespace
+
+std::vector<mesh::Point> upright(std::span<const mesh::Point> points, document::UpAxis up) {
+  std::vector<mesh::Point> all(points.begin(), points.end());
+  if (up == document::UpAxis::z)
+    for (mesh::Point& p : all) p = {p[0], p[2], -p[1]};
+  return all;
+}
+
+std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
+                                        document::UpAxis up, glm::vec2 size) {
+  if (model.triangles.empty()) return {};
+  const std::vector<mesh::Point> at = upright(shape, up);
+  const PictureView view = view_of(upright(model.positions, up), at, size);
+  Raster raster(size);
+  for (const auto& [a, b, c] : model.triangles) {
+    const mesh::Vec3 p = view.seen(at[a]), q = view.seen(at[b]), r = view.seen(at[c]);
+    const mesh::Vec3 normal = mesh::cross(q - p, r - p);
+    if (!(mesh::norm(normal) > 0)) continue;
+    const auto placed = [&](std::uint32_t v, double z) {
+      const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
+      return mesh::Vec3{on.x, on.y, z};
+    };
+    // Open models show back faces too.
+    const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
+    raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
+  }
+  return raster.rows();
+}
+
+}  // namespace viete::workspace

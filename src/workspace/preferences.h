@@ -1,0 +1,90 @@
+// Persistent preferences: recent files, the last folder, dismissed hints, and the window layout.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/camera.h"
+#include "workspace/keymap.h"
+
+namespace viete::workspace {
+
+/// The side columns: tools on the left; methods, timings and the deformer on the right.
+enum class Column { tools, methods };
+
+/// Logical pixels. As arranged by the user; small windows show only a part.
+struct PanelLayout {
+  static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
+  static constexpr float least_view = 320;  ///< minimum view width between the columns
+  static constexpr float menu_height = 26, status_height = 26, timeline_height = 156;
+
+  std::array<float, 2> width{usual_width, usual_width};
+  std::array<bool, 2> folded{};
+  Column last = Column::methods;         ///< last opened: the one shown if only one fits
+  bool timeline = false;                 ///< shown below the view, between the columns
+  std::map<std::string, bool> sections;  ///< opened or closed sections by title; true: open
+
+  bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }
+
+  friend bool operator==(const PanelLayout&, const PanelLayout&) = default;
+};
+
+/// Displayed widths of the columns; 0: hidden.
+struct ColumnWidths {
+  float tools = 0, methods = 0;
+  float of(Column column) const { return column == Column::tools ? tools : methods; }
+};
+ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
+
+/// From the top of the view to the status bar.
+float column_height(const document::Viewport& viewport);
+
+/// The part of the window without columns, bars, timeline and a row of notices of this height. Without panels
+/// only the notices are subtracted.
+document::Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels,
+                                float notice = 0);
+
+/// Shows a hidden column, replacing the other if both do not fit; folds a visible one.
+void toggle_column(PanelLayout& layout, Column column, float window_width);
+
+/// Clamps the width to its limits and to the minimum width of the view.
+void set_width(PanelLayout& layout, Column column, float width, float window_width);
+
+/// A session, or a model with its cage; absolute paths.
+struct RecentFile {
+  std::filesystem::path file, cage;  ///< cage may be empty
+
+  friend bool operator==(const RecentFile&, const RecentFile&) = default;
+};
+
+struct Preferences {
+  static constexpr std::size_t most = 12;
+
+  std::vector<RecentFile> recent;     ///< newest first, unique, at most `most`
+  std::filesystem::path folder;       ///< folder of the last chosen file
+  bool hints = true;                  ///< show the hints of the first start
+  bool ask_keys = true;               ///< the keymap has not been chosen yet
+  bool dark = true;                   ///< the last chosen theme
+  std::optional<bool> coarse_motion;  ///< draw coarsely during motion; nullopt: automatic
+  std::optional<glm::ivec2> window;   ///< last size in logical pixels
+  PanelLayout layout;
+  Keymap keymap;
+
+  /// Inserts at the front. Paths are made absolute.
+  void add(const RecentFile& file);
+
+  friend bool operator==(const Preferences&, const Preferences&) = default;
+};
+
+/// Throws base::Error if the file exists and is damaged; a missing file gives the defaults.
+Preferences read_preferences(const std::filesystem::path& file);
+
+/// Atomic. Throws base::Error.
+void write_preferences(const std::filesystem::path& file, const Preferences& preferences);
+
+}  // namespace viete::workspace

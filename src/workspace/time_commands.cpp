@@ -1,0 +1,219 @@
+// Commands for named poses and the timeline.
+#include <algorithm>
+
+#include "base/error.h"
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
+#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
+#include "workspace/playing.h"
+#include "workspace/time_gestures.h"
+
+namespace viete::workspace {
+
+namespace {
+
+constexpr Condition can_pose{
+    [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a cage, add a probe or import shapes first, and leave cage editing (Tab)."};
+constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
+                                    "Choose a pose in the list first. Add pose adds the current one."};
+constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
+                            "All weights are 0 %: move the slider of a pose first."};
+constexpr Condition has_time{[](const Workspace& w) {
+                               return !w.document.timeline.empty() && !is_editing_cage(w.document) &&
+                                      !is_dragging(w);
+                             },
+                             "No keys yet: pose the model and set a key (I)."};
+// Keys of the keyboard that change time do nothing where time is not seen.
+constexpr Condition shows_time{[](const Workspace& w) {
+                                 return has_model(w) && w.preferences.layout.timeline &&
+                                        !is_editing_cage(w.document) && !is_dragging(w);
+                               },
+                               "Show the timeline first."};
+constexpr Condition shows_keys{[](const Workspace& w) { return has_time(w) && shows_time(w); },
+                               "Show the timeline and set a key first (I)."};
+constexpr Condition has_pose_keys{
+    [](const Workspace& w) { return has_time(w) && !w.document.timeline.keys.empty(); },
+    "No keys yet: pose the model and set a key (I)."};
+constexpr Condition can_key_camera{[](const Workspace& w) { return has_model(w) && !is_dragging(w); },
+                                   "Open a model first."};
+constexpr Condition has_selected_keys{
+    [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
+    "Select keys in the timeline first."};
+constexpr Condition deletes_keys{
+    [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
+    "Select keys in the timeline first and keep the pointer over it."};
+
+// Reports an edit that fails, without a change.
+template <class Edit>
+void try_edit(Workspace& w, const char* what, Edit edit) {
+  try {
+    edit();
+    w.messages.succeeded(what);
+  } catch (const base::Error& error) {
+    w.messages.error(error.what(), {what});
+  }
+}
+
+void keep(Workspace& w) {
+  try_edit(w, "poses", [&] {
+    const std::size_t n = w.document.library.poses.size();
+    w.chosen_pose = keep_pose(w.document, "Pose " + std::to_string(n + 1));
+  });
+}
+
+void remove(Workspace& w) {
+  remove_pose(w.document, w.playback.vectors, *w.chosen_pose);
+  const std::size_t left = w.document.library.poses.size();
+  w.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.chosen_pose, left - 1));
+}
+
+// Opens the timeline, and fits all keys if it was closed.
+void set_keys(Workspace& w, const auto& set, const std::string& done) {
+  try_edit(w, "key", [&] {
+    const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();
+    stop_playing(w);
+    set();
+    if (!shown) show_timeline(w);
+    w.messages.info(done);
+  });
+}
+
+template <class Key>
+std::string key_message(const std::vector<Key>& keys, const char* what, int frame) {
+  const bool replaces = std::ranges::find(keys, frame, &Key::frame) != keys.end();
+  const std::string at = std::to_string(frame);
+  return replaces ? std::string(what) + " at frame " + at + " replaced; undo restores the old one."
+                  : std::string(what) + " set at frame " + at + '.';
+}
+
+void key_pose(Workspace& w) {
+  const int frame = current_frame(w.document);
+  const std::vector<double> weights = shown_weights(w);
+  const auto set = [&] {
+    set_key(w.document, frame, weights);
+    w.time_view.selected = {frame};
+  };
+  set_keys(w, set, key_message(w.document.timeline.keys, "Key", frame));
+}
+
+void key_camera(Workspace& w) {
+  const int frame = current_frame(w.document);
+  const auto set = [&] {
+    set_camera_key(w.document, frame, w.camera.pose());
+    w.time_view.selected = {frame};
+  };
+  set_keys(w, set, key_message(w.document.timeline.cameras, "Camera key", frame));
+}
+
+void key_turntable(Workspace& w) {
+  const document::Timeline& t = w.document.timeline;
+  set_keys(
+      w, [&] { set_turntable(w.document, w.camera.pose()); },
+      "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
+}
+
+void delete_keys(Workspace& w) {
+  remove_keys(w.document, selected_keys(w));
+  w.time_view.selected.clear();
+}
+
+template <int Steps>
+void step(Workspace& w) {
+  stop_playing(w);
+  go_to_frame(w, current_frame(w.document) + Steps);
+}
+
+template <bool Forward>
+void to_key(Workspace& w) {
+  stop_playing(w);
+  go_to_key(w, Forward);
+}
+
+template <int document::Playing::*Frame>
+void to_end(Workspace& w) {
+  stop_playing(w);
+  go_to_frame(w, w.document.timeline.*Frame);
+}
+
+void change_play(Workspace& w, const auto& change) {
+  document::Playing play = w.document.timeline;
+  change(play);
+  set_play(w.document, play);
+}
+
+// Fits the playback range to the first and last key.
+void fit_range(Workspace& w) {
+  const std::vector<int> frames = key_frames(w.document.timeline);
+  change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });
+  w.time_view.seen = fitting(w.document.timeline);
+}
+
+}  // namespace
+
+void add_time_commands(CommandTable& table) {
+  table.heading("Poses");
+  table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
+  table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
+            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
+  table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current one.",
+            has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
+  table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
+            has_chosen_pose, remove);
+  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
+            [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
+  table.heading("Time");
+  table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
+            {[](Workspace& w) { w.playback.playing ? stop_playing(w) : start_playing(w); },
+             [](const Workspace& w) { return w.playback.playing; }});
+  table.add("set_key", "Set key", "Set a key for the current pose at this frame.", {key('I')}, can_pose,
+            key_pose);
+  table.add("set_camera_key", {"Set camera key", "Camera key"},
+            "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,
+            key_camera);
+  table.add("turntable", {"Set turntable", "Turntable"},
+            "Orbit the camera once around the model over the playback range. Replaces other camera keys.",
+            can_key_camera, key_turntable);
+  table.add("delete_keys", {"Delete selected keys", "Delete keys"},
+            "Delete the selected keys. The shortcut works while the pointer is over the timeline.",
+            {Key::delete_key}, deletes_keys, delete_keys);
+  table.add("previous_frame", "Previous frame", "Go to the previous frame.", {Key::left}, shows_time,
+            step<-1>);
+  table.add("next_frame", "Next frame", "Go to the next frame.", {Key::right}, shows_time, step<1>);
+  table.add("previous_key", "Previous key", "Go to the previous key.", {Key::down}, shows_keys,
+            to_key<false>);
+  table.add("next_key", "Next key", "Go to the next key.", {Key::up}, shows_keys, to_key<true>);
+  table.add("first_frame", "First frame", "Go to the first frame of the playback range.",
+            {Key::left, false, true}, shows_time, to_end<&document::Playing::first>);
+  table.add("last_frame", "Last frame", "Go to the last frame of the playback range.",
+            {Key::right, false, true}, shows_time, to_end<&document::Playing::last>);
+  table.add("fit_range", {"Set range to keys", "Range to keys"},
+            "Set the playback range from the first to the last key.", has_time, fit_range);
+  add_choices<document::Easing>(table, "Easing", has_pose_keys, [](Workspace& w, document::Easing easing) {
+    set_easing(w.document, eased_keys(w), easing);
+  });
+  add_choices<document::Repeat>(table, "After the last frame", has_model,
+                                [](Workspace& w, document::Repeat repeat) {
+                                  change_play(w, [&](document::Playing& play) { play.repeat = repeat; });
+                                });
+  table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
+            "Set a key at this frame after each edit, once there is a key.", always,
+            switches(&Playback::auto_key, &Workspace::playback));
+  table.add("toggle_straight", {"Linear interpolation", "Linear"},
+            "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "
+            "and stretches are interpolated in log space.",
+            has_model,
+            {[](Workspace& w) {
+               change_mix(w, [&] {
+                 return set_straight(w.document, w.playback.vectors, !w.document.timeline.straight);
+               });
+             },
+             [](const Workspace& w) { return w.document.timeline.straight; }});
+  table.add("toggle_timeline", {"Show timeline", "Timeline"}, "Show or hide the timeline.",
+            {key('T'), false, true}, always,
+            {[](Workspace& w) { w.preferences.layout.timeline = !w.preferences.layout.timeline; },
+             [](const Workspace& w) { return w.preferences.layout.timeline; }});
+}
+
+}  // namespace viete::workspace

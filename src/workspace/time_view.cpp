@@ -1,0 +1,42 @@
+#include "workspace/time_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace viete::workspace {
+
+FrameWindow fitting(const document::Timeline& timeline) {
+  int low = timeline.first, high = timeline.last;
+  for (const int frame : key_frames(timeline)) low = std::min(low, frame), high = std::max(high, frame);
+  const double margin = 0.03 * (high - low) + 0.5;
+  return {low - margin, high + margin};
+}
+
+FrameWindow zoomed(const FrameWindow& seen, double share, double factor) {
+  constexpr double largest = 2.0 * document::Timeline::largest_frame;
+  const double length = std::clamp(seen.length() * factor, FrameWindow::least_length, largest);
+  const double at = seen.frame_at(share);
+  const double first = std::clamp(at - share * length, 1.5 * document::Timeline::least_frame,
+                                  1.5 * document::Timeline::largest_frame);
+  return {first, first + length};
+}
+
+int ruler_step(const FrameWindow& seen, double lines) {
+  const double wish = seen.length() / std::max(1.0, lines);
+  for (int power = 1; power <= 10'000'000; power *= 10) {
+    for (const int factor : {1, 2, 5})
+      if (factor * power >= wish) return factor * power;
+  }
+  return 10'000'000;
+}
+
+std::vector<int> key_frames(const document::Timeline& timeline) {
+  std::vector<int> frames;
+  for (const document::PoseKey& key : timeline.keys) frames.push_back(key.frame);
+  for (const document::CameraKey& key : timeline.cameras) frames.push_back(key.frame);
+  std::ranges::sort(frames);
+  frames.erase(std::ranges::unique(frames).begin(), frames.end());
+  return frames;
+}
+
+}  // namespace viete::workspace

@@ -1,0 +1,50 @@
+// State of the timeline panel: visible frames, selected keys, the running drag.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "document/document.h"
+
+namespace viete::workspace {
+
+/// The frames at its edges, possibly fractional.
+struct FrameWindow {
+  static constexpr double least_length = 4;
+
+  double first = 0, last = 64;
+  double length() const { return last - first; }
+  double frame_at(double share) const { return first + share * length(); }
+  double share_of(double frame) const { return (frame - first) / length(); }
+
+  friend bool operator==(const FrameWindow&, const FrameWindow&) = default;
+};
+
+struct TimeView {
+  enum class What { scrub, keys, box, pan };
+  struct Drag {
+    What what;
+    double pressed;               ///< the frame at the press
+    document::Timeline before{};  ///< for What::keys: the timeline then
+    std::vector<int> frames{};    ///< for What::keys: the dragged frames
+    bool moved = false;
+    FrameWindow seen{};           ///< for What::pan: the window then
+    std::vector<int> selected{};  ///< for What::box: the selection then
+  };
+  FrameWindow seen;
+  std::vector<int> selected;  ///< frames of pose and camera keys, ascending
+  std::optional<Drag> drag;
+  bool hovered = false;  ///< the pointer is over the timeline, so Delete removes keys
+  bool fitted = false;   ///< `seen` was fitted to this document
+};
+
+/// The playback range and all keys, with a margin.
+FrameWindow fitting(const document::Timeline& timeline);
+/// Zooms about the frame at that fraction of the width; factor > 1 zooms out.
+FrameWindow zoomed(const FrameWindow& seen, double share, double factor);
+/// Frames between ruler lines, for about `lines` of them: 1, 2, 5, 10, 20 ...
+int ruler_step(const FrameWindow& seen, double lines);
+
+/// Frames with a key of either kind, ascending.
+std::vector<int> key_frames(const document::Timeline& timeline);
+}  // namespace viete::workspace

@@ -1,0 +1,217 @@
+// Commands for the display: panels, shading, maps and split views.
+#include <algorithm>
+#include <utility>
+
+#include "document/brush.h"
+#include "document/elements.h"
+#include "workspace/command_conditions.h"
+#include "workspace/command_tables.h"
+#include "workspace/pointer.h"
+#include "workspace/split.h"
+
+namespace viete::workspace {
+
+namespace {
+
+// Shows the panels too if they are hidden.
+Effect shows(Column column) {
+  const auto shown = [column](const Workspace& w) {
+    return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(column) > 0;
+  };
+  const auto toggle = [column, shown](Workspace& w) {
+    const bool hidden = !std::exchange(w.view.panels, true);
+    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.viewport.window.x);
+  };
+  return {toggle, shown};
+}
+
+void add_looks(CommandTable& table) {
+  using V = document::StandardView;
+  const struct {
+    const char *name, *where, *brief;
+    Shortcut shortcut;
+    V view;
+  } sides[] = {{"view_front", "from the front", "Front", {Key::pad1}, V::front},
+               {"view_back", "from the back", "Back", {Key::pad1, true}, V::back},
+               {"view_right", "from the right", "Right", {Key::pad3}, V::right},
+               {"view_left", "from the left", "Left", {Key::pad3, true}, V::left},
+               {"view_top", "from above", "Top", {Key::pad7}, V::top},
+               {"view_bottom", "from below", "Bottom", {Key::pad7, true}, V::bottom}};
+  const auto look = [](V view) {
+    return [view](Workspace& w) {
+      w.camera.look(view);
+      frame_all(w, true);
+    };
+  };
+  for (const auto& side : sides) {
+    const std::string text = std::string("View ") + side.where;
+    table.add(side.name, {text, side.brief}, text + '.', side.shortcut, always, look(side.view))
+        .under("Viewpoint");
+  }
+  table
+      .add("view_home", {"Home view", "Home"}, "Show the whole model from the front, right and above.",
+           {Key::home}, always, look(V::home))
+      .or_by({Key::pad0})
+      .under("Viewpoint");
+}
+
+}  // namespace
+
+void add_camera_commands(CommandTable& table) {
+  table.heading("View");
+  table.add("frame_all", "Frame all", "Show the whole model and cage.", {key('F'), false, true}, has_model,
+            [](Workspace& w) { frame_all(w, true); });
+  table.add("frame_selection", "Frame selection", "Show the selection, or everything without a selection.",
+            {key('F')}, has_model, [](Workspace& w) { frame_selection(w, true); });
+  add_looks(table);
+  table
+      .add("toggle_orthographic", {"Orthographic view", "Orthographic"},
+           "Show the scene without perspective.", {Key::pad5}, always,
+           {[](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); },
+            [](const Workspace& w) { return w.camera.pose().orthographic; }})
+      .or_by({key('O')});
+  table.add("toggle_z_up", "Z up", "Show Z as the up axis, otherwise Y. Saved files keep their axes.",
+            {key('U')}, always,
+            {[](Workspace& w) {
+               w.camera.set_up(w.camera.pose().up == document::UpAxis::z ? document::UpAxis::y
+                                                                         : document::UpAxis::z);
+             },
+             [](const Workspace& w) { return w.camera.pose().up == document::UpAxis::z; }});
+}
+
+void add_view_commands(CommandTable& table) {
+  table.heading("View");
+  table.add("toggle_wireframe", {"Show wireframe", "Wireframe"}, "Show the edges of the model.",
+            {key('W'), false, true}, always, switches(&document::ViewOptions::wireframe));
+  add_choices<document::Shading>(table, "Shading", always,
+                                 [](Workspace& w, document::Shading s) { w.view.shading = s; });
+  table.add("next_shading", "Next shading",
+            "Switch to the next shading: clay, porcelain, jade, file colours, checker, normals, stripes.",
+            {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
+  table.add("toggle_model", {"Show model", "Model"}, "Show the model.", {key('M')}, always,
+            switches(&document::ViewOptions::model));
+  table.add("toggle_deformed", {"Show deformation", "Deformed"},
+            "Show the deformed model, otherwise the model at rest.", {key('N')}, always,
+            switches(&document::ViewOptions::deformed));
+  table.add("toggle_cage", {"Show cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
+            switches(&document::ViewOptions::cage));
+  table.add("toggle_grid", {"Show grid", "Grid"}, "Show the ground grid.", {key('G')}, always,
+            switches(&document::ViewOptions::grid));
+  table.add("toggle_axes", {"Show axes", "Axes"}, "Show the axis widget at the top right.", {key('X')},
+            always, switches(&document::ViewOptions::axes));
+  table.add("toggle_ghost", {"Show rest cage", "Rest cage"},
+            "Show the cage at rest faintly behind the posed cage.", {key('H')}, always,
+            switches(&document::ViewOptions::ghost));
+  table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
+            {[](Workspace& w) { w.preferences.dark = w.view.dark = !w.view.dark; },
+             [](const Workspace& w) { return w.view.dark; }});
+  table.add("toggle_coarse_motion", "Half resolution in motion",
+            "Draw at half resolution while the view changes. Faster with software rendering.", always,
+            {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+  table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
+            switches(&document::ViewOptions::panels));
+  table.add("toggle_full_screen", "Full screen", "Switch between full screen and window.", {Key::f11}, always,
+            {[](Workspace& w) { w.full_screen = !w.full_screen; },
+             [](const Workspace& w) { return w.full_screen; }});
+  table.add("toggle_tools", {"Show tools column", "Tools column"},
+            "Show or hide the left column: model, cage, poses and tools.", always, shows(Column::tools));
+  table.add("toggle_methods", {"Show methods column", "Methods column"},
+            "Show or hide the right column: method, timings, deformer and analysis.", always,
+            shows(Column::methods));
+}
+
+void add_help_commands(CommandTable& table) {
+  table.heading("Help");
+  table.add("help", {"Show keys and mouse", "Keys"}, "Show all keys and mouse actions, and change keys.",
+            {Key::f1}, always, [](Workspace& w) {
+              w.key_list = {!w.key_list.open, true, "", false, {}};
+            });
+  table
+      .add("command_palette", {"Find command", "Commands"}, "Find a command by its name and run it.",
+           {key('K'), true}, always,
+           [](Workspace& w) {
+             w.palette = {!w.palette.open, true, "", 0};
+           })
+      .or_by({Key::f3});
+  table.add("show_messages", {"Show messages", "Messages"},
+            "Show all messages since the start of the program.", always,
+            [](Workspace& w) { w.show_messages = !w.show_messages; });
+  table.add("manual", {"Open manual", "Manual"}, "Open the manual in the browser.", always,
+            [](Workspace& w) { w.requests.manual = ""; });
+  table.add("first_steps", "First steps", "Open the manual's chapter about the window.", always,
+            [](Workspace& w) { w.requests.manual = "window"; });
+}
+
+namespace {
+
+constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].shown.values != nullptr; },
+                            "Choose a map first (Analysis, Map)."};
+
+constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
+                               "Inspect a vertex first."};
+
+// Opens the vertex inspector, wherever the columns are.
+void show_sum_at(Workspace& w, std::uint32_t vertex) {
+  w.vertex.vertex = vertex;
+  w.vertex.appearing = true;
+  PanelLayout& layout = w.preferences.layout;
+  for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
+  if (shown_columns(layout, w.viewport.window.x).methods <= 0)
+    toggle_column(layout, Column::methods, w.viewport.window.x);
+}
+
+void pick_vertex(Workspace& w) {
+  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
+  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
+  if (!hit) return w.messages.info("Point at a vertex of the model first.");
+  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
+  show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
+}
+
+}  // namespace
+
+void add_map_commands(CommandTable& table) {
+  table.heading("Map");
+  add_choices<analysis::Field>(table, "Map", has_model,
+                               [](Workspace& w, analysis::Field f) { w.view.field = f; });
+  table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
+            {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
+             [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});
+  table.add("frame_worst", "Frame largest value", "Zoom to the vertex with the largest value of the map.",
+            has_map, frame_worst);
+  table.add("pick_vertex", {"Inspect vertex", "Inspect"},
+            "Show weights, matrices and the result of each method for the vertex under the pointer.",
+            {key('Y'), false, false, true}, has_model, pick_vertex);
+  table.add("pick_worst", {"Inspect largest value", "Largest value"},
+            "Open the vertex inspector for the vertex with the largest value of the map.", has_map,
+            [](Workspace& w) { show_sum_at(w, w.split.views[0].shown.stats.worst); });
+  table.add("drop_vertex", {"Close vertex inspector", "Close"}, "Close the vertex inspector.", has_vertex,
+            [](Workspace& w) { w.vertex.vertex.reset(); });
+}
+
+namespace {
+
+constexpr Condition is_split{[](const Workspace& w) { return w.split.on(); }, "Split the view in two first."};
+
+}  // namespace
+
+void add_split_commands(CommandTable& table) {
+  table.heading("Views");
+  constexpr const char* labels[] = {"One", "Two", "Three", "Four"};
+  for (std::size_t count = 1; count <= Split::most; ++count) {
+    const bool one = count == 1;
+    table.choice(
+        "views_" + std::to_string(count), "Views", labels[count - 1],
+        one ? "Show a single view." : "Split the view to compare deformers, methods and maps side by side.",
+        has_model, [count](Workspace& w) {
+          split_view(w, count);
+          frame_all(w, true);
+        });
+  }
+  table.add("toggle_linked_cameras", {"Link cameras", "Linked cameras"},
+            "Use one camera for all views, otherwise one each.", is_split,
+            {[](Workspace& w) { w.split.linked = !w.split.linked; },
+             [](const Workspace& w) { return w.split.linked; }});
+}
+
+}  // namespace viete::workspace

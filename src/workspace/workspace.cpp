@@ -1,0 +1,249 @@
+#include "workspace/workspace.h"
+
+#include <algorithm>
+
+#include "deform/scheme.h"
+#include "document/checks.h"
+#include "document/elements.h"
+#include "document/probes.h"
+
+namespace viete::workspace {
+
+namespace {
+
+std::vector<glm::vec3> in_view(const document::Space& space, std::span<const mesh::Point> points) {
+  std::vector<glm::vec3> seen;
+  seen.reserve(points.size());
+  for (const auto& p : points) seen.push_back(space.to_view(p));
+  return seen;
+}
+
+// The corners of the box of used vertices: stray vertices must not enlarge it.
+std::vector<mesh::Point> corners(const mesh::Bounds& box) {
+  std::vector<mesh::Point> points;
+  for (int i = 0; i < 8; ++i) {
+    points.push_back(
+        {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
+  }
+  return points;
+}
+
+mesh::Bounds cube_around(const mesh::Point& center, double half) {
+  const mesh::Vec3 way{half, half, half};
+  return {center - way, center + way};
+}
+
+// The positions used by the cage's elements; unused vertices are ignored.
+std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
+  std::vector<bool> used(pose.positions.size());
+  for (const auto& t : cage.surface.triangles) {
+    for (const auto v : t) used[v] = true;
+  }
+  std::vector<mesh::Point> points;
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v]) points.push_back(pose.positions[v]);
+  }
+  return points;
+}
+
+// The corners of boxes around the selected probes, with their largest radius.
+std::vector<mesh::Point> around_probes(const document::Document& document) {
+  std::vector<mesh::Point> points;
+  for (const auto i : document.selection.indices()) {
+    const deform::Probe& probe = document.probes.all[i];
+    const double half = 0.5 * std::max({probe.turn.radius, probe.stretch.radius, probe.move.radius});
+    const auto box = corners(cube_around(probe_center(document, i), half));
+    points.insert(points.end(), box.begin(), box.end());
+  }
+  return points;
+}
+
+void widen(std::vector<glm::vec3>& points) {
+  constexpr float least = 0.12F;  // for a model of size 2
+  glm::vec3 low = points[0], high = points[0];
+  for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
+  const glm::vec3 middle = 0.5F * (low + high);
+  for (int k = 0; k < 3; ++k) {
+    glm::vec3 offset(0);
+    offset[k] = least;
+    points.push_back(middle + offset);
+    points.push_back(middle - offset);
+  }
+}
+
+}  // namespace
+
+bool shows_links(const Workspace& w) {
+  return deform::engine_for(w.document.scheme, w.document.method, w.view.same_path) ==
+         deform::EngineKind::staged;
+}
+
+document::SideWay shown_way(const Workspace& w, std::size_t view) {
+  if (view > 0) return w.split.views[view];
+  return {w.document.scheme, w.document.method, w.view.field};
+}
+
+analysis::Field shown_field(const Workspace& w, std::size_t view) {
+  const document::SideWay way = shown_way(w, view);
+  const analysis::Source source = analysis::entry(way.field).source;
+  const bool exponential = w.document.has_cage() && way.scheme.exponential();
+  const bool exists = source == analysis::Source::surface || source == analysis::Source::first
+                          ? w.document.model.surface != nullptr
+                      : source == analysis::Source::matrices ? exponential
+                                                             : w.document.is_movable();
+  return exists && !shows_mask(w) ? way.field : analysis::Field::none;
+}
+
+float offer_height(const Workspace& w) {
+  constexpr float usual = 152, with_cage_beside = 198;
+  const bool offered =
+      w.offer_cage && w.view.panels && w.document.model.surface && !w.making.open && !w.document.is_movable();
+  if (!offered) return 0;
+  const float height = w.document.cage_beside.empty() ? usual : with_cage_beside;
+  return std::min(height, 0.5f * w.viewport.size.y);
+}
+
+void frame_all(Workspace& w, bool eased) {
+  const document::Document& document = w.document;
+  if (!document.model.surface) return;
+  // A cage encloses its model: its vertices cover both.
+  const std::vector<mesh::Point> points =
+      document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
+  w.camera.frame(in_view(document.space, points), w.viewport, eased, offer_height(w));
+}
+
+void frame_selection(Workspace& w, bool eased) {
+  const document::Document& document = w.document;
+  if (document.selection.empty()) return frame_all(w, eased);
+  std::vector<mesh::Point> points;
+  for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
+  if (document.selection.kind() == document::ElementKind::probe) points = around_probes(document);
+  w.camera.frame(in_view(document.space, points), w.viewport, eased);
+}
+
+void frame_worst(Workspace& w) {
+  constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
+  const auto& surface = *w.document.model.surface;
+  const std::size_t worst = w.split.views[0].shown.stats.worst;
+  if (worst >= surface.positions.size()) return;
+  const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
+  const double half = share * w.document.model.bounds.diagonal();
+  w.camera.frame(in_view(w.document.space, corners(cube_around(at, half))), w.viewport, true);
+}
+
+void toggle_finding(Workspace& w, std::size_t index) {
+  CheckState& checks = w.checks;
+  const bool hide = checks.shown == index;
+  checks.show(hide ? std::nullopt : std::optional(index));
+  w.requests.frame_finding = !hide;
+}
+
+void step_element(Workspace& w, int step) {
+  CheckState& checks = w.checks;
+  if (!checks.shown) return;
+  const std::size_t n = checks.findings[*checks.shown].size();
+  const std::size_t first = step > 0 ? 0 : n - 1;
+  checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
+  w.requests.frame_finding = true;
+}
+
+void frame_finding(Workspace& w) {
+  const CheckState& checks = w.checks;
+  if (!checks.shown) return;
+  constexpr std::size_t enough = 20000;
+  const document::Finding& finding = checks.findings[*checks.shown];
+  const document::Document& document = w.document;
+  const bool of_cage = finding.subject == document::Subject::cage;
+  const mesh::Surface& surface = of_cage ? *document.cage_file.surface : *document.model.surface;
+  std::vector<glm::vec3> points;
+  for (const auto e : shown_elements(checks, enough)) {
+    for (const auto v : vertices_of(finding, surface, e))
+      points.push_back(document.space.to_view(of_cage ? document.pose.positions[v] : w.posed.at(surface, v)));
+  }
+  widen(points);
+  w.camera.frame(points, w.viewport, true);
+}
+
+void begin_widget_edit(Workspace& w) {
+  w.before_widget_edit = {mark_of(w.document), w.handling,           w.brush,
+                          w.making.wish,       w.preferences.layout, w.opened};
+}
+
+// Keeps a cage that is being generated: it follows the settings and is not part of the edit.
+void cancel_widget_edit(Workspace& w) {
+  if (!w.before_widget_edit || w.before_widget_edit->opened != w.opened) return;
+  BeforeWidgetEdit before = *std::exchange(w.before_widget_edit, std::nullopt);
+  w.handling = before.handling;
+  w.brush = before.brush;
+  w.making.wish = before.wish;
+  w.preferences.layout = before.layout;
+  if (!w.making.open) take_back(w.document, std::move(before.document));
+}
+
+void take_report(Workspace& w, const deform::LogReport& report) {
+  document::Document& document = w.document;
+  document.pose.turns = report.turns;
+  w.pose_notes = document::pose_notes(report, *document.cage, document.pose);
+  w.pose_report = report;
+}
+
+namespace {
+
+// The first deformer that no view uses.
+deform::Scheme unused_scheme(const Workspace& w) {
+  const auto is_used = [&](const deform::Scheme& scheme) {
+    for (std::size_t view = 0; view < w.split.count(); ++view)
+      if (shown_way(w, view).scheme == scheme) return true;
+    return false;
+  };
+  for (const deform::WayEntry& entry : deform::all_ways()) {
+    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
+    if (!is_used(scheme)) return scheme;
+  }
+  return w.document.scheme;
+}
+
+}  // namespace
+
+void split_view(Workspace& w, std::size_t count) {
+  Split& split = w.split;
+  count = std::clamp<std::size_t>(count, 1, Split::most);
+  enter_view(w, 0);
+  split.views.resize(std::min(count, split.count()));
+  while (split.count() < count) split.views.push_back({{unused_scheme(w), w.document.method, w.view.field}});
+  split.cameras.assign(split.count(), w.camera.pose());
+  w.viewport = viewport_of(split, w.viewport, 0);
+}
+
+void enter_view(Workspace& w, std::size_t view) {
+  Split& split = w.split;
+  if (view == split.active || view >= split.count()) return;
+  split.cameras.resize(split.count(), w.camera.pose());
+  if (!split.linked) {
+    split.cameras[split.active] = w.camera.pose();
+    w.camera.set_pose(split.cameras[view]);
+  }
+  split.active = view;
+  w.viewport = viewport_of(split, w.viewport, view);
+}
+
+document::CameraPose camera_of(const Workspace& w, std::size_t view) {
+  const Split& split = w.split;
+  const bool own = !split.linked && view != split.active && view < split.cameras.size();
+  return own ? split.cameras[view] : w.camera.pose();
+}
+
+document::CameraPose last_camera_of(const Workspace& w, std::size_t view) {
+  return w.split.linked || view == w.split.active ? w.camera.destination() : camera_of(w, view);
+}
+
+document::SideWays ways_of(const Workspace& w) {
+  const Split& split = w.split;
+  document::SideWays ways;
+  for (const View& side : split.sides()) ways.sides.push_back(side);
+  if (!split.linked)
+    for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
+  return ways;
+}
+
+}  // namespace viete::workspace

@@ -1,0 +1,197 @@
+// Selection edits; hidden elements; selection sets, through cage edits and sessions.
+#include "document/selection.h"
+
+#include <doctest/doctest.h>
+
+#include "document/cage_editing.h"
+#include "document/edit.h"
+#include "document/elements.h"
+#include "interact/grip.h"
+#include "interact/picking.h"
+#include "interact/placing.h"
+#include "support/commands.h"
+#include "support/cube.h"
+#include "support/edits.h"
+#include "support/grips.h"
+#include "support/mouse.h"
+#include "workspace/saving.h"
+
+using namespace viete;
+using namespace viete::document;
+using namespace viete::interact;
+using namespace viete::workspace;
+using Indices = std::vector<std::uint32_t>;
+
+namespace {
+
+Selection vertices(Indices indices) {
+  Selection selection;
+  selection.apply(indices, SelectMode::replace);
+  return selection;
+}
+
+// An empty history without unsaved edits.
+Workspace saved_cube() {
+  Workspace w = test::cube_workspace();
+  mark_saved(w);
+  return w;
+}
+
+}  // namespace
+
+TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
+  Workspace w = saved_cube();
+  const unsigned long edits = w.document.history.revision();
+  CHECK(test::run_command(w, "select_all"));
+  set_selection(w.document, vertices({1, 2}));
+  set_selection(w.document, vertices({1, 2}));  // no change
+  CHECK_FALSE(has_unsaved_edits(w));
+  CHECK(w.document.history.revision() == edits);
+  CHECK(w.document.history.undo_label() == "select");
+  CHECK(test::edit_count(w.document.history) == 0);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.selection.size() == 8);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.selection.empty());
+  CHECK_FALSE(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "select_faces"));  // no edit while nothing is selected
+  CHECK_FALSE(w.document.history.can_undo());
+  CHECK(test::run_command(w, "redo"));
+  CHECK(test::run_command(w, "redo"));
+  CHECK(w.document.selection == vertices({1, 2}));
+  CHECK_FALSE(has_unsaved_edits(w));
+}
+
+TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
+  test::Mouse mouse(saved_cube());
+  Workspace& w = mouse.w;
+  set_selection(w.document, vertices({1}));
+  w.tool = Tool::select;
+  const glm::vec2 from = mouse.vertex(7);
+  mouse.drag(from, from + 30.0f);
+  CHECK(w.document.selection == vertices({7}));
+  CHECK(differs_from_rest(w.document));
+  undo(w.document);
+  CHECK(w.document.selection == vertices({1}));
+  CHECK_FALSE(differs_from_rest(w.document));
+  redo(w.document);
+  CHECK(w.document.selection == vertices({7}));
+  undo(w.document);
+  // Dragged out and back: only the selection changes.
+  mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
+  CHECK(w.document.selection == vertices({7}));
+  CHECK(w.document.history.undo_label() == "select");
+  undo(w.document);
+  CHECK(w.document.selection == vertices({1}));
+}
+
+TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
+  Workspace w = saved_cube();
+  const glm::vec2 at(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[7]));
+  set_selection(w.document, vertices({6, 7}));
+  CHECK(test::run_command(w, "hide_selected"));
+  CHECK(w.document.selection.empty());
+  const auto under = pick_element(w.document, w.camera, w.viewport, at);
+  CHECK((!under || under->index != 7));
+  CHECK(test::run_command(w, "select_all"));
+  CHECK(w.document.selection.indices() == Indices{0, 1, 2, 3, 4, 5});
+  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
+  CHECK(test::run_command(w, "invert_selection"));
+  CHECK(w.document.selection.empty());
+  // A face with a hidden corner is visible, but that corner stays.
+  CHECK(test::run_command(w, "select_faces"));
+  CHECK(test::run_command(w, "select_all"));
+  CHECK(w.document.selection.size() == 12);
+  Transform t;
+  t.shift = {1, 0, 0};
+  CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), t));
+  CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
+  CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
+  CHECK(test::run_command(w, "show_hidden"));
+  CHECK_FALSE(test::run_command(w, "show_hidden"));
+  while (w.document.history.can_undo()) undo(w.document);
+  CHECK(w.document.groups.hidden.empty());
+  CHECK_FALSE(differs_from_rest(w.document));
+}
+
+TEST_CASE("only_these_hides_the_others_and_edges_between_hidden_vertices_are_hidden") {
+  Workspace w = saved_cube();
+  set_selection(w.document, vertices({0, 1}));
+  CHECK(test::run_command(w, "hide_others"));
+  CHECK(w.document.groups.hidden == Indices{2, 3, 4, 5, 6, 7});
+  CHECK(w.document.selection == vertices({0, 1}));
+  const auto hidden = hidden_elements(w.document, ElementKind::edge);
+  for (std::uint32_t e = 0; e < hidden.size(); ++e) {
+    const auto& [a, b] = w.document.cage->edges[e];
+    CHECK(hidden[e] == (a > 1 && b > 1));
+  }
+}
+
+TEST_CASE("sets_are_kept_renamed_selected_added_taken_out_and_deleted") {
+  Workspace w = saved_cube();
+  CHECK_FALSE(test::run_command(w, "save_set"));
+  set_selection(w.document, vertices({0, 1, 2, 3}));
+  CHECK(test::run_command(w, "save_set"));
+  CHECK(has_unsaved_edits(w));
+  set_selection(w.document, vertices({3, 4}));
+  CHECK(test::run_command(w, "save_set"));
+  REQUIRE(w.document.groups.sets.size() == 2);
+  CHECK(w.document.groups.sets[1].name == "Set 2");
+  rename_set(w.document, 1, "Arm");
+  CHECK(w.document.groups.sets[1].name == "Arm");
+  rename_set(w.document, 1, "");
+  rename_set(w.document, 1, "Set 1");
+  CHECK(w.document.groups.sets[1].name == "Arm");
+  select_set(w.document, 0, SelectMode::replace);
+  CHECK(w.document.selection == vertices({0, 1, 2, 3}));
+  select_set(w.document, 1, SelectMode::remove);
+  CHECK(w.document.selection == vertices({0, 1, 2}));
+  select_set(w.document, 1, SelectMode::add);
+  CHECK(w.document.selection == vertices({0, 1, 2, 3, 4}));
+  CHECK(test::run_command(w, "select_probes"));
+  select_set(w.document, 1, SelectMode::add);
+  CHECK(w.document.selection == vertices({3, 4}));
+  remove_set(w.document, 0);
+  CHECK(w.document.groups.sets.size() == 1);
+  undo(w.document);
+  CHECK(w.document.groups.sets[0].name == "Set 1");
+}
+
+TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_are_named") {
+  Workspace w = saved_cube();
+  set_selection(w.document, vertices({7}));
+  CHECK(test::run_command(w, "save_set"));
+  set_selection(w.document, vertices({4, 5, 6, 7}));
+  CHECK(test::run_command(w, "save_set"));
+  CHECK(test::run_command(w, "edit_cage"));
+  set_selection(w.document, vertices({7}));
+  CHECK(test::run_command(w, "remove_elements"));
+  REQUIRE(w.document.groups.sets.size() == 1);
+  CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
+  REQUIRE_FALSE(w.messages.all().empty());
+  CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
+  // A new vertex between two of a set belongs to it.
+  select_set(w.document, 0, SelectMode::replace);
+  CHECK(test::run_command(w, "split_edges"));
+  CHECK(w.document.groups.sets[0].vertices.size() > 3);
+  CHECK(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(test::run_command(w, "undo"));
+  CHECK(w.document.groups.sets.size() == 2);
+}
+
+TEST_CASE("modes_replace_add_and_remove_and_inverting_twice_changes_nothing") {
+  Selection s = vertices({2, 5});
+  s.apply(Indices{1, 5, 9}, SelectMode::add);
+  CHECK(s.indices() == Indices{1, 2, 5, 9});
+  s.apply(Indices{2, 3}, SelectMode::remove);
+  CHECK(s.indices() == Indices{1, 5, 9});
+  s.invert(10);
+  CHECK(s.indices() == Indices{0, 2, 3, 4, 6, 7, 8});
+  CHECK(s.contains(4));
+  CHECK_FALSE(s.contains(5));
+  s.invert(10);
+  CHECK(s.indices() == Indices{1, 5, 9});
+  s.select_all(0);
+  CHECK(s.empty());
+}

@@ -1,0 +1,100 @@
+#include "files/export.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "base/error.h"
+#include "formats/read.h"
+#include "support/files.h"
+
+using namespace viete;
+using namespace viete::document;
+using namespace viete::files;
+
+namespace {
+
+Document posed(const test::CubeFiles& files) {
+  Document document = open_document(files.model, files.cage);
+  document.pose.positions[0][0] -= 0.25;
+  return document;
+}
+
+}  // namespace
+
+TEST_CASE("a_deformed_model_is_written_in_every_format") {
+  const test::CubeFiles files;
+  const Document document = posed(files);
+  std::vector<mesh::Point> first;
+  for (const char* name : {"a.obj", "a.ply", "a.off", "a.stl"}) {
+    CAPTURE(name);
+    base::Progress progress;
+    Export all = export_of(document, files / name);
+    all.digits.kind = formats::Digits::Kind::all;
+    CHECK(write_deformed(all, &progress).empty());
+    CHECK(progress.done() >= 0.5);
+    const auto written = formats::read(files / name).surface;
+    CHECK(written.triangles.size() == document.model.surface->triangles.size());
+    if (std::string(name) == "a.stl") continue;
+    CHECK(written.triangles == document.model.surface->triangles);
+    CHECK(written.positions != document.model.surface->positions);
+    if (first.empty()) first = written.positions;
+    CHECK(written.positions == first);
+  }
+}
+
+TEST_CASE("a_model_at_rest_is_exported_byte_for_byte") {
+  const test::CubeFiles files;
+  const Document document = open_document(files.model, files.cage);
+  for (const char* name : {"same.obj", "model.obj"}) {  // the second overwrites the opened file
+    const std::string before = test::file_bytes(files.model);
+    CHECK(write_deformed(export_of(document, files.model.parent_path() / name)).empty());
+    CHECK(test::file_bytes(files.model.parent_path() / name) == before);
+  }
+}
+
+TEST_CASE("at_rest_a_stitched_model_is_exported_to_the_last_bit_too") {
+  const test::CubeFiles files;
+  Export all = export_of(open_document(files.model, files.cage), files / "same.ply");
+  mesh::Surface third = *all.model;
+  for (auto& p : third.positions) p = {p[0] / 3, p[1] / 7, p[2] / 11};
+  all.model = std::make_shared<const mesh::Surface>(third);
+  all.original.reset();
+  all.attributes.reset();
+  all.scheme.iterations = 3;
+  write_deformed(all);
+  CHECK(formats::read(files / "same.ply").surface.positions == third.positions);
+}
+
+TEST_CASE("an_export_is_a_snapshot_at_the_request") {
+  const test::CubeFiles files;
+  Document document = posed(files);
+  const Export before = export_of(document, files / "before.ply");
+  write_deformed(export_of(document, files / "at_once.ply"));
+  document.pose.positions[0][0] -= 3;
+  document.method = sym3::Method::diag;
+  document.scheme = deform::scheme_of(deform::Way::mean_value);
+  write_deformed(before);
+  CHECK(test::file_bytes(files / "before.ply") == test::file_bytes(files / "at_once.ply"));
+}
+
+TEST_CASE("an_export_that_is_stopped_or_fails_leaves_the_file_as_it_was") {
+  const test::CubeFiles files;
+  const Document document = posed(files);
+  const std::string before = test::file_bytes(files.cage);
+  base::Progress progress;
+  progress.cancel();
+  CHECK_THROWS_AS(write_deformed(export_of(document, files.cage), &progress), base::Cancelled);
+  CHECK(test::file_bytes(files.cage) == before);
+  CHECK_THROWS_AS(write_deformed(export_of(document, files / "none" / "a.obj")), base::Error);
+  CHECK_THROWS_AS(write_deformed(export_of(document, files / "a.xyz")), base::Error);
+}
+
+TEST_CASE("a_method_is_named_with_its_error_only_where_that_matters") {
+  CHECK(method_note(sym3::Method::fast, 0).empty());
+  CHECK(method_note(sym3::Method::sd, 1e-10).empty());
+  const std::string note = method_note(sym3::Method::sd, 2.84e-6);
+  for (const char* part : {"method sd", "2.9e-06", "fast"})
+    CHECK_MESSAGE(note.find(part) != std::string::npos, note);
+  CHECK(method_note(sym3::Method::improved_sd, INFINITY).find("gives NaN") != std::string::npos);
+}

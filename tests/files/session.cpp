@@ -1,0 +1,593 @@
+#include "files/session.h"
+
+#include <doctest/doctest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <random>
+
+#include "base/error.h"
+#include "document/brush.h"
+#include "document/edit.h"
+#include "document/probes.h"
+#include "document/record.h"
+#include "files/json_codec.h"
+#include "files/open.h"
+#include "formats/read.h"
+#include "interact/grip.h"
+#include "interact/placing.h"
+#include "support/files.h"
+#include "support/grips.h"
+#include "support/open.h"
+#include "support/posed_cube.h"
+#include "support/skip.h"
+#include "support/text.h"
+#include "workspace/apply_opened.h"
+#include "workspace/playing.h"
+#include "workspace/saving.h"
+#include "workspace/split.h"
+
+using namespace viete;
+using test::mentions;
+using namespace viete::document;
+using namespace viete::files;
+using namespace viete::interact;
+using namespace viete::workspace;
+namespace fs = std::filesystem;
+
+namespace {
+
+// Every setting of a session differs from its default.
+Workspace worked(const test::CubeFiles& files) {
+  Workspace w;
+  w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
+  REQUIRE(test::load_model(w, files.model, files.cage));
+  REQUIRE(add_probe(w.document, {}, {1, 1, 1}));
+  Probe& probe = w.document.probes.all[0];
+  probe.pose = {{0.1, 0, 1.0 / 3}, {0, 0.5, 0, 0, 0, -1}, {1e-17, 2, 3}};
+  probe.turn = {Falloff::sharp, 0.123};
+  probe.locked = true;
+  w.document.probes.mix = deform::ProbeMix::softmax;
+  w.document.pose.positions[3] = {0.1, -1.0 / 3, 1e-17};
+  w.document.pose.turns = {{0.1, 6.3, -1e-9}};
+  w.document.selection = Selection(ElementKind::vertex, std::vector<std::uint32_t>{2, 5});
+  w.document.groups = {{0, 7}, {{"left \"arm\"\n", ElementKind::face, {0, 1, 2}}}};
+  w.document.method = sym3::Method::sd;
+  w.document.scheme = deform::scheme_of(deform::Way::mean_value);
+  w.document.scheme.weighting.radius = 0.27;
+  w.document.scheme.amounts = {0.29, 1.75};
+  w.document.scheme.holding = {0.29, 0.07};
+  set_mask(w.document, inverted(w.document), "invert");
+  w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f, true, UpAxis::z});
+  w.view = {.dark = false,
+            .model = false,
+            .deformed = false,
+            .shading = Shading::checker,
+            .wireframe = true,
+            .cage = false,
+            .grid = false,
+            .ghost = true,
+            .field = analysis::Field::turn,
+            .select_visible = true,
+            .same_path = true,
+            .panels = false,
+            .hints = false};
+  w.handling = {Pivot::point,
+                mesh::Point{1, 2, 1.0 / 3},
+                Axes::selection,
+                MirrorPlane::y,
+                {true, 0.29, SoftCurve::linear, SoftDistance::space},
+                0.25};
+  put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
+                      {deform::scheme_of(deform::Way::arap)}},
+                     {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
+  return w;
+}
+
+// As above, with poses, a mix, keys of all easings, and camera keys.
+Workspace animated(const test::CubeFiles& files) {
+  Workspace w = worked(files);
+  w.document.selection = Selection(ElementKind::vertex);
+  const deform::ProbePose motion = w.document.probes.all[0].pose;
+  test::add_two_poses(w.document);
+  w.document.library.poses[0].name = "n\xC3\xA4mlich \"so\"\n";
+  w.document.library.poses.push_back({"with probe", shared_pose(w.document)});
+  w.document.selection.apply(std::vector<std::uint32_t>{1, 6}, SelectMode::replace);
+  set_weight(w.document, w.playback.vectors, 0, 0.29);
+  w.document.selection.clear();
+  set_weight(w.document, w.playback.vectors, 1, -0.5);
+  w.document.timeline = test::three_keys();
+  Timeline& t = w.document.timeline;
+  t.keys[0].easing = Easing::linear;
+  t.keys[1].easing = Easing::hold;
+  t.keys[1].pose = test::whole(test::turned_cube(540), {motion});
+  t.keys[2].mix = {{"wide", -0.37}, {"with probe", 1.5}};
+  t.unkeyed = {test::key(9, test::turned_cube(-30)), {3, test::whole(test::turned_cube(400), {motion})}};
+  t.cameras = {{1, {{0.1f, 0, 0}, 3, 1, 0.2f}}, {90, {{0, 0, 0}, 5, 40, -0.5f}}};
+  t.first = -4, t.last = 90, t.rate = 29.97, t.repeat = Repeat::ping_pong, t.straight = true;
+  w.document.frame = 7.25;
+  return w;
+}
+
+bool same_keys(const std::vector<PoseKey>& a, const std::vector<PoseKey>& b) {
+  return std::ranges::equal(a, b, [](const PoseKey& x, const PoseKey& y) {
+    return *x.pose == *y.pose && x.frame == y.frame && x.easing == y.easing && x.mix == y.mix;
+  });
+}
+
+void check_same(const Workspace& a, const Workspace& b) {
+  CHECK(a.document.pose.positions == b.document.pose.positions);
+  CHECK(a.document.pose.turns == b.document.pose.turns);
+  CHECK(a.document.selection == b.document.selection);
+  CHECK(a.document.groups == b.document.groups);
+  CHECK(a.document.method == b.document.method);
+  CHECK(a.document.scheme == b.document.scheme);
+  CHECK(a.document.probes == b.document.probes);
+  CHECK(same_mask(a.document.mask, b.document.mask));
+  CHECK(a.camera.pose() == b.camera.pose());
+  CHECK(a.view == b.view);
+  CHECK(a.handling == b.handling);
+  CHECK(ways_of(a) == ways_of(b));
+  for (std::size_t view = 0; view < a.split.count(); ++view) CHECK(camera_of(a, view) == camera_of(b, view));
+  CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
+  CHECK(std::ranges::equal(a.document.library.poses, b.document.library.poses,
+                           [](const NamedPose& x, const NamedPose& y) {
+                             return *x.pose == *y.pose && x.name == y.name && x.weight == y.weight;
+                           }));
+  Timeline s = a.document.timeline, t = b.document.timeline;
+  CHECK(same_keys(s.keys, t.keys));
+  CHECK(same_keys(s.unkeyed, t.unkeyed));
+  s.keys.clear(), s.unkeyed.clear(), t.keys.clear(), t.unkeyed.clear();
+  CHECK(s == t);
+  CHECK(a.document.frame == b.document.frame);
+}
+
+std::string refusal(const fs::path& file) {
+  Workspace w;
+  CHECK_FALSE(open_now(w, {OpenRequest::What::model, {file}}));
+  CHECK_FALSE(w.document.model.surface);
+  return w.messages.all().back().text;
+}
+
+std::vector<std::string> said_on_opening(const fs::path& session) {
+  const Workspace w = test::opened({session});
+  std::vector<std::string> all;
+  for (const auto& message : w.messages.all()) all.push_back(message.text);
+  return all;
+}
+
+// A session of the cube with more members.
+std::string with(const std::string& members) {
+  return R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" + members +
+         "}";
+}
+
+std::string positions(const std::string& first = "[0, 0, 0]") {
+  std::string all = "\"positions\": [" + first;
+  for (int i = 1; i < 8; ++i) all += ", [" + std::to_string(i) + ", 0, 0]";
+  return all + "]";
+}
+
+std::string key_text(const std::string& frame, const std::string& more = "") {
+  return "{\"frame\": " + frame + ", " + more + positions() + "}";
+}
+
+// A probe with more members, after a good one.
+std::string probes(const std::string& members, const std::string& place = "[0, 0, 1]") {
+  const std::string part = R"({"falloff": "smooth", "radius": 1})",
+                    good = "\"turn\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
+                           ", \"place\": ";
+  return "\"probes\": {\"all\": [{" + good + "[0, 0, 0]}, {" + good + place + members + "}]}";
+}
+
+}  // namespace
+
+TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
+  const test::CubeFiles files;
+  for (Workspace w : {worked(files), animated(files)}) {
+    REQUIRE(save_session(w, files / "a.viete"));
+    Workspace back = test::opened({files / "a.viete"});
+    check_same(w, back);
+    for (const Message& message : back.messages.all())
+      CHECK(message.text == "Undo restores 2 unkeyed poses.");
+    CHECK(back.saved.session == files / "a.viete");
+    CHECK_FALSE(has_unsaved_edits(back));
+    back.viewport = w.viewport;
+    CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
+    if (w.document.library.poses.empty()) continue;
+    // The mix continues from there.
+    CHECK(clear_mix(back.document, back.playback.vectors));
+    CHECK(back.document.pose.positions != w.document.pose.positions);
+    CHECK(has_unsaved_edits(back));
+  }
+}
+
+TEST_CASE("recovered_work_has_absolute_names_and_all_of_a_session") {
+  const test::CubeFiles files;
+  Workspace w = animated(files);
+  w.saved.session = files / "mine.viete";
+  test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
+  const Session session = read_session(files / "r.viete");
+  CHECK(session.model.path == fs::canonical(files.model));
+  CHECK(session.origin == fs::canonical(files.path()) / "mine.viete");
+  Workspace again;
+  REQUIRE(open_now(again, {OpenRequest::What::recovery, {files / "r.viete"}}));
+  check_same(w, again);
+  CHECK(has_unsaved_edits(again));
+  CHECK(again.saved.session == session.origin);
+  CHECK(again.recovered_from == files / "r.viete");
+  CHECK(again.preferences.recent.empty());
+  REQUIRE(save_session(again, again.saved.session));
+  CHECK_FALSE(has_unsaved_edits(again));
+}
+
+TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  const CameraPose first = w.camera.pose();
+  enter_view(w, 2);
+  w.camera.orbit({30, 10});
+  const CameraPose moved = w.camera.destination();
+  REQUIRE(save_session(w, files / "a.viete"));
+  Workspace back = test::opened({files / "a.viete"});
+  CHECK(back.split.active == 0);
+  CHECK(camera_of(back, 0) == first);
+  CHECK(camera_of(back, 1) == camera_of(w, 1));
+  CHECK(camera_of(back, 2) == moved);
+  back.camera.look(StandardView::front);
+  const CameraPose goal = back.camera.destination();
+  CHECK(session_of(back).camera == goal);  // also while it is still easing
+  CHECK(goal.yaw == 0);
+}
+
+TEST_CASE("a_session_names_its_files_relative_to_itself_and_moves_with_them") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  fs::create_directories(files / "one" / "deep");
+  REQUIRE(save_session(w, files / "one" / "deep" / "a.viete"));
+  CHECK(mentions(test::file_bytes(files / "one" / "deep" / "a.viete"), "\"../../model.obj\""));
+  const test::TemporaryFolder elsewhere;
+  fs::copy(files.path(), elsewhere / "moved", fs::copy_options::recursive);
+  fs::create_directory_symlink(files / "one" / "deep", files / "link");
+  REQUIRE(save_session(w, files / "link" / "b.viete"));
+  for (const char* folder : {"link", "one/deep"}) CHECK(said_on_opening(files / folder / "b.viete").empty());
+  fs::remove(files.model);
+  Workspace back = test::opened({elsewhere / "moved" / "one" / "deep" / "a.viete"});
+  check_same(w, back);
+}
+
+TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
+  const test::CubeFiles files;
+  test::put_file(files / "a.viete",
+                 R"({"format": "viete session", "version": 1, "model": "model.obj", "later": {"x": [1]}})");
+  CHECK_FALSE(test::opened({files / "a.viete"}).document.has_cage());
+  test::put_file(files / "b.viete", with(R"("view": {"dark": false, "holograms": 3})"));
+  const Workspace w = test::opened({files / "b.viete"});
+  CHECK_FALSE(w.view.dark);
+  CHECK(w.view.grid);
+  CHECK_FALSE(differs_from_rest(w.document));
+  const std::string keys = "\"keys\": [" + key_text("2") + "," + key_text("5") + "]";
+  test::put_file(files / "c.viete", with("\"time\": {\"frame\": 5, " + keys + "}"));
+  const Workspace keyed = test::opened({files / "c.viete"});
+  CHECK(keyed.document.frame == 5);
+  CHECK(keyed.document.pose.positions == keyed.document.timeline.keys[1].pose->cage.positions);
+  CHECK_FALSE(has_unsaved_edits(keyed));
+}
+
+TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
+  const test::CubeFiles files;
+  const std::string camera = R"("target": [0, 0, 0], "distance": 1, "yaw": 0, "pitch": 0)",
+                    named = R"("poses": [{"name": "a", )", turns = "\"turns\": [[0,0,0],[0,0,0]], ";
+  const auto time = [](const std::string& members) { return "\"time\": {" + members + "}"; };
+  const auto keys = [&](const std::string& all) { return time("\"keys\": [" + all + "]"); };
+  const auto pose = [](const std::string& members) { return "\"pose\": {" + members + "}"; };
+  const auto stretched = [](const std::string& log) { return probes(", \"stretched\": " + log); };
+  const struct {
+    std::string members, said;
+  } cases[] = {
+      {R"("cage": 7)", "a.viete: cage: found a number where the name of a file belongs"},
+      {R"("cage_content": "00")", "a.viete: cage_content: these are not 16 hexadecimal digits"},
+      {R"("method": "best")", "a.viete: method: \"best\" is not known"},
+      {R"("blend": "srl", "weights": "mean-value")", "a.viete: blend: these weights and this blend"},
+      {R"("weights": "mean-value", "stitched": 1)", "a.viete: stitched: cage vertices give no maps"},
+      {R"("radius": 0.01)", "a.viete: radius: this number is out of range"},
+      {R"("turn": 201)", "a.viete: turn: "},
+      {R"("stretch": -1)", "a.viete: stretch: "},
+      {R"("stitched": 21)", "a.viete: stitched: "},
+      {R"("pins": 101)", "a.viete: pins: "},
+      {R"("hold": -1)", "a.viete: hold: "},
+      {R"("camera": [])", "a.viete: camera: found a list of 0 where an object belongs"},
+      {R"("camera": {"target": [0, 1e308, 0]})", "camera.target[1]: this number is out of range"},
+      {R"("camera": {"target": [0, null, 0]})", "camera.target[1]: found null"},
+      {"\"camera\": {" + camera + ", \"up\": \"x\"}", "camera.up: \"x\" is not known"},
+      {R"("camera": {"target": [0, 0, 0], "distance": 1e9})", "camera.distance: "},
+      {R"("camera": {"target": [0, 0, 0], "distance": 1})", "camera: the key \"yaw\" is missing"},
+      {R"("view": {"grid": 1})", "a.viete: view.grid: found a number where true or false belongs"},
+      {"\"cameras\": [{" + camera + "}]", "a.viete: cameras: their number differs"},
+      {R"("views": [{}, {}, {}, {}])", "a.viete: views: there are more than 3"},
+      {R"("hand": {"pivot": "nose"})", "a.viete: hand.pivot: "},
+      {R"("window": [8192, 8192])", "a.viete: window: this is not a valid window size"},
+      {R"("window": [1e999, 800])", "a.viete: a number in it is too large"},
+      {R"("selecting": "holes")", "a.viete: selecting: \"holes\" is not known"},
+      {R"("selection": [1, -1])", "a.viete: selection[1]: found a number where a whole number from 0"},
+      {R"("selection": [1, 8])", "a.viete: selection: vertex 8 is named, there are only 8 vertices"},
+      {R"("selecting": "faces", "selection": [12])", "face 12 is named, there are only 12 faces"},
+      {R"("sets": [{"name": "a", "selecting": "probes", "vertices": [1]}])", "a.viete: sets[0].selecting: "},
+      {R"("mask": [0, 1])", "a.viete: mask: it is of a vertex, the model has 20"},
+      {R"("mask": [256, 8])", "a.viete: mask[0]: a share must be 0 to 255"},
+      {R"("mask": [0, 4294967295])", "a.viete: mask[1]: there are more than"},
+      {R"("mask": [255])", "a.viete: mask: a share lacks the number of its vertices"},
+      {pose("\"positions\": [[0, 0, 0]]"), "a.viete: pose.positions: this is a pose of a vertex, the cage"},
+      {pose(positions("[0, 0, 1e200]")), "a.viete: pose.positions[0]: this coordinate is too large"},
+      {pose(positions("[0, null, 0]")), "a.viete: pose.positions[0][1]: found null"},
+      {pose(turns + positions()), "a.viete: pose.turns: there are more than the 1 parts of the cage"},
+      {pose("\"turns\": [[0, 0, 1e9]], " + positions()), "a.viete: pose.turns[0]: this coordinate is too"},
+      {probes("", "[0, 0]"), "probes.all[1].place: "},
+      {R"("probes": {"all": [{"place": [0, 0, 0]}]})", "probes.all[0]: the key \"turn\" is missing"},
+      {probes(", \"locked\": 3"), "probes.all[1].locked"},
+      {probes(", \"turned\": [8e5, 8e5, 0]"), "probes.all[1]: the motion of this probe is too large"},
+      {stretched("[1, 2, 3]"), "probes.all[1].stretched: found a list of 3"},
+      {probes(", \"moved\": [1e40, 0, 0]"), "probes.all[1].moved: "},
+      {probes(", \"pin\": \"glues\", \"vertex\": 0"), "probes.all[1].pin: \"glues\" is not known"},
+      {probes(", \"pin\": \"holds\", \"vertex\": 20"), "a.viete: probes: vertex 20 is named"},
+      {probes(", \"move\": {\"falloff\": \"odd\", \"radius\": 1}"), "falloff: \"odd\" is not known"},
+      {probes(", \"move\": {\"falloff\": \"none\", \"radius\": 0}"), "the radius must be above 0"},
+      {R"("poses": {})", "a.viete: poses: found an object where a list belongs"},
+      {named + turns + positions() + "}]", "a.viete: poses: \"a\" is of another cage or model"},
+      {named + "\"weight\": 1e9}]", "a.viete: poses[0].weight: "},
+      {named + "\"shape\": 0, " + positions() + "}]", "a.viete: poses[0].shape: there is no such shape"},
+      {named + positions("[1e40, 0, 0]") + "}]", "the pose \"a\""},
+      {R"("poses": [{"positions": []}])", "a.viete: poses[0]: the key \"name\" is missing"},
+      {"\"poses\": [{\"name\": \"" + std::string(201, 'x') + "\"}]", "poses[0].name: this name is too long"},
+      {R"("unmixed": {})", "a.viete: unmixed: "},
+      {R"("shapes": [{"float32": "!"}])", "a.viete: shapes[0].float32: this is not base64"},
+      {R"("shapes": [{"float32": "AAAA"}])", "three numbers for each vertex"},
+      {R"("shapes": [{"float32": "AAAAAAAAAAAAAAAA"}], "shape": 0)", "a.viete: shape: it is of a vertex"},
+      {time("\"rate\": 0"), "a.viete: time.rate: "},
+      {time("\"repeat\": \"often\""), "a.viete: time.repeat: "},
+      {time("\"first\": 50, \"last\": 3"), "a.viete: time: its last frame is not after its first"},
+      {time("\"first\": 1e7"), "a.viete: time.first: "},
+      {time("\"frame\": \"now\""), "a.viete: time.frame: "},
+      {time("\"cameras\": [{\"frame\": 4}]"), "a.viete: time.cameras[0]: the key \"target\" is missing"},
+      {keys(key_text("1e9")), "a.viete: time.keys[0].frame: "},
+      {keys(key_text("2") + "," + key_text("2")), "a.viete: time.keys: the keys are not in the order"},
+      {keys(key_text("2", "\"easing\": \"fast\",")), "a.viete: time.keys[0].easing: "},
+      {keys("{\"frame\": 7}"), "a.viete: time: the pose of frame 7 is of another cage or model"},
+      {keys("{\"frame\": 7, " + positions("[1e40, 0, 0]") + "}"), "frame 7"}};
+  for (const auto& c : cases) {
+    CAPTURE(c.members);
+    test::put_file(files / "a.viete", with(c.members));
+    const std::string said = refusal(files / "a.viete");
+    CHECK_MESSAGE(mentions(said, c.said), said);
+    CHECK_MESSAGE(mentions(said, "a.viete"), said);
+  }
+}
+
+TEST_CASE("all_typed_values_and_views_survive_saving") {
+  const test::CubeFiles files;
+  for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
+    Workspace w = worked(files);
+    w.view.cage = true;
+    Transform t;
+    t.shift = {amount, 0, 0};
+    t.factors = {1, amount, 1};
+    t.degrees = amount;
+    for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
+      transform_selection(w.document, tool, test::plain_grip(w.document), t);
+    frame_selection(w, false);
+    w.camera.pan({1e30f, -1e30f}, w.viewport);
+    REQUIRE(save_session(w, files / "a.viete"));
+    CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "null"));
+    Workspace back = test::opened({files / "a.viete"});
+    CHECK(back.messages.all().empty());
+    check_same(w, back);
+  }
+  Workspace w = test::opened({files.model, files.cage});
+  test::add_two_poses(w.document);
+  for (int tenths = -2000; tenths <= 3000; tenths += 493) {
+    w.document.library.poses[0].weight = tenths / 10.0 / 100;
+    test::put_file(files / "b.viete", session_text(session_of(w), files / "b.viete"));
+    CHECK(read_json(files / "b.viete")["poses"][0].value("weight", 0.0) == tenths / 10.0);
+    CHECK(read_session(files / "b.viete").library.poses[0].weight == tenths / 10.0 / 100);
+  }
+}
+
+TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
+  const test::CubeFiles files;
+  Workspace w = test::opened({files.model, files.cage});
+  const auto check_kept = [&](const deform::Scheme& scheme) {
+    CAPTURE(text(scheme));
+    w.document.scheme = scheme;
+    test::put_file(files / "a.viete", session_text(session_of(w), files / "a.viete"));
+    CHECK(read_session(files / "a.viete").scheme == scheme);
+  };
+  for (deform::Scheme scheme : deform::valid_schemes()) {
+    scheme.weighting.radius = 0.29;  // also where the weights do not use it
+    check_kept(scheme);
+  }
+  CHECK(read_json(files / "a.viete")["radius"] == 29);
+  deform::Scheme stitched = deform::default_scheme();
+  for (const int iterations : {0, 1, deform::most_iterations}) {
+    stitched.iterations = iterations, stitched.holding = {0.29, 0.07};
+    check_kept(stitched);
+  }
+  const auto scheme = [&](const std::string& keys) {
+    test::put_file(files / "a.viete", with(keys));
+    return text(read_session(files / "a.viete").scheme);
+  };
+  CHECK(scheme(R"("radius": 30)") == "inverse, srl");
+  CHECK(scheme(R"("weights": "mean-value")") == "mean-value, linear");
+  CHECK(scheme(R"("blend": "linear")") == "inverse, linear");
+  CHECK(scheme(R"("blend": "mls-rigid", "weights": "biharmonic")") == "biharmonic, mls-rigid");
+}
+
+TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
+  const test::CubeFiles files;
+  test::put_file(files / "a.viete", R"({"version": 1, "model": "model.obj"})");
+  CHECK(mentions(refusal(files / "a.viete"), "not a session"));
+  test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
+  CHECK(mentions(refusal(files / "a.viete"),
+                 "version: the session has version 2, this version of Viete reads 1"));
+  for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
+    test::put_file(files / "a.viete", text);
+    CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);
+  }
+}
+
+TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
+  const test::CubeFiles files;
+  Workspace w = test::opened({files.model, files.cage, files.pose});
+  REQUIRE(save_session(w, files / "a.viete"));
+  fs::copy(files.cage, files / "same.obj");
+  fs::rename(files / "same.obj", files.cage);  // a new file with the old content
+  CHECK(said_on_opening(files / "a.viete").empty());
+
+  mesh::Surface cage = test::cube(1.5);
+  std::reverse(cage.positions.begin(), cage.positions.end());
+  for (auto& t : cage.triangles)
+    for (auto& v : t) v = 7 - v;
+  formats::write(files.cage, mesh::from_triangles(cage.positions, cage.triangles));
+  auto said = said_on_opening(files / "a.viete");
+  REQUIRE(said.size() == 1);
+  CHECK_MESSAGE((mentions(said[0], "a.viete: cage: ") && mentions(said[0], "cage.obj has changed since")),
+                said[0]);
+  CHECK(mentions(said[0], "restore the older file"));
+
+  formats::write(files.model, test::cube(1.25));
+  said = said_on_opening(files / "a.viete");
+  REQUIRE(said.size() == 2);
+  CHECK(mentions(said[0], "model.obj has changed since"));
+
+  Workspace again = test::opened({files / "a.viete"});
+  REQUIRE(save_session(again, files / "a.viete"));
+  CHECK_MESSAGE(said_on_opening(files / "a.viete").empty(), "the session belongs to the new files");
+}
+
+TEST_CASE("a_pose_that_is_cut_short_is_not_blamed_on_the_cage") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  w.document.pose.positions.pop_back();
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK(mentions(refusal(files / "a.viete"), "use an older copy"));
+  formats::write(files.cage, test::cube(1.25));
+  CHECK(mentions(refusal(files / "a.viete"), "the cage has changed"));
+}
+
+TEST_CASE("a_broken_cage_names_both_files") {
+  const test::CubeFiles files;
+  Workspace w = worked(files);
+  REQUIRE(save_session(w, files / "a.viete"));
+  fs::rename(files.broken, files.cage);
+  const std::string said = refusal(files / "a.viete");
+  CHECK_MESSAGE((mentions(said, "a.viete: cage: ") && mentions(said, "cage.obj:2")), said);
+}
+
+// Without a change of brackets and quotes most damage leaves valid JSON.
+TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::test_suite(test::longer)) {
+  const test::CubeFiles files;
+  const std::string whole = session_text(session_of(animated(files)), files / "a.viete");
+  const std::string noise = "0123456789-+.eE\"[]{},:tfn \x80";
+  std::mt19937 random(3);
+  int refused = 0, opened = 0;
+  const int rounds = test::rounds(200, 2000);
+  for (int i = 0; i < rounds; ++i) {
+    std::string damaged = whole.substr(0, i % 8 == 0 ? random() % whole.size() : whole.size());
+    for (unsigned n = 1 + i % 3; n-- > 0 && !damaged.empty();) {
+      const std::size_t at = random() % damaged.size();
+      if (i % 2) {
+        damaged[at] = noise[random() % noise.size()];
+      } else if (std::isdigit(static_cast<unsigned char>(damaged[at]))) {
+        damaged.replace(at, 1, std::array{"9", "00", "1e9", "e300", "0.5", "null"}[random() % 6]);
+      }
+    }
+    test::put_file(files / "b.viete", damaged);
+    Workspace back;
+    if (!open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) {
+      ++refused;
+      CHECK(mentions(back.messages.all().back().text, "b.viete"));
+      CHECK_FALSE(back.document.model.surface);
+      continue;
+    }
+    ++opened;
+    start_playing(back);
+    for (int frame = 0; frame < 5; ++frame) follow_time(back, 0.7);
+    for (std::size_t pose = 0; pose < back.document.library.poses.size(); ++pose)
+      set_weight(back.document, back.playback.vectors, pose, 0.5);
+    CHECK(in_range(whole_pose(back.document)));
+    test::put_file(files / "c.viete", session_text(session_of(back), files / "c.viete"));
+    CHECK_NOTHROW(read_session(files / "c.viete"));
+  }
+  CHECK(refused > rounds / 5);
+  CHECK(opened > rounds / 10);
+}
+
+TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
+  const test::CubeFiles files;
+  const fs::path folder = files / "caf\xe9 100%";
+  fs::create_directories(folder);
+  fs::rename(files.model, folder / "m\xff.obj");
+  fs::rename(files.cage, folder / "c\xff.obj");
+  Workspace w;
+  REQUIRE(test::load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
+  for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
+    REQUIRE(save_session(w, session));
+    Workspace back = test::opened({session});
+    CHECK(back.document.model.path.filename() == "m\xff.obj");
+    CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
+  }
+}
+
+TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_recovered") {
+  const test::CubeFiles files;
+  Workspace w = test::opened({files.model, files.cage});
+  w.document.timeline = test::three_keys();
+  follow_time(w, 0);
+  for (const double degrees : {33, 400}) {
+    go_to_frame(w, degrees / 10);
+    record_edit(w.document, "move");
+    w.document.pose = test::turned_cube(degrees);
+    follow_time(w, 0);
+  }
+  go_to_frame(w, 11);
+  const auto keyed = w.document.pose.positions;
+  REQUIRE(save_session(w, files / "a.viete"));
+  CHECK_FALSE(has_unsaved_edits(w));
+  test::put_file(files / "left.viete", session_text(session_of(w), files / "left.viete", false));
+  for (const bool recovered : {false, true}) {
+    CAPTURE(recovered);
+    Workspace again;
+    again.playback.auto_key = true;
+    REQUIRE(recovered ? open_now(again, {OpenRequest::What::recovery, {files / "left.viete"}})
+                      : open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
+    follow_time(again, 0);
+    CHECK(has_unsaved_edits(again) == recovered);
+    CHECK(again.document.timeline.keys.size() == 3);
+    if (!recovered) CHECK(again.document.pose.positions == keyed);
+    if (!recovered) undo(again.document);
+    CHECK(again.document.pose.positions == test::turned_cube(400).positions);
+    CHECK(again.document.pose.turns == test::turned_cube(400).turns);
+    CHECK(again.document.frame == 40);
+    undo(again.document);
+    CHECK(again.document.pose.positions == test::turned_cube(33).positions);
+    CHECK(again.document.timeline.unkeyed.empty());
+  }
+}
+
+TEST_CASE("another_document_that_is_opened_does_not_play_on") {
+  const test::CubeFiles files;
+  Workspace w = animated(files);
+  REQUIRE(save_session(w, files / "a.viete"));
+  w.playback.auto_key = true;
+  start_playing(w);
+  CHECK(w.playback.playing);
+  REQUIRE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
+  CHECK_FALSE(w.playback.playing);
+  CHECK(w.playback.auto_key);
+  const auto positions = w.document.pose.positions;
+  follow_time(w, 1);
+  CHECK(w.document.pose.positions == positions);
+  CHECK(w.document.timeline.keys.size() == 3);
+}

@@ -1,0 +1,184 @@
+// Conversion of attributes to other formats.
+#include "formats/conversion.h"
+
+#include <doctest/doctest.h>
+
+#include "formats/write.h"
+#include "support/gltf.h"
+#include "support/shapes.h"
+
+using namespace viete;
+using namespace viete::formats;
+using namespace viete::mesh;
+using viete::test::holds;
+
+namespace {
+
+namespace fs = std::filesystem;
+using Notes = std::vector<std::string>;
+
+// A square of two triangles with all attributes; the texture points of the second corner differ.
+const std::string everything =
+    "mtllib some.mtl\no thing\ng part\nusemtl red\n"
+    "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
+    "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
+    "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
+
+// Writes in the format of `path`, by default without the data of the original file.
+Notes convert(const ReadResult& read, const fs::path& path, bool with_original = false) {
+  const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
+  return formats::write(path, content, with_original ? read.original.get() : nullptr, {});
+}
+
+struct Converted : test::TemporaryFolder {
+  ReadResult read = [this] {
+    test::put_file(*this / "some.mtl", "newmtl red\nKd 1 0 0\nmap_Kd red.png\nnewmtl blue\nKd 0 0 1\n");
+    test::put_file(*this / "red.png", "a picture");
+    return test::read_kept(everything, "obj", path());
+  }();
+
+  // Rotates by 90 degrees about the x axis.
+  Notes to(const std::string& name) {
+    moved.clear();
+    for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});
+    return formats::write(*this / name, Content{read.surface, moved, {}, read.attributes.get()}, nullptr, {});
+  }
+  std::vector<Point> moved;
+};
+
+}  // namespace
+
+TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
+  Converted c;
+  CHECK(c.to("out.obj") == Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
+  CHECK(c.entries() == 3);
+  const ReadResult out = formats::read(c / "out.obj");
+  CHECK(out.surface.positions == c.moved);
+  REQUIRE(out.attributes);
+  const Attributes &now = *out.attributes, &before = *c.read.attributes;
+  CHECK(now.texture_points == before.texture_points);
+  CHECK(now.corner_texture == before.corner_texture);
+  CHECK(now.colors == before.colors);
+  CHECK(now.materials.empty());
+  REQUIRE(now.groups.size() == 1);
+  CHECK(!now.groups[0].smooth);
+  for (const std::uint32_t n : now.corner_normal) CHECK(norm(now.normals[n] - Vec3{0, -1, 0}) < 1e-12);
+}
+
+TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
+  Converted c;
+  CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "
+                                 "groups, materials, textures"});
+  const ReadResult out = formats::read(c / "out.ply");
+  CHECK(out.surface.positions == c.moved);
+  CHECK(out.attributes->colors == c.read.attributes->colors);
+  const ReadResult smooth =
+      test::read_kept("v 0 0 0\nv 1 0 0\nv 1 1 0\nvt 0.5 0.25\nvn 0 0 1\nf 1/1/1 2/1/1 3/1/1\n", "obj");
+  CHECK(convert(smooth, c / "smooth.ply").empty());
+  const ReadResult again = formats::read(c / "smooth.ply");
+  CHECK(again.attributes->normals[2] == Vec3{0, 0, 1});
+  CHECK(again.attributes->texture_points[1] == Vec2{0.5, 0.25});
+}
+
+TEST_CASE("conversion_reports_content_that_is_lost") {
+  Converted c;
+  CHECK(c.to("out.off").size() == 1);
+  CHECK(formats::read(c / "out.off").attributes->colors == c.read.attributes->colors);
+  CHECK(c.to("out.stl") == Notes{"STL cannot store other content of the file: texture coordinates, normals, "
+                                 "colours, groups, materials, textures"});
+  CHECK(formats::read(c / "out.stl").surface.triangles.size() == 2);
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
+  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store other content of the file: 2 lines, 1 "
+                                                 "point, 1 statement of curves, surfaces and display"});
+  CHECK(convert(obj, c / "a.obj", true).empty());
+  CHECK(convert(test::read_kept(triangle, "obj"), c / "b.stl", true).empty());
+  const ReadResult ply = test::read_kept(
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float "
+      "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
+      "ply");
+  CHECK(convert(ply, c / "a.off", true) ==
+        Notes{"OFF cannot store other content of the file: property quality of vertex, element edge"});
+  test::GltfParts parts = test::patch();
+  parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
+  parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
+  parts.json["meshes"][0]["primitives"][0]["attributes"]["TEXCOORD_1"] = 2;
+  CHECK(holds(convert(test::read_kept(parts.glb(), "glb"), c / "a.ply", true).at(0),
+              "textures, animations, morph targets, second texture coordinates"));
+}
+
+TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
+  const test::TemporaryFolder folder;
+  const ReadResult square = test::read_kept(
+      "# caf\xE9\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\no one\nf 1 2 3 4\no two\nf 4 3 2 1\n", "obj");
+  for (const char* name : {"a.glb", "a.gltf"}) {
+    const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
+    CHECK(formats::write(folder / name, content, nullptr, {}) ==
+          Notes{"glTF cannot store other content of the file: groups",
+                "2 faces of more than three corners became triangles"});
+    CHECK(formats::read(folder / name).surface.positions.size() == 4);
+  }
+}
+
+TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
+  // A strip of two quads in the plane z = 0 with one normal for all, then bent up at x = 1.
+  const ReadResult flat = test::read_kept(
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\nf 2//1 3//1 "
+      "6//1 "
+      "5//1\n",
+      "obj");
+  std::vector<Point> posed = flat.surface.positions;
+  posed[2][2] = posed[5][2] = 1;
+  const test::TemporaryFolder folder;
+  formats::write(folder / "a.glb", Content{flat.surface, posed, {}, flat.attributes.get()}, nullptr, {});
+  const ReadResult read = formats::read(folder / "a.glb");
+  const Attributes& a = *read.attributes;
+  const double s = std::sqrt(0.5);
+  for (std::size_t c = 0; c < read.surface.corners.size(); ++c) {
+    const double x = read.surface.positions[read.surface.corners[c]][0];
+    const Vec3& n = a.normals[a.corner_normal[c]];
+    if (x == 0) CHECK(norm(n - Vec3{0, 0, 1}) < 1e-6);
+    if (x == 2) CHECK(norm(n - Vec3{-s, 0, s}) < 1e-6);
+    if (x == 1) CHECK((n[0] < -0.1 && n[0] > -s));
+  }
+}
+
+TEST_CASE("obj_and_ply_saved_elsewhere_find_their_materials_and_images") {
+  const std::string textured =
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl paint\nf 1/1 2/2 3/3\n";
+  const test::TemporaryFolder folder;
+  for (const char* name : {"in", "in/textures", "out"}) fs::create_directory(folder / name);
+  test::put_file(folder / "in/a.obj", textured);
+  test::put_file(folder / "in/a.mtl",
+                 "newmtl paint\nmap_Kd textures\\wood.png\nmap_Bump -bm 0.2 bumps.png\nnorm "
+                 "../far.png\nmap_Ks none.png\n");
+  test::put_file(folder / "in/textures/wood.png", "wood");
+  test::put_file(folder / "in/bumps.png", "bumps");
+  test::put_file(folder / "far.png", "far");
+  test::put_file(folder / "out/bumps.png", "mine");
+  const auto again = [&](const char* from, const char* to) {
+    return convert(formats::read(folder / from), folder / to, true);
+  };
+  for (int i = 0; i < 2; ++i) {
+    const auto notes = again("in/a.obj", "out/b.obj");
+    REQUIRE(notes.size() == 3);
+    CHECK(holds(notes[0], "a.mtl, textures/wood.png"));
+    CHECK(holds(notes[1], "bumps.png"));
+    CHECK(holds(notes[2], "far.png"));
+  }
+  CHECK(test::file_bytes(folder / "out/b.obj") == textured);
+  CHECK(test::file_bytes(folder / "out/textures/wood.png") == "wood");
+  CHECK(test::file_bytes(folder / "out/bumps.png") == "mine");
+  CHECK(formats::read(folder / "out/b.obj").attributes->images.at(0).path ==
+        folder / "out/textures/wood.png");
+  CHECK(again("in/a.obj", "in/b.obj").empty());
+  test::put_file(
+      folder / "in/a.ply",
+      "ply\nformat ascii 1.0\ncomment TextureFile bumps.png\nelement vertex 3\nproperty float x\nproperty "
+      "float y\nproperty float z\nproperty float s\nproperty float t\nelement face 1\nproperty list uchar "
+      "int vertex_indices\nend_header\n0 0 0 0 0\n1 0 0 1 0\n0 1 0 0 1\n3 0 1 2\n");
+  fs::create_directory(folder / "ply");
+  CHECK(again("in/a.ply", "ply/b.ply").size() == 1);
+  CHECK(test::file_bytes(folder / "ply/bumps.png") == "bumps");
+}

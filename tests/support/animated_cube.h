@@ -1,0 +1,44 @@
+// A cube in a rotating cage.
+#pragma once
+
+#include <cmath>
+
+#include "document/animation.h"
+#include "support/files.h"
+#include "support/posed_cube.h"
+
+namespace viete::test {
+
+/// About z, and moved along x; one vertex is pulled out, so that no pose is a rigid motion.
+inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
+                                double pull = 0.5) {
+  const double a = degrees / 180 * 3.14159265358979323846;
+  deform::Pose pose = deform::rest_pose(cage);
+  pose.positions[7][2] += pull;
+  for (auto& p : pose.positions)
+    p = {std::cos(a) * p[0] - std::sin(a) * p[1] + along, std::sin(a) * p[0] + std::cos(a) * p[1], p[2]};
+  return pose;
+}
+
+/// Files of a cube, and a document of these with keys at the frames 1, 9 and 17: rest, a quarter turn, and
+/// 100 degrees farther.
+struct AnimatedCube : CubeFiles {
+  document::Document document = document::open_document(model, cage);
+
+  AnimatedCube() {
+    const deform::Cage& c = *document.cage;
+    document.timeline.keys = {{1, whole(deform::rest_pose(c))},
+                              {9, whole(turned_cage(c, 90, 1))},
+                              {17, whole(turned_cage(c, 190, 1, -0.25))}};
+    document.timeline.first = 1;
+    document.timeline.last = 17;
+  }
+
+  document::WholePose pose(double frame) const {
+    document::VectorCache vectors;
+    vectors.follow(document.cage);
+    return document::Animation(document.timeline, vectors).at(frame);
+  }
+};
+
+}  // namespace viete::test

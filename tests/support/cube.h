@@ -1,0 +1,47 @@
+// A workspace with a cube as model in a larger cube as cage, built in memory.
+#pragma once
+
+#include <memory>
+
+#include "workspace/workspace.h"
+
+namespace viete::test {
+
+inline mesh::Surface cube(double half) {
+  std::vector<mesh::Point> points;
+  for (int i = 0; i < 8; ++i)
+    points.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
+  return mesh::from_triangles(std::move(points), {{0, 2, 1},
+                                                  {1, 2, 3},
+                                                  {4, 5, 6},
+                                                  {5, 7, 6},
+                                                  {0, 1, 4},
+                                                  {1, 5, 4},
+                                                  {2, 6, 3},
+                                                  {3, 6, 7},
+                                                  {0, 4, 2},
+                                                  {2, 4, 6},
+                                                  {1, 3, 5},
+                                                  {3, 7, 5}});
+}
+
+inline document::Document cube_document() {
+  document::Document document;
+  document.model.surface = std::make_shared<const mesh::Surface>(cube(1));
+  document.cage_file.surface = std::make_shared<const mesh::Surface>(cube(1.5));
+  document.cage = std::make_shared<const deform::Cage>(deform::make_cage(cube(1.5)));
+  document.pose = deform::rest_pose(*document.cage);
+  document.model.bounds = mesh::used_bounds(*document.model.surface);
+  document.space = document::space_for(document.model.bounds);
+  return document;
+}
+
+inline workspace::Workspace cube_workspace() {
+  workspace::Workspace workspace;
+  workspace.document = cube_document();
+  workspace.viewport = {{1000, 800}, {200, 0}, {800, 780}};
+  workspace::frame_all(workspace, false);
+  return workspace;
+}
+
+}  // namespace viete::test

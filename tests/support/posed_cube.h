@@ -1,0 +1,60 @@
+// Poses of the cube's cage, and a workspace with a few keys.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+#include "document/pose_edit.h"
+#include "document/time_edit.h"
+#include "support/cube.h"
+#include "support/distance.h"
+
+namespace viete::test {
+
+/// About z.
+inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, double degrees) {
+  const double angle = degrees / 180 * std::numbers::pi, c = std::cos(angle), s = std::sin(angle);
+  for (auto& p : positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+  return positions;
+}
+
+/// The whole cage rotated about z, with whole turns.
+inline deform::Pose turned_cube(double degrees) {
+  return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
+}
+
+/// Scaled along x and z.
+inline deform::Pose stretched_cube(double x, double z = 1) {
+  deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
+  for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
+  return pose;
+}
+
+inline document::SharedPose whole(deform::Pose pose, std::vector<deform::ProbePose> probes = {}) {
+  return std::make_shared<const document::WholePose>(document::WholePose{std::move(pose), std::move(probes)});
+}
+
+inline document::PoseKey key(int frame, const deform::Pose& pose,
+                             document::Easing easing = document::Easing::smooth) {
+  return {frame, whole(pose), easing};
+}
+
+/// Rest at 1, a half turn at 11, twice as wide at 31.
+inline document::Timeline three_keys() {
+  document::Timeline timeline;
+  timeline.keys = {key(1, turned_cube(0)), key(11, turned_cube(180)), key(31, stretched_cube(2))};
+  timeline.last = 31;
+  return timeline;
+}
+
+/// Named "turned" (90 degrees) and "wide" (twice).
+inline void add_two_poses(document::Document& document) {
+  document.library.poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
+}
+
+/// The largest distance between vertices, in cage diagonals.
+inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
+  return largest_distance(a, b) / (3 * std::sqrt(3.0));
+}
+
+}  // namespace viete::test

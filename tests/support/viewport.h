@@ -1,0 +1,10 @@
+// The part of the window that the tests look into.
+#pragma once
+
+#include "document/camera.h"
+
+namespace viete::test {
+
+inline const document::Viewport viewport{{1000, 800}, {320, 0}, {680, 774}};
+
+}  // namespace viete::test
