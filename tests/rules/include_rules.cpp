@@ -121,7 +121,7 @@ TEST_CASE("planted_violations_are_found") {
   CHECK(violation("mesh", false, "../deform/cage.h"));
   CHECK(violation("interact", false, "imgui.h"));
   CHECK(violation("interact", false, "files/session.h"));
-  CHECK(violation("scene/document", false, "workspace/workspace.h"));
+  CHECK(violation("document", false, "workspace/workspace.h"));
   CHECK(violation("mesh", false, "formats/read.h"));
   CHECK(violation("deform/sparse", false, "deform/cage.h"));
   CHECK(violation("deform", true, "Eigen/Dense"));
