@@ -26,6 +26,6 @@
 #define VIETE_KERNELS_LEFT_OUT 0
 #endif
 #undef HWY_DISABLED_TARGETS
-#define HWY_DISABLED_TARGETS                                                                       \
-  (HWY_SSSE3 | VIETE_HWY_SSE2 | HWY_AVX3_DL | VIETE_HWY_AVX3_ZEN4 | VIETE_HWY_AVX3_SPR | HWY_SVE | \
-   HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | (VIETE_KERNELS_LEFT_OUT))
+#define HWY_DISABLED_TARGETS                                                                        \
+  (HWY_SSSE3 | HWY_SSE4 | VIETE_HWY_SSE2 | HWY_AVX3_DL | VIETE_HWY_AVX3_ZEN4 | VIETE_HWY_AVX3_SPR | \
+   HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | (VIETE_KERNELS_LEFT_OUT))

@@ -52,9 +52,6 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_AVX2
     {"avx2", true, HWY_AVX2, &N_AVX2::table},
 #endif
-#if HWY_TARGETS & HWY_SSE4
-    {"sse4", false, HWY_SSE4, &N_SSE4::table},
-#endif
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
@@ -65,14 +62,13 @@ constexpr Kernel compiled[] = {
 
 bool machine_can_run(const Kernel& k) {
 #if defined(__x86_64__) || defined(__i386__)
-  const bool sse4 = __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("pclmul");
-  const bool avx2 = sse4 && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-                    __builtin_cpu_supports("bmi2") && __builtin_cpu_supports("bmi");
+  const bool avx2 = __builtin_cpu_supports("pclmul") && __builtin_cpu_supports("avx2") &&
+                    __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2") &&
+                    __builtin_cpu_supports("bmi");
   const bool avx512 = avx2 && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                       __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw");
   if (k.highway_target == HWY_AVX3) return avx512;
   if (k.highway_target == HWY_AVX2) return avx2;
-  if (k.highway_target == HWY_SSE4) return sse4;
 #endif
   return k.highway_target == HWY_SCALAR || k.highway_target == HWY_NEON;
 }

@@ -18,7 +18,7 @@ struct Kernel {
 
 /// Kernels that are compiled in and supported by this machine, best first. The last one runs everywhere.
 ///   "avx512": AVX-512 F, VL, DQ, BW     "avx2": AVX2 and FMA     "neon": 64-bit ARM     (fused)
-///   "sse4":   SSE4.2, and "scalar":  separate multiplications and additions; the same bits as each other
+///   "scalar": separate multiplications and additions
 std::span<const Kernel> kernels();
 
 /// The kernel of single calls and, by default, of batches: the first of kernels(), or the one named by the

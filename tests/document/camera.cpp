@@ -19,7 +19,7 @@ using namespace viete;
 
 namespace {
 
-const Viewport whole{{1000, 800}, {0, 0}, {1000, 800}};
+const Viewport whole_view{{1000, 800}, {0, 0}, {1000, 800}};
 const Viewport beside_panel{{1000, 800}, {320, 0}, {680, 774}};
 
 glm::vec2 pixel(const Camera& camera, const Viewport& v, const glm::vec3& p) {
@@ -43,7 +43,7 @@ OpenedSurface bottle(std::size_t axis, const std::string& format = "OBJ") {
 
 TEST_CASE("the_target_is_in_the_middle_of_the_free_part_of_the_window") {
   Camera camera;
-  for (const auto& v : {whole, beside_panel}) {
+  for (const auto& v : {whole_view, beside_panel}) {
     const glm::vec2 at = pixel(camera, v, camera.pose().target);
     CHECK(at.x == doctest::Approx(v.origin.x + 0.5f * v.size.x).epsilon(1e-4));
     CHECK(at.y == doctest::Approx(v.origin.y + 0.5f * v.size.y).epsilon(1e-4));
@@ -75,7 +75,7 @@ TEST_CASE("framed_points_fit_the_uncovered_free_part_of_the_window_and_nearly_fi
 TEST_CASE("a_single_point_is_framed_from_a_finite_distance") {
   Camera camera;
   const glm::vec3 one[] = {{1, 2, 3}};
-  camera.frame(one, whole, false);
+  camera.frame(one, whole_view, false);
   CHECK(camera.pose().target == one[0]);
   CHECK(camera.pose().distance > 0.1f);
 }
@@ -83,8 +83,8 @@ TEST_CASE("a_single_point_is_framed_from_a_finite_distance") {
 TEST_CASE("panning_moves_the_target_with_the_hand") {
   Camera camera;
   const glm::vec3 target = camera.pose().target;
-  camera.pan({30, -20}, whole);
-  const glm::vec2 at = pixel(camera, whole, target);
+  camera.pan({30, -20}, whole_view);
+  const glm::vec2 at = pixel(camera, whole_view, target);
   CHECK(at.x == doctest::Approx(530).epsilon(1e-3));
   CHECK(at.y == doctest::Approx(380).epsilon(1e-3));
 }
@@ -188,7 +188,7 @@ TEST_CASE("a_camera_clamps_every_input") {
     CHECK(is_sane(camera.pose()));
     const glm::vec3 points[] = {{x, 0, 0}, {0, -x, 0}, {1, 2, 3}};
     for (const bool eased : {false, true}) {
-      camera.frame(points, whole, eased);
+      camera.frame(points, whole_view, eased);
       CHECK(is_sane(camera.pose()));
       CHECK(is_sane(camera.destination()));
     }
@@ -196,7 +196,7 @@ TEST_CASE("a_camera_clamps_every_input") {
   }
   Camera camera;
   camera.set_pose({{0, 0, 0}, farthest_camera, 0, 0});
-  for (int i = 0; i < 10000; ++i) camera.pan({800, 0}, whole);
+  for (int i = 0; i < 10000; ++i) camera.pan({800, 0}, whole_view);
   CHECK(is_sane(camera.pose()));
 }
 

@@ -1,7 +1,5 @@
-// Reads one input with one reader: the result must be a valid surface or base::Error.
-//
-// Built once per format (VIETE_FUZZ_READ is the reader). With VIETE_LIBFUZZER and clang, libFuzzer calls it;
-// otherwise driver.cpp.
+#include "fuzz/fuzz_reader.h"
+
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -17,6 +15,7 @@
 
 using namespace viete::formats;
 using namespace viete::mesh;
+using viete::fuzz::Reader;
 
 namespace {
 
@@ -24,7 +23,7 @@ void require(bool condition) {
   if (!condition) std::abort();
 }
 
-void check_invariants(const Surface& s, std::size_t bytes) {
+void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
   for (const auto& p : s.positions) {
     for (const double x : p) require(std::isfinite(x) && std::abs(x) <= 1e100);
   }
@@ -35,7 +34,6 @@ void check_invariants(const Surface& s, std::size_t bytes) {
     for (const auto v : t) require(v < s.positions.size());
   }
   // Limits to the size of the file plus instances.
-  constexpr std::size_t placed = VIETE_FUZZ_PLACED;
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
 
@@ -66,11 +64,11 @@ std::string written_again(const ReadResult& read, const std::vector<Point>& posi
 }
 
 // A deformed file must be readable, with the same polygons if its format has shared vertices.
-void check_moved(const ReadResult& read) {
+void check_moved(const ReadResult& read, Reader* reader) {
   auto moved = read.surface.positions;
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v][v % 3] += 0.37 * static_cast<double>(v % 7);
   const std::string text = written_again(read, moved);
-  const ReadResult again = VIETE_FUZZ_READ(Source{"fuzz", "", text, nullptr});
+  const ReadResult again = reader(Source{"fuzz", "", text, nullptr});
   require(again.surface.polygon_count() == read.surface.polygon_count());
   // Moved vertices may coincide, which a glTF reader merges as a seam.
   if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
@@ -123,18 +121,19 @@ void check_converted(const ReadResult& read) {
 
 }  // namespace
 
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+void viete::fuzz::check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data,
+                               std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   const std::shared_ptr<const void> owner(std::shared_ptr<const void>(), data);  // outlives this call
   const Source source{"fuzz", "", bytes, nullptr, owner};
   try {
-    const ReadResult read = VIETE_FUZZ_READ(source);
+    const ReadResult read = reader(source);
     check_attributes(read);
     if (!read.format.starts_with("glTF")) {  // glTF rewrites its JSON
       require(written_again(read, read.surface.positions) == bytes);
-      check_moved(read);
+      check_moved(read, reader);
     }
-    check_invariants(read.surface, size);
+    check_invariants(read.surface, size, placed);
     if (size < 20000) {
       check_morphs(read);
       summarize(read.surface);
@@ -143,5 +142,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const viete::base::Error& error) {
     require(!error.place().empty());
   }
-  return 0;
 }

@@ -5,11 +5,11 @@
 
 using namespace viete;
 using test::Driver;
-using Kind = platform::OffscreenContext::Kind;
+using ContextKind = platform::OffscreenContext::Kind;
 
 namespace {
 
-render::Image picture_by(Kind kind) {
+render::Image picture_by(ContextKind kind) {
   Driver d(Driver::default_options(), test::WithPixels{kind});
   d.open_dragon();
   d.workspace().view.panels = false;
@@ -20,6 +20,6 @@ render::Image picture_by(Kind kind) {
 }  // namespace
 
 TEST_CASE("osmesa_and_egl_give_the_same_picture" * doctest::test_suite(test::if_present)) {
-  if (!test::available(Kind::osmesa) || !test::available(Kind::egl)) return;
-  CHECK(test::difference(picture_by(Kind::osmesa), picture_by(Kind::egl), 2) < 0.001);
+  if (!test::available(ContextKind::osmesa) || !test::available(ContextKind::egl)) return;
+  CHECK(test::difference(picture_by(ContextKind::osmesa), picture_by(ContextKind::egl), 2) < 0.001);
 }

@@ -39,7 +39,6 @@ TEST_CASE("the_environment_can_choose_the_kernel") {
 #if defined(__x86_64__)
 TEST_CASE("a_processor_has_the_kernels_of_its_instruction_sets") {
   const auto has = [](std::string_view name) { return sym3::kernel_from_name(name) != nullptr; };
-  CHECK(has("sse4") == bool(__builtin_cpu_supports("sse4.2")));
   CHECK(has("avx2") == (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")));
   CHECK(has("avx512") == (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
                           __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512bw")));

@@ -16,7 +16,6 @@
 #define VIETE_RETURN_COMPILED(name, target)               \
   return *((target) == HWY_AVX3   ? HWY_CHOOSE_AVX3(name) \
            : (target) == HWY_AVX2 ? HWY_CHOOSE_AVX2(name) \
-           : (target) == HWY_SSE4 ? HWY_CHOOSE_SSE4(name) \
            : (target) == HWY_NEON ? HWY_CHOOSE_NEON(name) \
                                   : VIETE_CHOOSE_SCALAR(name))
 
