@@ -24,13 +24,14 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
+// The edit's effect on the displacements from rest to pose: scales all displacements, after mirroring the
+// displacements of mirrored vertices.
 struct Follow {
   cages::Plane plane{};
   double scale = 1;
 };
 
-// Keeps whole turns of the parts if their number is unchanged.
+// Transfers a pose to the edited cage. If the number of parts is unchanged, the parts keep their whole turns.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
@@ -46,8 +47,8 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
-// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose. Without a
-// label it is part of the last edit.
+// Replaces the cage. During cage editing, the new cage is shown at rest; otherwise its vertices keep their
+// pose. With an empty label, the change extends the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -114,7 +115,7 @@ bool commit_cage_edit(Document& document) {
     document.selection = selection;
     return true;
   } catch (const base::Error& error) {
-    // Undoes the edit that moved it, and later selection changes.
+    // Undoes the edit that moved the vertices, and selection changes after that edit.
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
@@ -174,7 +175,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // The side with the selected vertices, else the positive one.
+  // If vertices are selected, keeps their side of the plane.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))

@@ -18,7 +18,6 @@ namespace {
 
 constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
-// For a model that is a single point, the size it is drawn with.
 double size_of(const Document& document) {
   return document.space.diagonal();
 }
@@ -28,13 +27,13 @@ std::string label(const char* verb, const Document& document) {
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
-// Begins an edit of the probes.
+// Records an edit, and returns the probes for the change.
 deform::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
 
-// For the selected probes.
+// Calls `change` for the selected unlocked probes.
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
@@ -54,7 +53,7 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
-// The vertex drawn nearest to the point.
+// Returns the vertex whose displayed position is nearest to the point.
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   double least = std::numeric_limits<double>::infinity();
@@ -66,7 +65,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// The rest position of a point near the displayed model: keeps its offset from the nearest vertex.
+// Returns the rest position of a point near the displayed model, by its offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);
@@ -105,7 +104,7 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
-    edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
+    edit(document, "add pin").all.push_back(pin_of(document, vertex));
     document.carried.clear();
   }
   select(document, found, found + 1);

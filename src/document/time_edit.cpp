@@ -16,7 +16,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 void check_frame(int frame) {
   if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
     throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
-                      "choose one from " + std::to_string(Timeline::least_frame) + " to " +
+                      "choose a frame from " + std::to_string(Timeline::least_frame) + " to " +
                           std::to_string(Timeline::largest_frame));
 }
 
@@ -24,12 +24,12 @@ bool among(std::span<const int> frames, int frame) {
   return std::ranges::find(frames, frame) != frames.end();
 }
 
-// The key of the frame, created if missing.
+// Returns the key of the frame. Creates the key if the frame has no key.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = std::ranges::lower_bound(keys, frame, {}, &Key::frame);
   if (place != keys.end() && place->frame == frame) return *place;
-  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
+  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some keys");
   return *keys.insert(place, Key{frame});
 }
 
