@@ -55,11 +55,11 @@ inline std::span<const Entry<Kind>> all_kinds() {
 }
 inline std::span<const Entry<Symmetry>> all_symmetries() {
   static constexpr Entry<Symmetry> symmetries[] = {
-      {Symmetry::automatic, "auto", "symmetric across the model's own plane of symmetry, if it has one"},
-      {Symmetry::none, "none", "not symmetric"},
-      {Symmetry::x, "x", "symmetric across the middle of the model along x"},
-      {Symmetry::y, "y", "symmetric across the middle of the model along y"},
-      {Symmetry::z, "z", "symmetric across the middle of the model along z"},
+      {Symmetry::automatic, "auto", "the model's own plane of symmetry, if it has one"},
+      {Symmetry::none, "none", "no plane of symmetry"},
+      {Symmetry::x, "x", "the plane perpendicular to x through the model's centre"},
+      {Symmetry::y, "y", "the plane perpendicular to y through the model's centre"},
+      {Symmetry::z, "z", "the plane perpendicular to z through the model's centre"},
   };
   return symmetries;
 }
