@@ -25,8 +25,8 @@ struct ShapeTerm {
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If the rest shape and all terms lie in one plane across a coordinate axis, puts the positions exactly into
-/// that plane.
+/// If the rest shape and all terms are in one plane perpendicular to a coordinate axis, moves the positions
+/// exactly onto this plane.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
@@ -84,12 +84,12 @@ private:
   std::map<const void*, KnownShape> known_shapes_;
 };
 
-/// The poses of a timeline at any frame. Immutable and thread-safe. At a key, the pose is exactly the key's
-/// pose. If this pose has no whole turns, it gets the whole turns nearest to the previous key.
+/// Computes the pose at any frame of a timeline. Immutable and thread-safe. At a key, returns exactly the
+/// key's pose. If this pose has no whole turns, adds the whole turns nearest to the previous key.
 ///
-/// Between keys, the cage is blended in log space (see PoseSpace), or vertex by vertex in a linear timeline.
-/// Probes are always blended in log space. `smooth` easing can overshoot: if the result leaves the drawable
-/// range, the pose of the previous key is used.
+/// Between keys, blends the cage in log space (see PoseSpace); if the timeline is linear, blends its vertex
+/// positions. Always blends probes in log space. If the result is out of the drawable range, because `smooth`
+/// easing can overshoot, returns the pose of the previous key.
 class Animation {
 public:
   /// The poses and shapes of the keys must belong to the cage and the model of `vectors`. Throws base::Error
@@ -100,7 +100,7 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// Here `straight` replaces the timeline's own choice between linear and log space.
+  /// Uses `straight` instead of the setting of the timeline.
   WholePose at(double frame, bool straight) const;
 
 private:

@@ -15,8 +15,8 @@ namespace viete::document {
 struct Brush {
   static constexpr float least_radius = 4, largest_radius = 400;
 
-  float radius = 40;  ///< logical pixels
-  float share = 0;    ///< the painted mask value: 0 stays at rest, 1 follows the cage fully
+  float radius = 40;  ///< in logical pixels
+  float share = 0;    ///< the mask value to paint, from 0 (stays at rest) to 1 (follows the cage)
 };
 
 /// The last deformed model, in the vertex layout of the GPU. Without vertices, the model is at rest.
@@ -50,8 +50,8 @@ class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Sets the mask to `share` up to half the radius from the center. From there to the radius, the effect
-  /// falls off to 0.
+  /// Paints the mask value `share` around the center. The strength is full up to half the radius, and falls
+  /// to 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
   /// Records the stroke as one undoable edit, if it changed the mask.

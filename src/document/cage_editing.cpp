@@ -24,8 +24,8 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The edit's effect on the displacements from rest to pose: scales all displacements, after mirroring the
-// displacements of mirrored vertices.
+// How an edit changes the displacements from rest to pose: mirrors the displacements of mirrored vertices,
+// and scales all displacements.
 struct Follow {
   cages::Plane plane{};
   double scale = 1;
@@ -70,7 +70,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// The same polygons with other positions.
+// Returns the cage with other positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);

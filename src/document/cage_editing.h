@@ -5,7 +5,7 @@
 
 namespace viete::document {
 
-/// Margin between a fitted cage and its box, relative to the model's diagonal.
+/// The margin between a fitted cage and the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
 /// Begin and end cage editing. At the end, each vertex returns to its pose, shifted by the change of its rest
@@ -30,7 +30,7 @@ void subdivide_cage(Document& document);
 void mirror_cage(Document& document);
 /// Moves and scales the cage, with its pose, to the model's bounding box.
 void fit_cage(Document& document);
-/// Moves the cage outward around model vertices outside it. Returns the number of vertices still outside.
+/// Moves the cage outward to enclose the model. Returns the number of model vertices that are still outside.
 std::size_t enclose_model(Document& document);
 
 }  // namespace viete::document

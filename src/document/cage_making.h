@@ -29,7 +29,8 @@ struct CageMaking {
 
 /// True if the document's cage is the last generated cage.
 bool shows_generated(const Document& document, const CageMaking& making);
-/// True if, in addition, generating this cage was the last edit. Replacing the cage then loses no work.
+/// True if the document's cage is the last generated cage and the last edit generated it. Then replacing the
+/// cage loses no work.
 bool can_replace_generated(const Document& document, const CageMaking& making);
 
 /// Puts a generated cage at rest into the document. Undoable. Consecutive generated cages form one edit.

@@ -8,12 +8,12 @@
 
 namespace viete::document {
 
-/// The free part of the window, which panels do not cover. In logical pixels from the window's top left.
+/// The part of the window that panels do not cover, in logical pixels from the window's top left.
 struct Viewport {
   glm::vec2 window{1, 1};  ///< size of the whole window
-  glm::vec2 origin{0, 0};  ///< top left of the free part
-  glm::vec2 size{1, 1};    ///< size of the free part
-  /// In a split view: the top left and the size of this view's pane, as fractions of the free part.
+  glm::vec2 origin{0, 0};  ///< top left of the uncovered part
+  glm::vec2 size{1, 1};    ///< size of the uncovered part
+  /// The top left and the size of this view's pane in a split view, as fractions of the uncovered part.
   glm::vec2 pane{0, 0}, pane_size{1, 1};
 
   friend bool operator==(const Viewport&, const Viewport&) = default;
@@ -33,7 +33,7 @@ struct CameraPose {
   float distance = 4;
   float yaw = 0.65f;          ///< about the up axis; at 0 the camera looks along -Z, or along Y if Z is up
   float pitch = 0.32f;        ///< above the horizon, in [-pi/2, pi/2]
-  bool orthographic = false;  ///< the target then has the same size as in perspective
+  bool orthographic = false;  ///< shows objects near the target in the same size as perspective
   UpAxis up = UpAxis::y;
 
   friend bool operator==(const CameraPose&, const CameraPose&) = default;
@@ -53,7 +53,7 @@ std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 
 
 class Camera {
 public:
-  static constexpr float vertical_field = 0.55f;  ///< radians
+  static constexpr float vertical_field = 0.55f;  ///< the vertical field of view, in radians
 
   const CameraPose& pose() const { return current_; }
   /// Returns the final pose of a running animation, or the current pose if no animation runs.
@@ -77,7 +77,7 @@ public:
   glm::dvec3 plane_displacement(const glm::vec2& pixels, double depth, const Viewport& viewport) const;
 
   void set_orthographic(bool orthographic);
-  /// Keeps yaw and pitch.
+  /// Keeps the yaw and pitch angles.
   void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
   void pan(const glm::vec2& pixels, const Viewport& viewport);

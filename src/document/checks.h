@@ -56,8 +56,7 @@ std::vector<std::uint32_t> vertices_of(const Finding& finding, const mesh::Surfa
 /// as in the deformation. `progress` may be null. Throw base::Cancelled. Thread-safe.
 std::vector<Finding> check_model(const mesh::Surface& model, const mesh::Summary& summary);
 std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progress = nullptr);
-/// Returns the model vertices outside the cage; nullopt if the cage encloses the model. Face orientation has
-/// no effect.
+/// Returns the model vertices outside the cage; nullopt if the cage encloses all. Ignores face orientations.
 std::optional<Finding> check_enclosure(const mesh::Surface& cage, const mesh::Surface& model,
                                        base::Progress* progress = nullptr);
 

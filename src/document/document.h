@@ -34,7 +34,7 @@ using deform::Amounts, deform::Blend, deform::Holding, deform::most_iterations, 
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 
-/// A counter that increases with each change, so that computed data can be updated.
+/// A counter that increases with each change. Code compares it to decide whether its data is up to date.
 using Revision = unsigned long;
 
 struct Revisions {
@@ -75,9 +75,9 @@ struct Document : DocumentState {
   /// Give write access and increase the revision.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
-  /// For the timeline, the pose list and undo. A null shape means the rest shape.
+  /// Sets the shape from the timeline, the pose list or undo. Null means the rest shape.
   void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
-  /// For pin posing.
+  /// Sets the shape from pin posing.
   void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
   /// Replaces the cage and its pose. Clears the selection of cage elements, hidden vertices and named sets.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);

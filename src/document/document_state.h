@@ -50,7 +50,7 @@ struct PoseLibrary {
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
 };
 
-/// Probe poses and their factor in a sum of logs. Missing probes are at rest.
+/// Probe poses, and their factor in a weighted sum of logs. Missing probes are at rest.
 struct ProbeTerm {
   const std::vector<deform::ProbePose>* poses;
   double factor;
@@ -59,7 +59,7 @@ std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
 /// True if the pose is within the ranges of document/range.h, and every coordinate is at most `farthest`.
 bool in_range(const WholePose& pose, double farthest = most_drawn);
-/// True if the positions are exactly equal and the whole turns are equal.
+/// True if positions are exactly equal and whole turns are equal.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);
 /// True if cages, shapes and probes have the same pose. Missing probes are at rest.
 bool same_pose(const WholePose& a, const WholePose& b);
@@ -72,10 +72,10 @@ struct OpenedSurface {
   std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has none
   std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written back unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< of the vertices that polygons use
+  mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use
   std::vector<std::string> warnings;
   std::uint64_t content = 0;  ///< mesh::content_key(), or 0 if it is not known
-  std::string made;           ///< if the surface is not in a file: its name, such as "cage.obj, edited"
+  std::string made;           ///< a description of a surface that is not in a file: "cage.obj, edited"
 };
 
 /// Returns the file name, or the description of a surface that is not in a file.

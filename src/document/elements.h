@@ -62,9 +62,9 @@ void select_set(Document& document, std::size_t set, SelectMode mode);
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Transfers the groups from a cage with so many vertices to an edited cage. `origins` has, for each new
-/// vertex, the old vertices it came from: a new vertex is in a group if all of its old vertices are. Removes
-/// empty sets.
+/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices; `origins`
+/// has the old vertices of each new vertex. A new vertex is hidden, or in a set, if all its old vertices are.
+/// Removes empty sets.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
 /// Returns the names of the removed sets, as in: "Arm", "Leg". Empty if no set was removed.

@@ -15,7 +15,7 @@ namespace viete::document {
 
 struct FileInUse {
   std::filesystem::path path;
-  std::string_view what;  ///< "the model"; a string with static lifetime
+  std::string_view what;  ///< a string with static lifetime, such as "the model"
 };
 
 using FileIdentity = std::variant<std::pair<dev_t, ino_t>, std::filesystem::path>;

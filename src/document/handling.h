@@ -13,7 +13,7 @@ using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 /// The center of rotation and scale.
 enum class Pivot { median, active, joint, point };
 
-/// The orientation of the gizmo and of the axis keys X, Y and Z.
+/// The axes of the gizmo, and of the keys X, Y and Z during a drag.
 enum class Axes { world, view, selection };
 
 enum class MirrorPlane { none, x, y, z, fit };

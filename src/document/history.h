@@ -14,7 +14,7 @@ enum class EditKind { other, selection, binding, amounts, mix, keys, play, probe
 /// Consecutive edits with equal steps can merge into one edit.
 struct EditStep {
   EditKind kind = EditKind::other;
-  std::size_t of = 0;  ///< the number of the edited setting, pose or probe part
+  std::size_t of = 0;  ///< the index of the edited setting, pose or probe part
 
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
@@ -26,7 +26,7 @@ public:
   /// Adds an edit. `before` is the state before the edit.
   void record(std::string label, DocumentState before, EditStep step = {});
 
-  /// Adds a change of the selection. Does not increase the revision, because the change needs no saving.
+  /// Adds a change of the selection. Does not increase the revision: a selection need not be saved.
   void record_selection(DocumentState before);
   /// Replaces the selection stored with the last edit. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
@@ -74,7 +74,7 @@ private:
 
     EditKind kind() const { return step.kind; }
   };
-  /// Pops the last entry of `from` and stores `now` in `to`.
+  /// Removes the last entry of `from` and returns its state. Stores `now` in `to`.
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
 
   std::vector<Entry> undo_, redo_;

@@ -21,7 +21,7 @@ struct Mirror {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   cages::Plane plane;
-  std::vector<std::uint32_t> partners;  ///< one per vertex: `none`, or itself if it is on the plane
+  std::vector<std::uint32_t> partners;  ///< per vertex; a vertex on the plane is its own partner
 
   std::size_t unpaired() const;
   bool is_on_plane(std::uint32_t v) const { return partners[v] == v; }
@@ -46,7 +46,7 @@ struct MirrorCache {
   const Mirror* get() const { return mirror ? &*mirror : nullptr; }
 };
 
-/// Adds the mirror partners to the vertices and sorts all. If `mirror` is null, returns the vertices.
+/// Adds the mirror partners to the vertices and sorts the result. Adds nothing if `mirror` is null.
 std::vector<std::uint32_t> with_partners(std::vector<std::uint32_t> vertices, const Mirror* mirror);
 
 }  // namespace viete::document

@@ -9,8 +9,8 @@ namespace viete::document {
 
 /// Records the current state for undo. Call this before changing the document.
 void record_edit(Document& document, const std::string& label, EditStep step = {});
-/// For edits in small steps, such as a slider: if the last edit has the same step and `merge` is true,
-/// extends that edit. Otherwise records a new edit.
+/// Records an edit by a slider, which makes many small edits: if the last edit has the same step and `merge`
+/// is true, extends that edit. Otherwise records a new edit.
 void record_step(Document& document, const std::string& label, EditStep step, bool merge = true);
 
 /// The state of a document before an action that can be cancelled.
@@ -32,8 +32,8 @@ void redo(Document& document);
 /// Undoes or redoes until History::position() is `edits`.
 void go_to_edit(Document& document, std::size_t edits);
 
-/// Records a change of the selection after the change. `before` is the previous selection. A change between
-/// two empty selections is not recorded.
+/// Records a change of the selection that was already made. `before` is the previous selection. Does nothing
+/// if both selections are empty.
 void record_selection(Document& document, const Selection& before);
 
 }  // namespace viete::document

@@ -11,13 +11,13 @@ namespace viete::document {
 /// Returns the current frame, rounded.
 int current_frame(const Document& document);
 
-/// Stores the current pose as a key. A key that it replaces passes on its easing. The playback range grows to
-/// contain the frame. `weights` has the weights of the named poses in the current pose; if it is empty, the
-/// pose list has them. Throws base::Error if the timeline is full or the frame is out of range.
+/// Stores the current pose as a key. An existing key keeps its easing. Extends the playback range to the
+/// frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of the
+/// pose list. Throws base::Error if the timeline is full or the frame is out of range.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// Like set_key(), but extends the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Sets a camera key. Adds whole turns to its yaw, so that it is nearest to the previous key's yaw.
+/// Sets a camera key. Adds whole turns to the yaw, so that the yaw is nearest to the yaw of the previous key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// Replaces all camera keys by one full turn about the up axis, at constant speed over the playback range.
 void set_turntable(Document& document, const CameraPose& camera);

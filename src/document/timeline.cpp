@@ -39,7 +39,7 @@ std::optional<Piece> piece_before(const Track& track, std::size_t key) {
   return track.closed ? piece_after(track, track.count - 2) : std::nullopt;
 }
 
-// Adds `factor` times the mean slope of an interval. Slopes are per frame.
+// Adds `factor` times the mean slope of an interval, in units per frame.
 void add_secant(std::vector<KeyShare>& shares, const Piece& piece, double factor) {
   shares.push_back({piece.to, factor / piece.length});
   shares.push_back({piece.from, -factor / piece.length});

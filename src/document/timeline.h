@@ -71,8 +71,8 @@ struct CameraKey {
 };
 
 struct Playing {
-  int first = 1, last = 60;  ///< playback range; last > first
-  double rate = 24;          ///< frames per second
+  int first = 1, last = 60;  ///< the playback range; last > first
+  double rate = 24;          ///< in frames per second
   Repeat repeat = Repeat::loop;
   bool straight = false;  ///< blends vertex positions linearly instead of in log space
 
@@ -103,7 +103,7 @@ struct KeyShare {
 /// The interpolation at a frame.
 struct Moment {
   std::vector<KeyShare> shares;  ///< at most four; the sum of the factors is 1
-  std::size_t from = 0;          ///< the last key that is not after the frame, or the first key
+  std::size_t from = 0;          ///< the key at or before the frame; before the first key, the first key
 };
 
 /// Returns the interpolation at any frame, also between whole frames. Requires a key. Before the first key,

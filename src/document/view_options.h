@@ -29,8 +29,8 @@ struct ViewOptions {
   bool axes = true;                               ///< the axis widget
   bool ghost = false;                             ///< faintly shows the cage at rest while the cage is posed
   analysis::Field field = analysis::Field::none;  ///< colours the model by this map
-  bool select_visible = false;  ///< the mouse selects only elements that are not behind the model or the cage
-  bool same_path = false;       ///< also computes the method `fast` in separate steps and in double
+  bool select_visible = false;  ///< the mouse only selects elements that are not behind the model or the cage
+  bool same_path = false;       ///< computes the method `fast` in separate steps, in double, for fair timings
   bool panels = true;
   bool hints = true;  ///< false after the first drag
 
@@ -42,7 +42,7 @@ struct SideWay {
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   analysis::Field field = analysis::Field::none;
-  /// Blends poses and keys in the other way than the document: linearly instead of in log space, or reversed.
+  /// Blends poses and keys linearly if the document uses log space, and in log space otherwise.
   bool other_blending = false;
 
   friend bool operator==(const SideWay&, const SideWay&) = default;
@@ -51,7 +51,7 @@ struct SideWay {
 struct SideWays {
   static constexpr std::size_t most = 3;
 
-  std::vector<SideWay> sides;       ///< at most `most`; empty for a single view
+  std::vector<SideWay> sides;       ///< the additional views, at most `most`
   std::vector<CameraPose> cameras;  ///< one for each additional view; if empty, all views share one camera
 
   friend bool operator==(const SideWays&, const SideWays&) = default;
