@@ -193,8 +193,8 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Returns the clearance of an unreached node. `by_depth` is computed from the distance to the reached region.
-// If it agrees with the distance to the model, the latter is used, with a negative sign inside the model.
+// Returns the clearance of an unreached node. `by_depth` follows from the distance to the reached region. If
+// it agrees with the distance to the model, returns the distance to the model, negative inside the model.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;

@@ -97,8 +97,8 @@ struct Obstacle {
 Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& closing, base::WorkerPool& pool,
                     base::Progress* progress = nullptr);
 
-/// Returns the clearance of the model with added balls around these points, so that details smaller than a
-/// grid step are not missed. Only values below `most` are exact.
+/// Adds balls around these points to the model, so that the clearance includes details smaller than a grid
+/// step. Only values below `most` are exact.
 Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

@@ -13,9 +13,9 @@ namespace viete::cages {
 /// tightening; it is about a hundred times slower.
 enum class Accuracy { quadrics, volume };
 
-/// Collapses edges in the order of their cost, until at most `triangles` are left and as long as the cage
-/// stays sound. If no edge can be collapsed, permits worse triangle shapes. Returns true if the number was
-/// reached. `progress` may be null. Throws base::Cancelled.
+/// Collapses edges in the order of their cost, until at most `triangles` are left. Each collapse keeps the
+/// cage sound. If no edge can be collapsed, permits worse triangle shapes. Returns false if more triangles
+/// are left. `progress` may be null. Throws base::Cancelled.
 bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress);
 
 }  // namespace viete::cages

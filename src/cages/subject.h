@@ -25,8 +25,8 @@ struct Plane {
 /// Joins a half shell and its mirror image at x = 0. Vertices of the half keep their indices.
 Shell whole(const Shell& half);
 
-/// Returns the best plane of symmetry. Nullopt if the model and its mirror image differ by more than 2 % of
-/// the diagonal at a sampled point. `progress` may be null. Throws base::Cancelled.
+/// Returns the best plane of symmetry. Returns nullopt if the model and its mirror image differ by more than
+/// 2 % of the diagonal at a sampled point. `progress` may be null. Throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {

@@ -1,4 +1,4 @@
-// A cage under construction, and tests whether a change keeps it sound.
+// A cage under construction, with tests whether a change keeps the cage sound.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -41,9 +41,9 @@ struct Star {
   }
 };
 
-/// An oriented manifold. A change fits if the clearance is at least `margin` within the resolution of the
-/// grid, no triangle intersects another triangle or the model, no `enclosed` point changes sides, and in a
-/// mirrored cage no vertex has x < 0. Not thread-safe.
+/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles
+/// intersect neither other triangles nor the model, their clearance is at least `margin` (within the
+/// resolution of the grid), no `enclosed` point changes sides, and in a mirrored cage no vertex has x < 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,

@@ -145,8 +145,9 @@ void remove_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const Selection& selection = document.selection;
   const auto put = [&](cages::Edited edited, const char* label) {
-    require(edited.surface.corners != cage.corners, "the selection cannot be removed",
-            "it is not enclosed by a single loop; remove faces instead");
+    require(edited.surface.corners != cage.corners,
+            "the boundary around the selection is not a single loop, so the selection cannot be removed",
+            "remove faces instead");
     put_edited(document, std::move(edited), label);
   };
   if (selection.kind() == ElementKind::vertex)
@@ -166,8 +167,8 @@ void extrude_selected(Document& document) {
 
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
-  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
-          "a cage has at most 20,000 vertices");
+  require(document.cage->surface.positions.size() < most_vertices / 4,
+          "the cage would have too many vertices", "a cage may have at most 20,000 vertices");
   put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
 }
 
@@ -194,7 +195,8 @@ void fit_cage(Document& document) {
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");
+  require(document.cage->closed, "the cage is open, so it has no inside",
+          "close the holes of the cage first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");

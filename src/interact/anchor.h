@@ -18,9 +18,9 @@ struct Anchor {
   glm::dmat3 axes{1};          ///< columns of length 1, right-handed
 };
 
-/// Returns the selected vertices that follow the cursor, ascending; their mirror partners follow them. If
-/// both partners of a pair are selected, the vertex on the leading side is returned: the side of the active
-/// element or, without an active element, the side with more selected vertices.
+/// Returns the selected vertices that a drag moves directly, ascending. If both partners of a mirrored pair
+/// are selected, returns only the partner on one side: the side of the active element or, without an active
+/// element, the side with more selected vertices.
 std::vector<std::uint32_t> leading_vertices(const document::Document& document,
                                             const document::Mirror* mirror);
 

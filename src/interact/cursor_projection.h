@@ -15,7 +15,7 @@ class Projector {
 public:
   Projector(const document::Space& space, const document::Camera& camera, const document::Viewport& viewport);
 
-  /// Returns x and y in logical pixels, and the depth in front of the camera. Nullopt for a point behind it.
+  /// Returns x and y in logical pixels, and the depth. Returns nullopt for a point behind the camera.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
   /// Clips the segment to the near plane and projects both ends; nullopt if no part of it is in front.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
@@ -46,20 +46,20 @@ public:
   /// Returns the motion on screen, in pixels, per view unit of motion in this direction.
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
-  /// Returns the distance from the point to the position under the cursor on the axis. 0 if the axis points
-  /// at the eye. Near the vanishing point, the distance is limited to 20 times the orthographic distance.
+  /// Returns the distance from the point to the position under the cursor on the axis. If the axis points at
+  /// the eye, returns 0. Near the vanishing point, returns at most 20 times the orthographic distance.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
   /// Returns the angle of the cursor about the axis, in radians in (-pi, pi], relative to a fixed direction.
-  /// Nullopt if a ring around the axis is seen edge-on.
+  /// Returns nullopt if a ring around the axis is seen edge-on.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// For a ring that is seen edge-on, with a radius in pixels: returns the rotation, in radians, that moves
-  /// the near side of the ring by `pixels`.
+  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. The ring is seen
+  /// edge-on and has a radius in pixels.
   double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
 
-  /// Returns the intersection of the ray with the plane through the point. Nullopt if the plane is seen
-  /// edge-on, or the cursor is above the plane's horizon.
+  /// Returns the intersection of the ray with the plane through the point. Returns nullopt if the plane is
+  /// seen edge-on, or the cursor is above the plane's horizon.
   std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const document::Ray& ray) const;
 
 private:

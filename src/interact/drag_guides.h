@@ -1,4 +1,4 @@
-// The lines and the rotation sector that are drawn during a drag, in logical pixels.
+// The axis lines and the rotation arc that are drawn during a drag, in logical pixels.
 #pragma once
 
 #include <array>

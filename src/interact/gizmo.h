@@ -50,8 +50,8 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// Returns the handle under the cursor. If no small element is under the cursor, call it with `reach`: then
-/// the larger tolerance is used, and the far sides of rings can be hit.
+/// Returns the handle under the cursor. With `reach`, uses the larger tolerance and also hits the far sides
+/// of rings. Use `reach` if no small element is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 /// Returns a name such as "Move along X".

@@ -15,8 +15,8 @@
 
 namespace viete::interact {
 
-/// A coarse depth buffer, with one sample per two logical pixels. A point counts as visible up to half a
-/// percent of the model's diagonal behind the nearest surface, because elements of the cage lie on the cage.
+/// A coarse depth buffer, with one sample per two logical pixels. Points are visible up to half a percent of
+/// the model's diagonal behind the nearest surface; otherwise the cage would hide its own elements.
 class Sight {
 public:
   Sight(const document::Camera& camera, const document::Viewport& viewport);
@@ -39,13 +39,13 @@ struct Pick {
   float depth;  ///< of the picked point in front of the camera, in view units
 };
 
-/// Returns the element of this kind under the cursor. A vertex or edge must be within 8 logical pixels; among
-/// elements that are up to 2 pixels farther than the nearest element, the front element is picked. If no face
-/// is under the cursor, a face at the nearest edge is picked. With `sight`, only visible elements are picked.
+/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. If other elements are at
+/// most 2 pixels farther from the cursor, picks the front element. If no face is under the cursor, picks a
+/// face at the nearest edge. With `sight`, picks visible elements only.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
-/// Uses the kind of the selection.
+/// Picks an element of the selection's kind.
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
                                  const document::Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight = nullptr);
@@ -59,7 +59,7 @@ std::vector<std::uint32_t> pick_elements_in_box(const document::Document& docume
                                                 const document::Camera& camera,
                                                 const document::Viewport& viewport, const glm::vec2& corner,
                                                 const glm::vec2& opposite, const Sight* sight = nullptr);
-/// Uses a closed polyline instead of the rectangle.
+/// Returns the elements inside a closed polyline, like pick_elements_in_box().
 std::vector<std::uint32_t> pick_elements_in_lasso(const document::Document& document,
                                                   const document::Camera& camera,
                                                   const document::Viewport& viewport,

@@ -10,9 +10,9 @@
 namespace viete::interact {
 
 /// Transforms the vertices of the grip, or the selected probes, from their pose in `before`. `degrees_seen`
-/// is the rotation in the current pose: if the new rotation differs much, it is applied in small steps, so
-/// that whole turns are counted. |degrees| must be at most most_degrees. If the result is out of range
-/// (document/range.h), restores the pose of `before` and returns false.
+/// is the rotation in the current pose: if the new rotation differs much, applies it in small steps to count
+/// whole turns. |degrees| must be at most most_degrees. If the result is out of range (document/range.h),
+/// restores the pose of `before` and returns false.
 bool place(document::Document& document, const document::DocumentState& before, const Grip& grip,
            const Transform& transform, double degrees_seen);
 

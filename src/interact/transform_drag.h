@@ -89,7 +89,7 @@ private:
   Tool tool_;
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last bending axis, if it was rejected as parallel to the line of ends
+  std::optional<int> along_way_;  // the last bending axis, if it was parallel to the line between the ends
   glm::dvec3 pivot_, view_axis_;  // the view axis points to the eye
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // slow mode subtracts the lag from the cursor

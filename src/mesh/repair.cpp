@@ -86,8 +86,8 @@ private:
   bool agree_ = true;
 };
 
-// Returns the corners, rotated to begin with the lowest, in the direction that is lexicographically lower.
-// Also returns true if this is the polygon's own direction.
+// Returns the corners, beginning with the lowest corner, in the lexicographically lower direction. The second
+// value is true if this is the polygon's own direction.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));

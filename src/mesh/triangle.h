@@ -18,7 +18,7 @@ inline bool repeats_corner(const Triangle& t) {
 std::vector<Triangle> proper_triangles(const Surface& surface);
 
 /// False if the triangle is a line or a point within rounding: twice the area is at most 1e-12 times the
-/// square of the largest coordinate of the sides. Lengths from 1e-300 to 1e300.
+/// square of the largest coordinate of the sides. Valid for lengths from 1e-300 to 1e300.
 bool has_area(const Point& a, const Point& b, const Point& c);
 
 struct Closest {
@@ -27,7 +27,8 @@ struct Closest {
 };
 
 /// Returns the point of the triangle closest to p. A triangle without area is treated as its longest edge, or
-/// as a point. Lengths from 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
+/// as a point. Lengths must be from 1e-75 to 1e75. Source: Ericson, Real-Time Collision Detection,
+/// 2005, 5.1.5.
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
 /// Returns half the solid angle of the triangle, seen from 0 (van Oosterom and Strackee 1983, eq. 8).
@@ -42,7 +43,7 @@ using Point2 = std::array<double, 2>;
 /// all four points are in a plane.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise as seen along -normal.
+/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise around the normal.
 int orientation_along(const Vec3& normal, const Point& a, const Point& b, const Point& c);
 
 /// Returns the sign of det(b - a, c - a): 1 if a, b, c are counter-clockwise, and 0 if they are collinear.
@@ -69,7 +70,7 @@ bool crosses(const Point& p, const Point& q, const Corners& t);
 bool cut(const Corners& s, const Corners& t);
 
 /// Returns the squared distance; 0 if the triangles intersect. A triangle without area is treated as its
-/// longest edge, or as a point. Lengths from 1e-75 to 1e75.
+/// longest edge, or as a point. Valid for lengths from 1e-75 to 1e75.
 double squared_distance(const Corners& s, const Corners& t);
 
 }  // namespace viete::mesh

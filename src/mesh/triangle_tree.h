@@ -13,7 +13,7 @@
 namespace viete::mesh {
 
 /// A tree of any triangles. A triangle without area is treated as its longest edge, or as a point. Copies the
-/// corners. Thread-safe. Lengths from 1e-75 to 1e75.
+/// corners. Thread-safe. Valid for lengths from 1e-75 to 1e75.
 class TriangleTree {
 public:
   /// Requires at least one triangle. `groups` is empty or has one number per position; a triangle is in the
@@ -26,8 +26,7 @@ public:
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  /// Returns the triangle nearest to p. If no squared distance is less than `below`, returns an infinite
-  /// distance and the largest std::uint32_t.
+  /// Returns the triangle nearest to p, or Nearest() if all squared distances are at least `below`.
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
   struct NearestOfGroup {
@@ -76,9 +75,8 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // enter(node) decides whether to pass a node, to enter it, or to end the search with true. In entered
-  // leaves, visit(index in order_) is called for each triangle; if it returns true, the search ends with
-  // true.
+  // Searches the tree. enter(node) decides whether to pass a node, to enter it, or to return true. In entered
+  // leaves, calls visit(index in order_) for each triangle, and returns true if visit() does.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 

@@ -13,8 +13,8 @@ namespace viete::mesh {
 
 /// Returns the generalised winding number around p: the sum of the triangles' signed solid angles, divided by
 /// 4 pi. For a closed surface oriented outward, it is 1 inside and 0 outside. Not defined on the surface.
-/// Lengths from 1e-100 to 1e100. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using
-/// generalized winding numbers; van Oosterom and Strackee 1983, The solid angle of a plane triangle (eq. 8).
+/// Lengths must be from 1e-100 to 1e100. Sources: Jacobson et al. 2013, Robust inside-outside segmentation
+/// using generalized winding numbers; van Oosterom and Strackee 1983, The solid angle of a plane triangle.
 double winding_number(const Surface& surface, const Point& p);
 
 /// Returns the indices of the positions outside the cage, ascending. The absolute winding number of these
