@@ -13,8 +13,8 @@ struct Fitted {
   double scale = 1;
 };
 
-/// Translates and uniformly scales the cage, so that its bounding box tightly contains the model's box with a
-/// margin on each side. `margin` is relative to the model's diagonal. Neither surface may be a single point.
+/// Translates and uniformly scales the cage to enclose the model's bounding box, with a margin on each side.
+/// `margin` is relative to the model's diagonal. Neither surface may be a single point.
 Fitted fitted_to_box(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 struct Enclosing {

@@ -125,8 +125,8 @@ private:
     }
   }
 
-  // Triangulates the loop as a fan without inner edges on cell faces, because an edge of the next cell could
-  // coincide with such an edge. If no fan fits, triangulates around the centre.
+  // Triangulates the loop as a fan. An inner edge of the fan must not be on a cell face: there it could
+  // coincide with an edge of the next cell. If no fan fits, triangulates around the centre.
   void close_loop() {
     const std::size_t n = loop_.size();
     for (std::size_t first = 0; first < n; ++first) {

@@ -37,8 +37,8 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
 /// Checks a cage and a model in file coordinates.
 Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
-/// Moves triangles outward if their exact distance to the model is less than the margin, as far as the cage
-/// stays sound. Returns how many remain too near. `progress` may be null. Throws base::Cancelled.
+/// Moves triangles that are nearer to the model than the margin outward, while the cage stays sound. Returns
+/// the number of triangles that are still too near. `progress` may be null. Throws base::Cancelled.
 std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress);
 
 }  // namespace viete::cages

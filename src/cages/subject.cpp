@@ -163,8 +163,8 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-// Calls visit(position, weight) for points whose moments up to the second equal those of the triangles. If
-// the triangles have no area, calls it for the vertices.
+// Calls visit(position, weight) for points that have the same area, mean and inertia as the triangles. If the
+// triangles have no area, calls it for the vertices.
 template <class Visit>
 void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
   if (!has_area) {

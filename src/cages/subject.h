@@ -62,7 +62,7 @@ struct FramedModel {
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
 
-/// The data that all cages with one mirror plane share. Thread-safe after construction.
+/// The data shared by all cages with the same mirror plane. Thread-safe after construction.
 struct Subject {
   /// The surface must have at least two different points. `progress` may be null. Throws base::Cancelled.
   Subject(const mesh::Surface& surface, const std::optional<Plane>& mirror, base::Progress* progress);

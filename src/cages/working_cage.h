@@ -42,8 +42,8 @@ struct Star {
 };
 
 /// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles
-/// intersect neither other triangles nor the model, their clearance is at least `margin` (within the
-/// resolution of the grid), no `enclosed` point changes sides, and in a mirrored cage no vertex has x < 0.
+/// intersect neither other triangles nor the model. Their clearance must be at least `margin`, within the
+/// resolution of the grid. No `enclosed` point may change sides. A mirrored cage must stay in x >= 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,

@@ -25,8 +25,7 @@ struct ShapeTerm {
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If the rest shape and all terms are in one plane perpendicular to a coordinate axis, moves the positions
-/// exactly onto this plane.
+/// If the rest shape and all terms have the same constant x, y or z, sets this coordinate of the positions.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
@@ -41,9 +40,9 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
 /// Caches the log vectors of poses of one cage and of shapes of one model. Not thread-safe.
 class VectorCache {
 public:
-  /// Sets the cage, which may be null. Clears the cached poses if the cage is another one.
+  /// Sets the cage, which may be null. Clears the cached poses if the cage changed.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
-  /// Sets the model. Clears the cached shapes if the model is another one.
+  /// Sets the model. Clears the cached shapes if the model changed.
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
   /// Returns null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
@@ -58,7 +57,7 @@ public:
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// Adds the cached shapes of another cache. Does nothing if its model is another one.
+  /// Adds the cached shapes of another cache. Does nothing if the caches have different models.
   void take(VectorCache&& others);
 
 private:
@@ -111,7 +110,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate; a key with a larger one raises it
+  double farthest_ = most_drawn;  // the largest allowed coordinate, at least the largest of all keys
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

@@ -195,8 +195,7 @@ void fit_cage(Document& document) {
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open, so it has no inside",
-          "close the holes of the cage first");
+  require(document.cage->closed, "the cage is open, so it has no inside", "close its holes first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
     put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");

@@ -151,7 +151,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
-  // Welding takes the faces from duplicate vertices, but they are used.
+  // Duplicate vertices lose their faces by welding, but they are not unused.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));

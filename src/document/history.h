@@ -36,7 +36,7 @@ public:
   /// Removes the last edit and restores the redo list from before the edit. Returns the state before the
   /// edit. Requires can_undo().
   DocumentState drop_last();
-  /// Returns the number of recorded edits, without those removed by drop_last().
+  /// Returns the number of recorded edits. drop_last() decreases this number.
   unsigned long recorded() const { return recorded_; }
 
   /// Call this after the file was overwritten with the cage `by`. Other cages from this file lose their path.
@@ -44,7 +44,7 @@ public:
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }
-  /// Returns the label of the edit that the next undo reverts; empty without such an edit.
+  /// Returns the label of the edit that the next undo reverts; empty if there is no such edit.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
   std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
   /// Returns the labels of the undo list, then of the redo list, in the order in which the edits were made.
@@ -53,7 +53,7 @@ public:
   std::size_t position() const { return undo_.size(); }
   /// Returns the step of the last edit; nullopt without an edit or if the redo list is not empty.
   std::optional<EditStep> last_step() const;
-  /// Returns the state that the next undo restores; null without such a state.
+  /// Returns the state that the next undo restores; null if there is no edit to undo.
   const DocumentState* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
   /// Increases with each edit, undo and redo, but not with changes of the selection.
   unsigned long revision() const { return revision_; }

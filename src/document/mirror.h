@@ -29,8 +29,8 @@ struct Mirror {
 };
 
 /// Finds the mirror of the cage at rest; nullopt if no plane fits or `choice` is none. Two vertices are
-/// partners if each is the nearest vertex to the other's mirror image, within 2 % of the cage's diagonal. A
-/// plane across an axis is at 0 or in the middle of the cage: the one that pairs more vertices is used.
+/// partners if each is the nearest vertex to the other's mirror image, within 2 % of the cage's diagonal. For
+/// x, y and z, the plane is at 0 or in the middle of the cage, wherever it pairs more vertices.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
 /// Returns the corners of a rectangle in the mirror plane, slightly larger than the points projected onto it.

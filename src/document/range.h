@@ -17,7 +17,7 @@ using mesh::largest_coordinate;
 /// The limit for drags and camera targets: a distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
-/// True if each entry of the log of a probe's stretch is at most 16, which is a stretch by nine million.
+/// True if each entry of the log of a probe's stretch is at most 16 (a stretch by nine million).
 inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
     if (!(std::abs(entry) <= 16)) return false;

@@ -50,7 +50,7 @@ private:
   bool has_picked_ = false;
 };
 
-/// A saved selection. Its elements are those whose vertices are all in the set.
+/// A saved selection: the elements of `kind` that have all their vertices in the set.
 struct NamedSet {
   std::string name;
   ElementKind kind = ElementKind::vertex;  ///< never probe

@@ -114,7 +114,7 @@ bool is_closed(const Timeline& timeline) {
                              same_shape(first.shape, last.shape));
 }
 
-// True if the last camera equals the first one, up to full turns. Without a loop, requires at least one turn.
+// True if the first and the last camera are equal up to full turns. Without a loop, requires a full turn.
 bool comes_back(const Timeline& timeline) {
   constexpr double whole_turn = 2 * std::numbers::pi;
   const auto& cameras = timeline.cameras;

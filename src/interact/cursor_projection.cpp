@@ -62,8 +62,8 @@ CursorProjection::CursorProjection(const glm::dvec3& point, const document::Came
   at_ = glm::dvec2(v.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
 }
 
-// A point that moves from the depth z in direction d has the screen position (slope z + t side) / (z + t d_z)
-// at time t. The derivative at t = 0 is (side - slope d_z) / z.
+// A point at depth z moves with the velocity d, whose depth component is n. At time t, its screen position is
+// (slope z + t side) / (z + t n). The derivative at t = 0 is (side - slope n) / z.
 glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   const glm::dvec2 side(glm::dot(d, right_), glm::dot(d, up_));
   const glm::dvec2 moved = side - glm::dot(d, forward_) * slope_;

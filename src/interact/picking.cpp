@@ -76,7 +76,7 @@ constexpr float tolerance = 8;  // logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Picks the front candidate among the nearest candidate and those that are up to 2 pixels farther.
+// Picks the front candidate. Ignores candidates more than 2 pixels farther than the nearest candidate.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}

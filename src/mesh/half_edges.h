@@ -22,8 +22,8 @@ struct HalfEdge {
 /// The edges of any triangles. An edge may have any number of triangles, in any orientation.
 struct HalfEdges {
   std::vector<Edge> edges;            ///< sorted and unique
-  std::vector<std::uint32_t> starts;  ///< one more than edges
-  std::vector<HalfEdge> sides;        ///< sorted by edge, then by triangle; edge e begins at starts[e]
+  std::vector<std::uint32_t> starts;  ///< edge e has the sides from starts[e] up to starts[e + 1]
+  std::vector<HalfEdge> sides;        ///< sorted by edge, then by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {
     return std::span(sides).subspan(starts[e], starts[e + 1] - starts[e]);

@@ -13,7 +13,7 @@ namespace viete::mesh {
 /// A kd tree of points. The positions must outlive the tree. Thread-safe.
 class PointTree {
 public:
-  /// `some` has the indices of the points in the tree; at least one.
+  /// `some` has the indices of the points for the tree, and must not be empty.
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
   /// Returns the index of the point nearest to the triangle. If several points are nearest, returns the

@@ -132,8 +132,8 @@ bool balanced(const Surface& surface, bool open_too) {
   return true;
 }
 
-// Orients a closed component outward if an even number of other components contain it, otherwise inward. If
-// all components have the reverse orientation, flips none.
+// Orients a closed component outward if an even number of other components contain it, otherwise inward. Does
+// nothing if all components have the reverse orientation.
 void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
   struct Part {
     Surface surface;

@@ -23,9 +23,9 @@ struct OneSided {
   bool closed = false;              ///< true if every edge is used equally often in both directions
 };
 
-/// Like consistently_oriented(), but orients closed components outward and cavities inward; reversed if all
-/// of them were reversed. If two faces coincide with opposite orientations, only the first face is kept.
-/// Vertices at the same position are merged.
+/// Like consistently_oriented(), but orients closed components outward and cavities inward, unless all of
+/// them are reversed. If two faces coincide with opposite orientations, keeps only the first face. Merges
+/// vertices at the same position.
 OneSided one_sided(const Surface& surface);
 
 }  // namespace viete::mesh

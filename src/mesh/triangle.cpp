@@ -185,7 +185,7 @@ int visible_axis(const Corners& t) {
   return -1;
 }
 
-// True if all corners of t are on or outside the line of one edge of s, in the projection along the axis.
+// True if the line through an edge of s separates both triangles, in the projection along the axis.
 bool edge_separates(const Corners& s, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const Point2 a = without(s[i], axis), b = without(s[(i + 1) % 3], axis);
@@ -201,7 +201,7 @@ bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// True if an edge of s passes through t. `sides` are the sides of t's plane on which the corners of s are.
+// True if an edge of s passes through t. `sides` has the side of t's plane for each corner of s.
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

@@ -27,8 +27,7 @@ struct Closest {
 };
 
 /// Returns the point of the triangle closest to p. A triangle without area is treated as its longest edge, or
-/// as a point. Lengths must be from 1e-75 to 1e75. Source: Ericson, Real-Time Collision Detection,
-/// 2005, 5.1.5.
+/// as a point. Lengths from 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
 /// Returns half the solid angle of the triangle, seen from 0 (van Oosterom and Strackee 1983, eq. 8).
