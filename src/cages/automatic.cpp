@@ -302,8 +302,8 @@ private:
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
       made_.notes.push_back("closed gaps up to " + percent(2 * gap) +
                             " of the model's diagonal: the cage has " + std::to_string(last_.parts) + " of " +
-                            base::counted(first_->parts, "part") + " and " + std::to_string(last_.handles) +
-                            " of " + base::counted(first_->handles, "handle") +
+                            base::counted(first_->parts, "separate part") + " and " +
+                            std::to_string(last_.handles) + " of " + base::counted(first_->handles, "hole") +
                             "; use more triangles to keep gaps open");
     }
   }

@@ -97,13 +97,13 @@ void require(bool any, const char* what, const char* advice) {
 }  // namespace
 
 void begin_cage_editing(Document& document) {
-  record_edit(document, "edit the cage");
+  record_edit(document, "edit cage");
   document.kept_pose = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage));
   if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
 }
 
 void end_cage_editing(Document& document) {
-  record_edit(document, "pose the cage");
+  record_edit(document, "stop editing cage");
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
@@ -162,14 +162,14 @@ void extrude_selected(Document& document) {
   const auto polygons = selected_polygons(document);
   require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
-             "extrude");
+             "extrude faces");
 }
 
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
   require(document.cage->surface.positions.size() < most_vertices / 4,
           "the cage would have too many vertices", "a cage may have at most 20,000 vertices");
-  put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
+  put_edited(document, cages::subdivide(document.cage->surface), "subdivide cage");
 }
 
 void mirror_cage(Document& document) {
@@ -182,7 +182,7 @@ void mirror_cage(Document& document) {
   for (const auto v : selected_vertices(*document.cage, document.selection))
     sum += rest[v][axis] - plane.offset;
   if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
-  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror cage", {plane});
 }
 
 void fit_cage(Document& document) {
@@ -190,7 +190,8 @@ void fit_cage(Document& document) {
           "move the cage yourself");
   const mesh::Surface& cage = document.cage->surface;
   cages::Fitted fitted = cages::fitted_to_box(cage, *document.model.surface, fit_margin);
-  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit the cage", {{}, fitted.scale});
+  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit cage to model",
+             {{}, fitted.scale});
 }
 
 std::size_t enclose_model(Document& document) {
@@ -198,7 +199,7 @@ std::size_t enclose_model(Document& document) {
   require(document.cage->closed, "the cage is open, so it has no inside", "close its holes first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
-    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
+    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose model");
   return enclosing.left;
 }
 

@@ -26,9 +26,9 @@ std::span<const Choice> choices(Axes) {
 std::span<const Choice> choices(MirrorPlane) {
   static constexpr Choice all[] = {
       {"none", "Off", "Edit only the selection."},
-      {"x", "X", "Mirror edits across the file's X axis."},
-      {"y", "Y", "Mirror edits across the file's Y axis."},
-      {"z", "Z", "Mirror edits across the file's Z axis."},
+      {"x", "X", "Mirror edits along the file's X axis."},
+      {"y", "Y", "Mirror edits along the file's Y axis."},
+      {"z", "Z", "Mirror edits along the file's Z axis."},
       {"fit", "Fit", "Mirror edits across the plane of symmetry that fits the cage best."}};
   return all;
 }

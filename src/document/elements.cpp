@@ -195,17 +195,17 @@ std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<
 void hide_selected(Document& document) {
   Selection hidden(ElementKind::vertex, document.groups.hidden);
   hidden.apply(selected_vertices(*document.cage, document.selection), SelectMode::add);
-  put_hidden(document, hidden.indices(), "hide");
+  put_hidden(document, hidden.indices(), "hide selected");
 }
 
 void hide_others(Document& document) {
   Selection hidden(ElementKind::vertex, selected_vertices(*document.cage, document.selection));
   hidden.invert(document.cage->surface.positions.size());
-  put_hidden(document, hidden.indices(), "hide others");
+  put_hidden(document, hidden.indices(), "hide unselected");
 }
 
 void show_all(Document& document) {
-  put_hidden(document, {}, "show all");
+  put_hidden(document, {}, "show hidden");
 }
 
 void save_set(Document& document) {

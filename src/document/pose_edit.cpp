@@ -251,7 +251,7 @@ void add_shapes(Document& document, std::vector<NamedShape> shapes) {
 }
 
 void update_pose(Document& document, std::size_t pose) {
-  record_edit(document, "update a pose");
+  record_edit(document, "update pose");
   const SharedPose now = shared_pose(document);
   end_mix(document);
   document.library.poses[pose].pose = now;
@@ -259,14 +259,14 @@ void update_pose(Document& document, std::size_t pose) {
 }
 
 void apply_pose(Document& document, std::size_t pose) {
-  record_edit(document, "apply a pose");
+  record_edit(document, "apply pose");
   end_mix(document);
   put_whole_pose(document, *document.library.poses[pose].pose);
 }
 
 void rename_pose(Document& document, std::size_t pose, const std::string& name) {
   if (document.library.poses[pose].name == name || name.empty()) return;
-  record_edit(document, "rename a pose");
+  record_edit(document, "rename pose");
   const std::string before = std::exchange(document.library.poses[pose].name, "");
   document.library.poses[pose].name = free_name(document.library, name);
   rename_in_keys(document.timeline, before, document.library.poses[pose].name);
@@ -275,14 +275,14 @@ void rename_pose(Document& document, std::size_t pose, const std::string& name) 
 void move_pose(Document& document, std::size_t pose, std::size_t to) {
   auto& poses = document.library.poses;
   if (to == pose || to == pose + 1) return;
-  record_edit(document, "move a pose");
+  record_edit(document, "move pose");
   NamedPose moved = std::move(poses[pose]);
   poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
 }
 
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
-  constexpr const char* label = "delete a pose";
+  constexpr const char* label = "delete pose";
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
     rename_in_keys(state.timeline, poses[pose].name, "");

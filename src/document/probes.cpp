@@ -104,7 +104,7 @@ bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at)
   const auto found = static_cast<std::size_t>(std::ranges::find_if(all, pins_it) - all.begin());
   if (found == all.size()) {
     if (all.size() >= most_probes) return false;
-    edit(document, "add pin").all.push_back(pin_of(document, vertex));
+    edit(document, "pin vertex").all.push_back(pin_of(document, vertex));
     document.carried.clear();
   }
   select(document, found, found + 1);
@@ -116,7 +116,7 @@ bool has_pins(const Document& document) {
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "pull with pins" : "fix with pins", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "make pins soft" : "make pins hard", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }

@@ -136,7 +136,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 void set_easing(Document& document, std::span<const int> frames, Easing easing) {
   const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
   if (std::ranges::none_of(document.timeline.keys, changes)) return;
-  record_edit(document, "change the easing");
+  record_edit(document, "change easing");
   for (PoseKey& key : document.timeline.keys)
     if (among(frames, key.frame)) key.easing = easing;
 }
