@@ -4,7 +4,6 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 

@@ -1,9 +1,7 @@
 #include "cages/soundness.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 

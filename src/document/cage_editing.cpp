@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "cages/edit.h"
 #include "cages/enclose.h"
-#include "document/cage_making.h"
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "document/pose_edit.h"
-#include "document/range.h"
 #include "document/record.h"
 #include "mesh/point_tree.h"
 

@@ -1,7 +1,6 @@
 // The axis lines and the rotation arc that are drawn during a drag, in logical pixels.
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 

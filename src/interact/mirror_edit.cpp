@@ -1,6 +1,5 @@
 #include "interact/mirror_edit.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "document/elements.h"

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "document/elements.h"
-#include "document/probes.h"
 
 namespace viete::interact {
 

@@ -1,8 +1,6 @@
 #include "interact/shaping.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 #include "document/camera.h"
 #include "document/space.h"

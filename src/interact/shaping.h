@@ -3,17 +3,8 @@
 
 #include <glm/glm.hpp>
 #include <optional>
-#include <span>
-#include <string_view>
-#include <vector>
 
 #include "interact/grip.h"
-#include "mesh/surface.h"
-
-namespace viete::document {
-class Camera;
-struct Document;
-}  // namespace viete::document
 
 namespace viete::interact {
 

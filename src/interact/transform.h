@@ -1,9 +1,7 @@
 // The tools; transforming points about a pivot, and shaping points between two ends.
 #pragma once
 
-#include <cstdint>
 #include <glm/glm.hpp>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
