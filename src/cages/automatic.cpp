@@ -240,7 +240,7 @@ private:
     return best;
   }
 
-  // Checks the cage after the rounding by the transform to file coordinates.
+  // Checks the cage with the rounding errors of file coordinates.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));

@@ -127,7 +127,7 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // If one end is on the mirror, it must be the `to` end, which is kept.
+  // A collapse keeps the `to` end. If an end is on the mirror plane, it becomes the `to` end.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;

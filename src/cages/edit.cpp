@@ -427,7 +427,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     }
   };
   for (const Polygon& p : cage.all) {
-    std::size_t rises = 0;  // with two or more, the part above the plane may be in several pieces
+    std::size_t rises = 0;  // if 2 or more, the part above the plane may be in several pieces
     for (std::size_t i = 0; i < p.size(); ++i) rises += !above(p[i]) && above(p[(i + 1) % p.size()]);
     if (rises < 2) {
       keep_above(p);

@@ -22,8 +22,8 @@ public:
   /// Throws base::Error if the model does not have two different points.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
   /// Makes a closed, oriented manifold without self-intersection that encloses the model's triangles, or the
-  /// points of a model without triangles. Clamps the values of the wish. The result does not depend on the
-  /// pool. Model sizes from 1e-60 to 1e60. `progress` may be null. Throws base::Cancelled.
+  /// points of a model without triangles. The model's size must be from 1e-60 to 1e60. Clamps the values of
+  /// the wish. The result does not depend on the pool. `progress` may be null. Throws base::Cancelled.
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 private:

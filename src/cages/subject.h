@@ -49,7 +49,7 @@ mesh::Bounds extent_of(const mesh::Surface& surface);
 /// Returns a frame in which the mirror is the plane x = 0. Without a mirror, the axes are the file's axes.
 /// The model must have at least two different points.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// Returns a frame along the axes of inertia of the triangles; without area, of the points.
+/// Returns a frame along the axes of inertia of the triangles; if they have no area, of the points.
 Frame own_frame(const mesh::Surface& model);
 
 /// The model in a frame. If it has no triangles, each point becomes a triangle without area.

@@ -22,7 +22,7 @@ using HalfEdgeId = Connectivity::HalfedgeHandle;
 struct Shape {
   double least_quality = 0.1;
   double least_cosine = -0.5;      ///< the least cosine between the normals of neighbours
-  std::size_t most_triangles = 9;  ///< at a vertex
+  std::size_t most_triangles = 9;  ///< the largest number of triangles at a vertex
 };
 
 /// Returns 4 sqrt(3) area / (sum of squared sides), which is 1 for an equilateral triangle.

@@ -33,7 +33,7 @@ enum class Subject { model, cage };
 /// One kind of defect, and the elements that have this defect. Indices are 0-based, in file order.
 struct Finding {
   Defect defect = Defect::open;
-  Subject subject = Subject::model;        ///< the surface of the elements
+  Subject subject = Subject::model;        ///< the surface that has the elements
   ElementKind kind = ElementKind::vertex;  ///< vertex, edge or face
   std::vector<std::uint32_t> elements;     ///< ascending vertices or faces; empty if `kind` is edge
   std::vector<mesh::Edge> edges;           ///< ascending edges; empty unless `kind` is edge

@@ -21,7 +21,7 @@ struct Mirror {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   cages::Plane plane;
-  std::vector<std::uint32_t> partners;  ///< per vertex; a vertex on the plane is its own partner
+  std::vector<std::uint32_t> partners;  ///< of each vertex; a vertex on the plane is its own partner
 
   std::size_t unpaired() const;
   bool is_on_plane(std::uint32_t v) const { return partners[v] == v; }

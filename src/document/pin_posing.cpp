@@ -12,7 +12,7 @@ namespace viete::document {
 
 namespace {
 
-constexpr int most_steps = 24;    // after the end of a drag
+constexpr int most_steps = 24;    // the largest number of steps after a drag
 constexpr double no_step = 1e-5;  // a shorter step ends the iteration
 
 // Returns the named poses that have a shape and leave the cage at rest.

@@ -42,7 +42,7 @@ void set_mix(Document& document, deform::ProbeMix mix);
 /// Returns the axis (0 x, 1 y, 2 z) across which the model is most symmetric.
 int symmetry_axis(const Document& document);
 
-/// The range of radii, in the file's units.
+/// Return the smallest and the largest radius, in the file's units.
 double least_probe_radius(const Document& document);
 double largest_probe_radius(const Document& document);
 

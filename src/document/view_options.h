@@ -26,7 +26,7 @@ struct ViewOptions {
   bool wireframe = false;
   bool cage = true;
   bool grid = true;
-  bool axes = true;                               ///< the axis widget
+  bool axes = true;                               ///< shows the axis widget
   bool ghost = false;                             ///< faintly shows the cage at rest while the cage is posed
   analysis::Field field = analysis::Field::none;  ///< colours the model by this map
   bool select_visible = false;  ///< the mouse only selects elements that are not behind the model or the cage

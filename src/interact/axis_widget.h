@@ -14,7 +14,7 @@ inline constexpr float axes_radius = 46;  ///< the radius of the widget, in logi
 struct AxisBall {
   int axis;  ///< 0 x, 1 y, 2 z
   bool positive;
-  glm::vec2 at;    ///< logical pixels
+  glm::vec2 at;    ///< in logical pixels
   float nearness;  ///< from -1 (pointing away from the viewer) to 1 (pointing at the viewer)
   float radius;
 

@@ -71,7 +71,7 @@ bool Sight::sees(const glm::vec3& at) const {
 
 namespace {
 
-constexpr float tolerance = 8;  // logical pixels
+constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 

@@ -33,7 +33,7 @@ struct Transform {
   glm::dvec3 axis{0, 0, 1};  ///< the rotation axis, of length 1
   double degrees = 0;        ///< right-handed; may be more than one turn
   glm::dvec3 shift{0, 0, 0};
-  double amount = 0;  ///< for a shape without an angle
+  double amount = 0;  ///< the amount of taper, smooth or relax
 
   /// Returns the matrix of scale and rotation. Multiples of 90 degrees about file axes are exact.
   glm::dmat3 linear() const;

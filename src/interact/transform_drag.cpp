@@ -203,7 +203,8 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   return turned_ - turn_lag_;
 }
 
-// The factor grows along the axis or, for a plane, away from the pivot. A uniform factor grows right and up.
+// A factor along an axis grows in the axis direction on screen, a factor in a plane grows away from the
+// pivot, and a uniform factor grows to the right and up.
 glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;

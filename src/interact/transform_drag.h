@@ -97,7 +97,7 @@ private:
   glm::dvec3 pulled_{0, 0, 0};             // the displacement by the mouse
   NumberEntry entry_;
   Transform transform_;
-  bool in_range_ = true;  // of the last update
+  bool in_range_ = true;  // false if the last update was out of range
   int softened_ = 0;
 };
 

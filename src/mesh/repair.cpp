@@ -80,7 +80,7 @@ private:
   }
 
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> side_;  // 0 for the orientation of the component's seed, 1 for the opposite
+  std::vector<std::uint8_t> side_;  // 0 if the triangle has the orientation of its component's seed, else 1
   std::vector<std::uint32_t> part_;
   std::vector<std::vector<std::uint32_t>> parts_;
   bool agree_ = true;

@@ -205,7 +205,7 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   CHECK(test::edit_count(p.document().history) == edits + 1);
   CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
-  CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // locked
+  CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // the probe is locked
   // Changing other probes or another part is another edit. A new falloff keeps the radii.
   p.select({1});
   set_radius(p.document(), &Probe::turn, 0.5);
