@@ -20,7 +20,6 @@ namespace viete::cages {
 
 namespace {
 
-// Number of components and handles of a closed shell.
 struct Topology {
   std::size_t parts = 0;
   std::size_t handles = 0;
@@ -30,18 +29,18 @@ Topology topology_of(const Shell& shell) {
   mesh::UnionFind parts = mesh::parts_by_triangles(shell.positions.size(), shell.triangles);
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  // V = E - F + 2 components - 2 handles, 2 E = 3 F; components that touch count as less than one.
+  // Euler's formula: vertices - edges + triangles = 2 parts - 2 handles, with 2 edges = 3 triangles.
   const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
   found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;
 }
 
-// Progress in stages. Each report leads up to the stage's end, so that it never falls, however many attempts.
+// Divides the progress among attempts and their stages. The progress never decreases.
 class Stages {
 public:
   explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
 
-  // Begins another attempt, which takes `share` of the rest.
+  // Begins another attempt, which gets this share of the remaining progress.
   void begin(double share = 1) {
     from_ = progress_ ? progress_->done() : 0;
     to_ = from_ + share * (1 - from_);
@@ -72,7 +71,7 @@ public:
         target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
   std::optional<Made> make() {
-    constexpr double most_closed = 0.5;  // fraction of the diagonal beyond which nothing stays open
+    constexpr double most_closed = 0.5;  // relative to the diagonal; closes all gaps
     for (double gap = wish_.gap; gap <= most_closed;) {
       if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
       if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
@@ -85,12 +84,12 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Cells along the model: a cell is about a seventh as wide as the final triangles.
+  // The number of grid cells along the model. A final triangle is about seven cells wide.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
 
-  // The offset surface of the model and the clearance it was extracted from. Must not be moved.
+  // The offset surface of the model, and its clearance. Must not be moved.
   struct Offset {
     Clearance field;
     double margin;
@@ -121,7 +120,7 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Tries one gap; empty if no sound cage results. A gap wider than requested is first tested quickly, by a
+  // Returns a sound cage for this gap, if one is found. If the gap is larger than requested, first tries a
   // preview on a coarse grid.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
@@ -149,8 +148,8 @@ private:
     double volume;
   };
 
-  // The order of collapses depends on the grid's position, which matters with few triangles: then tries two
-  // grids and continues with the smaller volume.
+  // With few triangles, the result depends on the position of the grid. Then tries two grids and continues
+  // with the smaller volume.
   std::optional<Shell> carefully_made(const Offset& from, double gap) {
     std::optional<Offset> other;
     if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
@@ -194,13 +193,13 @@ private:
     if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
     refine_to(cage, target_, stages_.until(0.7));
     tighten(cage, 2, stages_.until(0.8));
-    // A preview, which follows a slider, keeps the margin only as far as the grid resolves it.
+    // A preview keeps the margin only within the resolution of the grid.
     if (!is_preview()) too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
     return cage.shell();
   }
 
-  // Tightens between collapses, so that excess volume does not mislead later ones. False if that number of
-  // triangles was not reached. `share`: fraction of the attempt's progress.
+  // Alternates collapses and tightening. Returns false if the requested number of triangles was not reached.
+  // `share` is the fraction of the attempt's progress.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
@@ -215,7 +214,7 @@ private:
     return true;
   }
 
-  // Enforces the margin exactly, where there is room. Before, it was kept as far as the grid resolves it.
+  // Makes the margin exact. Before, it was only kept within the resolution of the grid.
   Shell settled(WorkingCage& cage) {
     too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);
@@ -223,8 +222,7 @@ private:
     return cage.shell();
   }
 
-  // Splits edges that save most volume and collapses those that cost least: with few triangles their
-  // placement matters most.
+  // Splits the edges that reduce the volume most, and collapses the edges that increase it least.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();
@@ -242,7 +240,7 @@ private:
     return best;
   }
 
-  // Checks the cage as it will be read, with the rounding of the transform out of the frame.
+  // Checks the cage with the rounding errors of file coordinates.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
@@ -253,7 +251,7 @@ private:
     return found.sound();
   }
 
-  // Records the components outside of the cage, each given by one vertex.
+  // Adds the vertices of all components of the model outside the cage.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
     mesh::UnionFind parts = mesh::parts_by_triangles(model_.positions.size(), model_.triangles);
@@ -264,7 +262,8 @@ private:
     }
   }
 
-  // Keeps a distance around these components first, then everywhere. False if another attempt cannot help.
+  // Increases the distance, first around the missed components, then everywhere. Returns false if another
+  // attempt cannot help.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -286,25 +285,26 @@ private:
     made_.gap = gap;
     if (mirrored) made_.mirror = mirror_;
     if (shell.triangles.size() > wish_.triangles)
-      made_.notes.push_back("enclosing the model with these settings takes " +
-                            base::counted(shell.triangles.size(), "triangle"));
+      made_.notes.push_back("the cage needs " + base::counted(shell.triangles.size(), "triangle") +
+                            " to enclose the model with these settings");
     if (wish_.kind == Kind::automatic && 10 * shell.triangles.size() < 9 * wish_.triangles)
-      made_.notes.push_back("it has " + base::counted(shell.triangles.size(), "triangle") + ", not " +
-                            base::with_thousands(wish_.triangles) +
-                            ", because more would not make it tighter");
+      made_.notes.push_back("the cage has " + base::counted(shell.triangles.size(), "triangle") +
+                            " instead of " + base::with_thousands(wish_.triangles) +
+                            ": more would not make it tighter");
     tell(gap);
     return std::move(made_);
   }
 
   void tell(double gap) {
     if (too_near_ > 0)
-      made_.notes.push_back("the margin could not be kept at " + base::counted(too_near_, "triangle"));
+      made_.notes.push_back("the margin could not be kept at " + base::counted(too_near_, "triangle") +
+                            "; use a smaller margin or more triangles");
     if (gap > wish_.gap && first_ && (first_->handles > last_.handles || first_->parts > last_.parts)) {
       made_.notes.push_back("closed gaps up to " + percent(2 * gap) +
-                            " of the model's diagonal: the cage keeps " + std::to_string(last_.parts) +
-                            " of " + base::counted(first_->parts, "part") + " and " +
-                            std::to_string(last_.handles) + " of " +
-                            base::counted(first_->handles, "handle") + "; use more triangles to keep more");
+                            " of the model's diagonal: the cage has " + std::to_string(last_.parts) + " of " +
+                            base::counted(first_->parts, "separate part") + " and " +
+                            std::to_string(last_.handles) + " of " + base::counted(first_->handles, "hole") +
+                            "; use more triangles to keep gaps open");
     }
   }
 
@@ -323,11 +323,11 @@ private:
   Stages stages_;
   Made made_;
   std::size_t target_;
-  std::size_t too_near_ = 0;  // triangles nearer than the margin
-  // Components smaller than a grid step may be missed unless the cage keeps this distance, in steps.
+  std::size_t too_near_ = 0;  // the number of triangles nearer to the model than the margin
+  // At this distance, in grid steps, the cage encloses components smaller than a step.
   static constexpr double parts_margin_steps = 1.25;
-  static constexpr std::size_t few_triangles = 150;  // cages below this size are made more carefully
-  static constexpr double coarser = 0.62;            // relative resolution of the grid for quick attempts
+  static constexpr std::size_t few_triangles = 150;  // smaller cages are made more carefully
+  static constexpr double coarser = 0.62;            // the relative resolution of a preview's grid
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;

@@ -1,4 +1,4 @@
-// Automatic cages: closed, enclosing the model, of the requested size.
+// Makes closed cages of a requested size that enclose the model.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace viete::cages {
 
-/// Computes distances on a grid, extracts an offset surface by marching cubes, simplifies it by edge
-/// collapses and tightens it. With a mirror it makes one half and adds its image. Holes through the model
-/// stay open if the size allows; notes report those closed by a larger gap. Empty if no valid cage of that
-/// size was found. See Maker::make() for errors.
+/// Extracts an offset surface from a distance grid by marching cubes, simplifies it by edge collapses and
+/// tightens it. With a mirror plane, makes one half of the cage and mirrors it. If the cage needs too many
+/// triangles, closes holes and gaps of the model and adds a message. Returns nullopt if no sound cage was
+/// found. Throws like Maker::make().
 std::optional<Made> make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
                                    base::Progress* progress);
 

@@ -8,9 +8,9 @@ namespace viete::cages {
 
 namespace {
 
-constexpr std::size_t block = 8;  // nodes along a side of a block
+constexpr std::size_t block = 8;  // the number of nodes along a side of a block
 
-// The distance to the model and its mirror image.
+// Measures the distances to the model and its mirror image.
 class Distances {
 public:
   Distances(const Obstacle& model, const Grid& grid, double enough)
@@ -19,7 +19,7 @@ public:
   std::vector<float> measure(base::WorkerPool& pool, base::Progress* progress) {
     const Index3 blocks = {blocks_along(0), blocks_along(1), blocks_along(2)};
     const std::size_t all = blocks[0] * blocks[1] * blocks[2];
-    constexpr std::size_t portion = 64;  // blocks between progress checks
+    constexpr std::size_t portion = 64;  // the number of blocks between progress reports
     for (std::size_t first = 0; first < all; first += portion) {
       const std::size_t some = std::min(all - first, portion);
       pool.for_blocks(some, 4, [&](std::size_t begin, std::size_t end) {
@@ -46,8 +46,8 @@ private:
     return std::sqrt(squared);
   }
 
-  // Measures only the centre of a block far from the model: distances change no faster than position, which
-  // bounds those of the nodes from below. Other blocks are halved.
+  // Far from the model, measures only the distance of the block's centre, and fills the nodes with lower
+  // bounds. Divides other blocks into eight.
   void measure_block(const Index3& low, std::size_t size, double below) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (low[k] >= grid_.size[k]) return;
@@ -85,7 +85,7 @@ private:
   std::vector<float> values_;
 };
 
-// Calls visit(index) for the neighbours of this node along the axes.
+// Calls visit(index) for the neighbours of a node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   const Index3 at = grid.node(index);
@@ -96,7 +96,7 @@ void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   }
 }
 
-// 1 for nodes farther from the model than `least` with nonzero winding number.
+// Returns 1 for the nodes inside an open model that are farther from the model than `least`.
 std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const std::vector<float>& distances,
                                 double least, base::WorkerPool& pool) {
   std::vector<std::uint8_t> inside(grid.node_count(), 0);
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// 1 for nodes reachable from the border.
+// Returns 1 for the nodes that are connected with the grid's border by nodes farther than `least`.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -137,8 +137,8 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
   return reached;
 }
 
-// Distances from the reached region to other nodes: propagated from points on its border from node to node
-// (Danielsson 1980, Euclidean distance mapping), at most `most`.
+// The distances of the unreached nodes from the reached region, at most `most`. Propagates the nearest border
+// point from node to node (Danielsson 1980, Euclidean distance mapping).
 class Depths {
 public:
   Depths(const Grid& grid, const std::vector<std::uint8_t>& reached, const std::vector<float>& distances,
@@ -153,8 +153,8 @@ public:
   std::vector<float> take() { return std::move(values_); }
 
 private:
-  // Border points on the edges from reached to other nodes: at distance `least` from the model, or halfway if
-  // there is none, at the border of a hole.
+  // Finds a border point on each edge between a reached and an unreached node, at the distance `least` from
+  // the model. If no point has this distance, uses the midpoint.
   void find_border(const std::vector<float>& distances, double least) {
     for (std::size_t n = 0; n < reached_.size(); ++n) {
       if (!reached_[n]) continue;
@@ -193,9 +193,8 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// The signed distance of an unreached node, from its distance to the model and its lower bound from the
-// reached region. If both agree within grid resolution, the first is exact inside the model, with negative
-// sign. In closed gaps they differ.
+// Returns the clearance of an unreached node. `by_depth` follows from the distance to the reached region. If
+// it agrees with the distance to the model, returns the distance to the model, negative inside the model.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;
@@ -231,7 +230,7 @@ Clearance::Place Clearance::in_steps(const Point& p) const {
 }
 
 float Clearance::at(const Place& p) const {
-  float beyond = 0;  // squared distance to the grid, in steps
+  float beyond = 0;  // the squared distance to the grid, in steps
   std::array<std::size_t, 3> cell;
   Place t;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <queue>
 
@@ -12,9 +11,9 @@ namespace viete::cages {
 
 namespace {
 
-// The area-weighted sum of squared distances to planes: x'Ax - 2b'x + c.
+// The area-weighted sum of squared distances of x to planes: x^T a x - 2 b^T x + c.
 struct Quadric {
-  std::array<double, 6> a{};  // xx xy xz yy yz zz
+  std::array<double, 6> a{};  // the entries xx, xy, xz, yy, yz and zz of a symmetric matrix
   Vec3 b{};
   double c = 0;
 
@@ -44,7 +43,7 @@ struct Quadric {
                        2 * (a[1] * x[0] * x[1] + a[2] * x[0] * x[2] + a[4] * x[1] * x[2]);
     return std::max(0.0, xax - 2 * mesh::dot(b, x) + c);
   }
-  // Positive definite, because the sum includes points.
+  // The matrix is positive definite, because the sum includes points.
   Point minimum() const {
     const Vec3 r0{a[0], a[1], a[2]}, r1{a[1], a[3], a[4]}, r2{a[2], a[4], a[5]};
     const Vec3 c0 = mesh::cross(r1, r2), c1 = mesh::cross(r2, r0), c2 = mesh::cross(r0, r1);
@@ -52,18 +51,18 @@ struct Quadric {
   }
 };
 
-// Each level permits more than the previous one.
+// Each entry permits worse shapes than the previous entry.
 constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {0.01, -0.95, 16}}};
 
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // sum of both ends' stamps when the cost was computed
-  bool placed;           // the cost belongs to the final position
+  std::uint32_t stamps;  // the sum of both ends' stamps when the cost was computed
+  bool placed;           // true if the cost was computed at the final position
   Point place{};
 
   bool operator<(const Candidate& other) const {
-    return cost > other.cost || (cost == other.cost && edge > other.edge);  // the cheapest comes first
+    return cost > other.cost || (cost == other.cost && edge > other.edge);
   }
 };
 
@@ -118,8 +117,8 @@ private:
     const double area = 0.5 * length;
     for (auto v = mesh_.fv_iter(f); v.is_valid(); ++v) {
       quadric(*v).add_plane((1 / length) * n, cage_.at(*v), area / 3);
-      quadric(*v).add_point(cage_.at(*v),
-                            1e-3 * area / 3);  // keeps triangles even in flat regions
+      // In flat regions, the points keep the triangles even.
+      quadric(*v).add_point(cage_.at(*v), 1e-3 * area / 3);
     }
   }
 
@@ -128,7 +127,7 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // Keeps the `to` end: the one on the mirror.
+  // A collapse keeps the `to` end. If an end is on the mirror plane, it becomes the `to` end.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;
@@ -179,7 +178,7 @@ private:
     renew_wide(to);
   }
 
-  // Updates all edges of the neighbours as well, because these moved.
+  // Updates all edges of the neighbours too, because the neighbours moved.
   void renew_wide(VertexId v) {
     ++stamp(v);
     std::vector<int> changed;
@@ -192,7 +191,8 @@ private:
     for (const int e : changed) push(Connectivity::EdgeHandle(e));
   }
 
-  // True if collapsing h makes an inner edge between mirror vertices, which would equal its mirror image.
+  // True if the collapse makes an inner edge between two vertices on the mirror. Such an edge would coincide
+  // with its mirror image.
   bool makes_chord(HalfEdgeId h) const {
     const VertexId from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
     if (!mesh_.is_boundary(to)) return false;
@@ -227,14 +227,14 @@ private:
     renew(to);
   }
 
-  // The cost as a volume: root of the mean squared distance times area.
+  // Returns the cost as a volume: the root mean squared distance, times the area.
   static double price(const Quadric& q, const Point& x) {
     return std::sqrt(q(x) * (q.a[0] + q.a[3] + q.a[5]));
   }
 
   void block(Connectivity::EdgeHandle e) { blocked_[static_cast<std::size_t>(e.idx())] = 1; }
 
-  // Updates changed edges, and those that were blocked by the changed ones.
+  // Updates the edges of the vertex, and the blocked edges of its neighbours.
   void renew(VertexId v) {
     for (auto e = mesh_.cve_iter(v); e.is_valid(); ++e) push(*e);
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
@@ -244,8 +244,7 @@ private:
     }
   }
 
-  // Tries the quadric's minimum, then positions farther outward with growing steps and bisection; otherwise
-  // one of the ends.
+  // Tries the minimum of the quadric, then positions farther outward, then both ends of the edge.
   std::optional<Point> find_place(HalfEdgeId h, const Quadric& q) {
     cage_.star_of(h, star_);
     const Point best = best_place(q, star_.on_mirror);

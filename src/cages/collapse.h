@@ -1,4 +1,4 @@
-// Simplification of a cage that keeps it around the model.
+// Simplifies a cage and keeps it sound.
 #pragma once
 
 #include <cstddef>
@@ -8,14 +8,14 @@
 
 namespace viete::cages {
 
+/// The cost of a collapse. `quadrics` is the squared distance to the planes of the triangles (Garland and
+/// Heckbert 1997, Surface simplification using quadric error metrics). `volume` is the added volume after
+/// tightening; it is about a hundred times slower.
 enum class Accuracy { quadrics, volume };
 
-/// Collapses edges, cheapest first, until at most `triangles` are left. Quadrics: cost is the squared
-/// distance to the planes (Garland and Heckbert 1997, Surface simplification using quadric error metrics);
-/// the new vertex is placed at the minimum, or farther outward if the cage needs it to stay sound (see
-/// WorkingCage). Volume: cost is the added volume after tightening, and neighbours are tightened after each
-/// collapse; about a hundred times slower. If no edge can be collapsed, permits worse triangle shapes in two
-/// steps. Returns whether it reached the number. progress may be null; throws base::Cancelled.
+/// Collapses edges in the order of their cost, until at most `triangles` are left. Each collapse keeps the
+/// cage sound. If no edge can be collapsed, permits worse triangle shapes. Returns false if more triangles
+/// are left. `progress` may be null. Throws base::Cancelled.
 bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress);
 
 }  // namespace viete::cages

@@ -4,7 +4,6 @@
 #include <array>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <set>
 #include <utility>
 
@@ -24,7 +23,7 @@ mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// An editable cage: a list of polygons.
+// An editable list of polygons.
 class Polygons {
 public:
   explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
@@ -33,19 +32,19 @@ public:
       put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
   }
 
-  std::vector<Polygon> all;  // removed ones are empty
+  std::vector<Polygon> all;  // removed polygons are empty
 
   void put(Polygon p) {
     for (const auto v : p) around_[v].push_back(static_cast<std::uint32_t>(all.size()));
     all.push_back(std::move(p));
   }
 
-  // The polygons at v for which is_one(polygon) is true, in order. Their corners must not have changed since.
-  template <class IsOne>
-  std::vector<std::uint32_t> around(std::uint32_t v, IsOne is_one) const {
+  // Returns the polygons that were added at vertex v, if accepts(polygon) is true.
+  template <class Accepts>
+  std::vector<std::uint32_t> around(std::uint32_t v, Accepts accepts) const {
     std::vector<std::uint32_t> found;
     std::ranges::copy_if(around_[v], std::back_inserter(found),
-                         [&](std::uint32_t p) { return is_one(all[p]); });
+                         [&](std::uint32_t p) { return accepts(all[p]); });
     return found;
   }
 
@@ -73,7 +72,7 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // Splits a polygon that visits this corner several times.
+  // Splits a polygon that contains the vertex v several times.
   void part_at(std::uint32_t v, std::size_t number) {
     for (std::ptrdiff_t left = std::ranges::count(all[number], v); left > 1; --left) {
       Polygon& p = all[number];
@@ -84,7 +83,7 @@ public:
     }
   }
 
-  // Removes polygons of two corners and unused vertices.
+  // Removes polygons with fewer than three corners, and unused vertices.
   Edited finish(const std::vector<std::uint32_t>& selection) {
     std::erase_if(all, [](const Polygon& p) { return p.size() < 3; });
     std::vector<std::uint8_t> used(positions_.size(), 0);
@@ -131,7 +130,7 @@ std::vector<Polygon> triangles_of(const Polygons& cage, const Polygon& p) {
   return triangles;
 }
 
-// True if the triangles about the mean of the corners cover the polygon.
+// True if the polygon is star-shaped around the mean of its corners.
 bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
   std::vector<Point> fan = places_of(cage, p);
   Point sum{0, 0, 0};
@@ -148,8 +147,7 @@ Vec3 area_of(const Polygons& cage, const Polygon& p) {
   return sum;
 }
 
-// The boundary loop of connected polygons: half-edges whose opposite is not among theirs, in order. Empty if
-// there are several loops.
+// Returns the boundary of connected polygons, in order; empty unless the boundary is a single loop.
 Polygon rim_of(const std::vector<Polygon>& polygons) {
   std::set<std::array<std::uint32_t, 2>> sides;
   for (const Polygon& p : polygons) {
@@ -176,7 +174,7 @@ std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
   return p.size();
 }
 
-// Inserts the middle vertex on the edge wherever it occurs, and starts there.
+// Inserts the middle vertex on the edge, and rotates the polygon to start at this vertex.
 Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   Polygon with;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -187,7 +185,8 @@ Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   return with;
 }
 
-// Merges the polygons into one, without the corners for which Goes is true; without a single loop they stay.
+// Merges the polygons into one polygon without the corners for which `goes` is true. Does nothing if their
+// boundary is not a single loop.
 template <class Goes>
 void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
   std::vector<Polygon> united;
@@ -272,7 +271,7 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles connected by edges of exactly two. Those to remove first are less.
+// Triangles connected by edges of exactly two triangles. The patch to remove first compares as least.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -280,14 +279,14 @@ struct Patch {
   auto operator<=>(const Patch&) const = default;
 };
 
-// Empty if there is no fin.
+// Returns the polygons of the patch to remove first; empty if no patch must be removed.
 std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
   const auto table = mesh::half_edges(cage.positions.size(), mesh::welded(cage).triangles);
   mesh::UnionFind patch_of(cage.triangles.size());
   for (std::size_t e = 0; e < table.edges.size(); ++e)
     if (const auto sides = table.of(e); sides.size() == 2)
       patch_of.join(sides[0].triangle, sides[1].triangle);
-  std::vector<double> areas;  // 0: flat
+  std::vector<double> areas;
   for (std::uint32_t t = 0; t < cage.triangles.size(); ++t) {
     const auto [a, b, c] = mesh::corners_of(cage.positions, cage.triangles[t]);
     areas.push_back(mesh::has_area(a, b, c) ? mesh::norm(mesh::cross(b - a, c - a)) : 0);
@@ -335,7 +334,7 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // Faces of different orientation each move along their own normal.
+  // If the normals cancel, each vertex moves along the normal of its own polygons.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {
@@ -393,8 +392,8 @@ Edited subdivide(const Surface& surface) {
 
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
-  const double near =
-      1e-3 * mesh::used_bounds(surface).diagonal();  // vertices nearer than this lie in the plane
+  // Vertices nearer than this to the plane are moved onto it.
+  const double near = 1e-3 * mesh::used_bounds(surface).diagonal();
   const auto height = [&](std::uint32_t v) { return mesh::dot(plane.normal, cage.at(v)) - plane.offset; };
   const auto count = static_cast<std::uint32_t>(surface.positions.size());
   for (std::uint32_t v = 0; v < count; ++v) {
@@ -402,7 +401,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // Walks in steps of `step` corners past those in the plane.
+  // From corner i, walks past corners in the plane. True if the next corner is above the plane.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);
@@ -428,7 +427,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     }
   };
   for (const Polygon& p : cage.all) {
-    std::size_t rises = 0;  // more than one: the part above may be in several pieces
+    std::size_t rises = 0;  // if 2 or more, the part above the plane may be in several pieces
     for (std::size_t i = 0; i < p.size(); ++i) rises += !above(p[i]) && above(p[(i + 1) % p.size()]);
     if (rises < 2) {
       keep_above(p);
@@ -449,7 +448,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   cage.all = half;
   for (const Polygon& p : half) {
     Polygon turned;
-    turned.push_back(image(p.front()));  // for a mirrored triangulation
+    turned.push_back(image(p.front()));  // the same first corner gives the mirrored triangulation
     for (std::size_t i = p.size() - 1; i > 0; --i) turned.push_back(image(p[i]));
     cage.all.push_back(std::move(turned));
   }

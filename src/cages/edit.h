@@ -1,4 +1,4 @@
-// Manual edits of a cage's polygons. Everything not named stays unchanged.
+// Manual edits of a cage's polygons.
 #pragma once
 
 #include <cstdint>
@@ -11,42 +11,42 @@
 
 namespace viete::cages {
 
-/// Source of a vertex: the mean of these old vertices, or, if mirrored, of their mirror images.
+/// The old vertices from which a new vertex was made.
 struct Origin {
-  std::vector<std::uint32_t> of;
-  bool mirrored = false;
+  std::vector<std::uint32_t> of;  ///< the new vertex is at the mean of these vertices
+  bool mirrored = false;          ///< true if the new vertex is a mirror image
 };
 
 struct Edited {
   mesh::Surface surface;
   std::vector<Origin> origins;           ///< one per vertex
-  std::vector<std::uint32_t> selection;  ///< new vertices and those to edit next; ascending
+  std::vector<std::uint32_t> selection;  ///< the vertices to select after the edit, ascending
 };
 
-/// All functions are pure and thread-safe. Vertices, edges and polygons refer to `cage`, each given at most
-/// once. Vertices left without polygons are removed. make_cage() checks whether the result is a valid cage.
+// The functions below are pure and thread-safe. Vertices, edges and polygons refer to `cage` and must not
+// repeat. Vertices without polygons are removed. The result may be an invalid cage; see deform::make_cage().
 
-/// Adds a vertex at each edge's midpoint. The adjacent polygons become triangles around it.
+/// Adds a vertex at the midpoint of each edge. The adjacent polygons become triangles around the vertex.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
-/// Adds a vertex at each polygon's centre and joins it to the corners. If the centre does not see all sides,
-/// triangulates the polygon and adds the vertex to the largest triangle.
+/// Adds a vertex at the centre of each polygon and joins it to the corners. If a polygon is not star-shaped
+/// around its centre, triangulates it and adds the vertex to the largest triangle.
 Edited cut_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// Merges the vertices into one at their mean. Polygons left with fewer than three corners are removed.
+/// Merges the vertices at their mean. Removes polygons with fewer than three remaining corners.
 Edited merge_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// Removes the vertices. Each hole becomes one polygon, so that a closed cage stays closed.
+/// Removes the vertices. The polygons around each vertex become one polygon.
 Edited dissolve_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// Merges the two polygons at each edge.
+/// Merges the polygons at each edge.
 Edited dissolve_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
 Edited remove_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// Removes patches of polygons, open ones first, then the smallest, until no edge has an odd number of
-/// triangles above one.
+/// Removes patches of polygons until no edge has three, five or another odd number of triangles above one.
+/// Removes open patches before closed patches, and small patches before large patches.
 mesh::Surface without_fins(mesh::Surface cage);
-/// Moves the polygons along the mean of their normals by `distance`; quads join them to the rest.
+/// Moves the polygons by `distance` along the mean of their normals, and adds quads along their boundary.
 Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygons, double distance);
-/// Subdivides without changing the shape: a triangle into four, any other polygon into one quad per corner;
-/// if its centre does not see all sides, each of its triangles into four.
+/// Divides each triangle into four triangles, and any other polygon into one quad per corner. The shape does
+/// not change. A polygon that is not star-shaped around its centre is triangulated first.
 Edited subdivide(const mesh::Surface& cage);
-/// Keeps the side that the plane's normal points to, cuts it at the plane and adds its mirror image.
+/// Cuts the cage at the plane, keeps the side to which the normal points, and adds its mirror image.
 Edited mirrored(const mesh::Surface& cage, const Plane& plane);
 
 }  // namespace viete::cages

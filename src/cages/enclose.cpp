@@ -14,13 +14,12 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// The outward motion of each vertex that encloses the outside points.
+// Returns the outward displacement of each cage vertex.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
   std::vector<double> farthest(cage.positions.size(), 0);
-  const double side =
-      mesh::summarize(cage).volume < 0 ? -1 : 1;  // normals of an inside-out cage point inward
+  const double side = mesh::summarize(cage).volume < 0 ? -1 : 1;  // -1 if the normals point inward
   for (const Point& p : outside) {
     const auto nearest = tree.nearest(p);
     const mesh::Triangle& t = cage.triangles[nearest.triangle];
@@ -57,7 +56,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Rechecks the outside vertices until all of them are inside; then all, as the motion may expose others.
+  // Tests the outside vertices until all of them are inside; then tests all vertices again.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

@@ -1,4 +1,4 @@
-// Fits a cage to its model by size and place, and moves it outward where the model sticks out.
+// Fits a cage to the size and position of its model, and moves it outward around model vertices outside it.
 #pragma once
 
 #include <cstddef>
@@ -8,23 +8,22 @@
 
 namespace viete::cages {
 
-/// A cage fitted to its model.
 struct Fitted {
-  std::vector<mesh::Point> positions;  ///< the cage's vertices, fitted
+  std::vector<mesh::Point> positions;  ///< the new positions of the cage
   double scale = 1;
 };
 
-/// Translates and scales uniformly so that the cage's box contains the model's box plus `margin` of the
-/// model's diagonal on each side, as tightly as possible. Both must have an extent.
+/// Translates and uniformly scales the cage to enclose the model's bounding box, with a margin on each side.
+/// `margin` is relative to the model's diagonal. Neither surface may be a single point.
 Fitted fitted_to_box(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 struct Enclosing {
-  std::vector<mesh::Point> positions;  ///< the cage's vertices, moved
-  std::size_t left = 0;                ///< model vertices that are still outside
+  std::vector<mesh::Point> positions;  ///< the new positions of the cage
+  std::size_t left = 0;                ///< the number of model vertices that are still outside
 };
 
-/// Iteratively moves cage triangles outward to the model vertices beyond them, and by `margin` of the model's
-/// diagonal more. Triangles that do not cut the model stay, however near. Requires a closed cage.
+/// Moves cage triangles outward past the model vertices outside the cage, in several rounds. The added
+/// distance is `margin` times the model's diagonal. Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 }  // namespace viete::cages

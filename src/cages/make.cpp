@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::array<std::size_t, 3>;
 
-// The surface of a grid of cells; numbers corners on first use.
+// Makes the surface of a box that is divided into cells.
 class Lattice {
 public:
   Lattice(const Frame& frame, const mesh::Bounds& box, const Cell& cells)
@@ -45,7 +45,7 @@ private:
           corner[v] = j + dv;
           surface_.corners.push_back(vertex(corner));
         };
-        const bool high = at > 0;  // from outside, u to v is counter-clockwise there
+        const bool high = at > 0;  // if true, rotating u to v is counter-clockwise as seen from outside
         add(0, 0);
         add(high ? 1 : 0, high ? 0 : 1);
         add(1, 1);
@@ -119,13 +119,12 @@ Wish in_range(Wish wish) {
   return wish;
 }
 
-// A box with a note, used if no cage that follows the model was found.
 Made box_instead(const mesh::Surface& model, Wish wish) {
   wish.cells = {1, 1, 1};
   wish.own_axes = false;
   Made made = make_box(model, wish);
-  made.notes.push_back("no cage of " + base::counted(wish.triangles, "triangle") +
-                       " that follows the model was found, so a box was made; use more triangles");
+  made.notes.push_back("the model does not fit into a cage of " + base::counted(wish.triangles, "triangle") +
+                       ", so a box was made; use more triangles");
   return made;
 }
 
@@ -138,7 +137,7 @@ void section(base::Progress* progress, double from, double to) {
 Maker::Maker(std::shared_ptr<const mesh::Surface> model)
     : model_(std::move(model)), box_(extent_of(*model_)) {
   if (!(box_.diagonal() > 0))
-    throw base::Error("", "the model is a single point and cannot have a cage",
+    throw base::Error("", "the model is a single point, so no cage can be made",
                       "open a model with more than one point");
 }
 

@@ -1,4 +1,4 @@
-// Makes a cage of any kind around a model; box cages.
+// Makes a cage around a model.
 #pragma once
 
 #include <memory>
@@ -12,21 +12,18 @@
 
 namespace viete::cages {
 
-/// The sides of a box as quads, cells[0] x cells[1] x cells[2], wish.margin away from the model's box along
-/// the file's axes or, with own_axes, along the axes of inertia. The model must have an extent.
+/// Makes a box of quads around the model's bounding box, at the distance wish.margin. wish.cells is the
+/// number of quads along each axis. The model must have at least two different points.
 Made make_box(const mesh::Surface& model, const Wish& wish);
 
-/// Makes several cages around one model. Keeps its plane of symmetry and tree of triangles between calls.
-/// Gives the same cages as the function make(). Not thread-safe.
+/// Makes several cages around one model; faster than calling make() several times. Not thread-safe.
 class Maker {
 public:
-  /// Quick: the first make() does the work. Throws base::Error if the model is a single point or has no
-  /// points.
+  /// Throws base::Error if the model does not have two different points.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
-  /// A closed, oriented manifold without self-intersection that encloses every triangle of the model, or
-  /// every point of a model without triangles, at about the requested distance. Same bits for any pool. Any
-  /// length scale from 1e-60 to 1e60. Values of the wish are clamped to their ranges. progress may be null;
-  /// throws base::Cancelled, after which make() may be called again.
+  /// Makes a closed, oriented manifold without self-intersection that encloses the model's triangles, or the
+  /// points of a model without triangles. The model's size must be from 1e-60 to 1e60. Clamps the values of
+  /// the wish. The result does not depend on the pool. `progress` may be null. Throws base::Cancelled.
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 private:
@@ -35,11 +32,11 @@ private:
 
   std::shared_ptr<const mesh::Surface> model_;
   mesh::Bounds box_;
-  std::optional<std::optional<Plane>> own_plane_;  // empty until first computed
-  std::unique_ptr<const Subject> subject_;         // belongs to the last wish
+  std::optional<std::optional<Plane>> own_plane_;  // nullopt before the first search
+  std::unique_ptr<const Subject> subject_;         // for the mirror plane of the last wish
 };
 
-/// Once: see Maker.
+/// Makes a single cage; see Maker.
 Made make(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool,
           base::Progress* progress = nullptr);
 

@@ -1,9 +1,7 @@
 #include "cages/soundness.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -83,7 +81,7 @@ public:
   }
 
 private:
-  // Finds triangles that are too near, and where to move their corners.
+  // Finds the triangles that are too near, and the directions in which to move their vertices.
   template <class Report>
   std::size_t look(Report&& report) {
     away_.assign(mesh_.n_vertices(), {0, 0, 0});
@@ -102,7 +100,7 @@ private:
     return found;
   }
 
-  // False if no vertex could move.
+  // Returns false if no vertex could be moved.
   template <class Report>
   bool push_all(Report&& report) {
     bool moved = false;
@@ -136,8 +134,9 @@ private:
   double margin_;
   base::Progress* progress_;
   Star star_;
-  std::vector<Vec3> away_;                  // per vertex
-  std::vector<std::uint8_t> stale_, near_;  // per triangle: moved since checked; too near when checked
+  std::vector<Vec3> away_;           // one direction per vertex
+  std::vector<std::uint8_t> stale_;  // 1 for triangles that moved after the last check
+  std::vector<std::uint8_t> near_;   // 1 for triangles that were too near at the last check
 };
 
 }  // namespace

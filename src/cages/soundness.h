@@ -1,10 +1,9 @@
-// Exact checks of a cage: closed, without self-intersections, around the model.
+// Checks that a cage is sound, and enforces its margin.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "base/progress.h"
@@ -15,32 +14,30 @@
 
 namespace viete::cages {
 
-/// Defects of a cage; all empty or 0 if it is sound.
+/// The defects of a cage.
 struct Soundness {
-  std::size_t open_edges = 0;           ///< one triangle, three or more, or two of opposite orientation
-  std::size_t pinched_vertices = 0;     ///< vertices with several triangle fans
-  std::vector<std::uint32_t> crossing;  ///< cage triangles that cross other cage triangles
-  std::vector<std::uint32_t> cutting;   ///< cage triangles that cross the model
-  std::vector<std::uint32_t> outside;   ///< one vertex of each model component outside
+  std::size_t open_edges = 0;           ///< edges that are not shared by two triangles of equal orientation
+  std::size_t pinched_vertices = 0;     ///< vertices at which several triangle fans meet
+  std::vector<std::uint32_t> crossing;  ///< cage triangles that intersect other cage triangles
+  std::vector<std::uint32_t> cutting;   ///< cage triangles that intersect the model
+  std::vector<std::uint32_t> outside;   ///< one vertex of each component of the model outside the cage
 
   bool sound() const {
     return open_edges == 0 && pinched_vertices == 0 && crossing.empty() && cutting.empty() && outside.empty();
   }
 };
 
-/// The tree must contain the model's triangles. Each component of the model is tested by one vertex. Exact,
-/// except for vertices within 1e-9 of the cage's diagonal from it. progress may be null; throws
-/// base::Cancelled.
+/// The tree must contain the model's triangles. The result is exact, but a model vertex may be outside the
+/// cage by up to 1e-9 of the cage's diagonal. `progress` may be null. Throws base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-/// Checks any cage and model in their own coordinates.
+/// Checks a cage and a model in file coordinates.
 Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
-/// Moves vertices of triangles that are nearer to the model than the margin outward until all keep it, or as
-/// far as the cage stays sound. Exact, unlike the interpolated clearance. Returns the number left. progress
-/// may be null; throws base::Cancelled.
+/// Moves triangles that are nearer to the model than the margin outward, while the cage stays sound. Returns
+/// the number of triangles that are still too near. `progress` may be null. Throws base::Cancelled.
 std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress);
 
 }  // namespace viete::cages

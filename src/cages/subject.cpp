@@ -12,7 +12,7 @@ namespace viete::cages {
 namespace {
 
 constexpr std::size_t samples = 200;
-constexpr double tolerance = 0.02, fine = 1e-3;  // fractions of the diagonal
+constexpr double tolerance = 0.02, fine = 1e-3;  // relative to the diagonal
 
 Point reflected(const Point& p, const Plane& plane) {
   return p - (2 * (mesh::dot(plane.normal, p) - plane.offset)) * plane.normal;
@@ -23,7 +23,7 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
 }
 
-// Searches planes of symmetry of the model scaled to unit size.
+// Searches for a plane of symmetry of a model with diagonal 1.
 class Search {
 public:
   Search(const std::vector<Point>& positions, const mesh::TriangleTree& tree, base::Progress* progress)
@@ -31,7 +31,7 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // The largest distance of a mirrored sample to the model; stops at any value above `most`.
+  // Returns the largest distance of a mirrored sample to the model. Stops at any distance above `most`.
   double error(const Plane& plane, double most) const {
     double worst = 0;
     for (const Point& p : points_) {
@@ -52,7 +52,7 @@ public:
     return sum / count;
   }
 
-  // Searches along the offset and two tilts; shortens the steps without improvement.
+  // Changes the offset and the tilt of the plane in small steps, as long as the error decreases.
   Plane fitted(Plane plane) const {
     double best = mean_error(plane, tolerance);
     for (double step = 0.02; step > 2e-4; step *= 0.5) {
@@ -136,7 +136,7 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>;
 
-// Eigenvectors as columns, by Jacobi rotations.
+// Computes the eigenvectors of a symmetric matrix, as columns, by Jacobi rotations.
 Matrix eigenvectors(Matrix a) {
   Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < 12; ++sweep) {
@@ -163,8 +163,8 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-// Calls visit(position, weight) so that moments up to the second are those of the triangles' area; of the
-// points if there is no area.
+// Calls visit(position, weight) for points that have the same area, mean and inertia as the triangles. If the
+// triangles have no area, calls it for the vertices.
 template <class Visit>
 void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
   if (!has_area) {
@@ -235,7 +235,7 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   std::vector<std::uint32_t> used;
   for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
   model.box = mesh::bounds(model.positions, used);
-  // Polygons that revisit corners produce equal triangles.
+  // The triangulation of a polygon that repeats corners can contain equal triangles.
   std::set<mesh::Triangle> seen;
   const std::size_t copies = std::erase_if(model.triangles, [&](mesh::Triangle t) {
     std::ranges::rotate(t, std::ranges::min_element(t));
@@ -249,7 +249,6 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
 
 namespace {
 
-// With a mirror, makes the box symmetric about x = 0.
 FramedModel centered(FramedModel model, bool mirrored) {
   if (!mirrored) return model;
   const double x = std::max(-model.box.low[0], model.box.high[0]);

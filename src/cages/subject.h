@@ -1,4 +1,4 @@
-// The model in the form used by cage making: scaled to unit diagonal, with its plane of symmetry.
+// The input of cage making: the model with a diagonal of 1, and its plane of symmetry.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace viete::cages {
 
-/// Points p with dot(normal, p) = offset; normal is a unit vector.
+/// The points p with dot(normal, p) = offset. The normal has length 1.
 struct Plane {
   mesh::Vec3 normal{1, 0, 0};
   double offset = 0;
@@ -22,12 +22,11 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-/// The half and its mirror image, joined at x = 0. Vertices of the half keep their numbers.
+/// Joins a half shell and its mirror image at x = 0. Vertices of the half keep their indices.
 Shell whole(const Shell& half);
 
-/// The best plane of symmetry, if the mirrored model stays within 2 % of its diagonal: perpendicular to a
-/// coordinate axis or an axis of inertia, with adjusted position. Tests the centres of a few hundred
-/// triangles. progress may be null; throws base::Cancelled.
+/// Returns the best plane of symmetry. Returns nullopt if the model and its mirror image differ by more than
+/// 2 % of the diagonal at a sampled point. `progress` may be null. Throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {
@@ -44,32 +43,33 @@ struct Frame {
   }
 };
 
-/// The box of used vertices; of all vertices without triangles.
+/// Returns the bounding box of the vertices that triangles use; without triangles, of all vertices.
 mesh::Bounds extent_of(const mesh::Surface& surface);
 
-/// A frame along the file's axes; a mirror becomes the plane x = 0. The model must have an extent.
+/// Returns a frame in which the mirror is the plane x = 0. Without a mirror, the axes are the file's axes.
+/// The model must have at least two different points.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// A frame along the axes of inertia of the triangles, or of the points if these have no area.
+/// Returns a frame along the axes of inertia of the triangles; if they have no area, of the points.
 Frame own_frame(const mesh::Surface& model);
 
-/// The model in a frame. A point set becomes triangles without area.
+/// The model in a frame. If it has no triangles, each point becomes a triangle without area.
 struct FramedModel {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
-  mesh::Bounds box{};  ///< box of used vertices
+  mesh::Bounds box{};
   bool closed = false;
 };
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
 
-/// Data that depend on the model and mirror only; computed once. Thread-safe after construction.
+/// The data shared by all cages with the same mirror plane. Thread-safe after construction.
 struct Subject {
-  /// The surface must have an extent. progress may be null; throws base::Cancelled.
+  /// The surface must have at least two different points. `progress` may be null. Throws base::Cancelled.
   Subject(const mesh::Surface& surface, const std::optional<Plane>& mirror, base::Progress* progress);
 
   std::optional<Plane> mirror;
   Frame frame;
-  FramedModel model;  ///< with a mirror, its box is symmetric
+  FramedModel model;  ///< with a mirror, the box is symmetric about x = 0
   mesh::TriangleTree tree;
 };
 

@@ -15,7 +15,7 @@ public:
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) pull_in(*neighbor);
   }
 
-  // Calls report(fraction of the round) before each change.
+  // Calls report(f) before each change; f is the completed fraction of the round.
   template <class Report>
   void round(Report&& report) {
     for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) {
@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  // Shape limits that do not reject the current shape.
+  // Returns limits that the current shape satisfies.
   Shape shape_for(VertexId v) {
     cage_.star_of(v, star_);
     Shape shape = {0.1, -0.75, 64};
@@ -80,7 +80,7 @@ private:
     if (to != x) cage_.move(v, to);
   }
 
-  // Quality of the worse triangle.
+  // Returns the quality of the worse triangle.
   static double worth(const mesh::Corners& s, const mesh::Corners& t) {
     return std::min(quality(s), quality(t));
   }
@@ -98,7 +98,7 @@ private:
     const double before = worth({pa, pb, pc}, {pb, pa, pd});
     const double size =
         std::cbrt(mesh::squared_norm(pa - pb) * mesh::squared_norm(pc - pd) * mesh::squared_norm(pa - pc));
-    // Six times the lost volume.
+    // `lost` is six times the lost volume.
     const double lost = mesh::dot(pc - pa, mesh::cross(pb - pa, pd - pa));
     const double gain =
         worth({pa, pd, pc}, {pd, pb, pc}) - before + lost / std::max(std::pow(size, 1.5), 1e-300);
@@ -115,7 +115,7 @@ private:
   Star star_;
 };
 
-// The volume that a new vertex on an edge may save.
+// A new vertex on an edge, and the volume that it saves.
 struct Split {
   double gain;
   int edge;

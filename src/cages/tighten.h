@@ -6,16 +6,14 @@
 
 namespace viete::cages {
 
-/// For each round: moves each vertex inward as far as the cage stays sound (see WorkingCage) and along the
-/// surface towards the mean of its neighbours; flips edges for better triangles or a smaller cage. Later
-/// rounds change less. Throws base::Cancelled.
+/// In each round, flips edges, evens out the triangles and moves each vertex inward, as far as the cage stays
+/// sound. Throws base::Cancelled.
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
 
-/// Splits the edges that allow the largest decrease in volume, until there are that many triangles. Throws
-/// base::Cancelled.
+/// Splits the edges that reduce the volume most, up to this many triangles. Throws base::Cancelled.
 void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
 
-/// Moves the neighbours of a vertex inward, once.
+/// Moves each neighbour of the vertex inward.
 void tighten_around(WorkingCage& cage, VertexId v);
 
 }  // namespace viete::cages

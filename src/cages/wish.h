@@ -1,4 +1,4 @@
-// Parameters of cage making, and the named choices.
+// The settings for making a cage, and its result.
 #pragma once
 
 #include <array>
@@ -16,12 +16,11 @@ namespace viete::cages {
 
 enum class Kind { automatic, box };
 
-/// Plane of symmetry. automatic: the model's plane, if it has one; x, y, z: perpendicular to this axis,
-/// through the centre of the model's box.
+/// The plane of symmetry. `automatic` finds the model's own plane. `x`, `y` and `z` are planes perpendicular
+/// to the axis, through the centre of the model's bounding box.
 enum class Symmetry { automatic, none, x, y, z };
 
-/// A preview simplifies the last triangles less carefully and checks the margin on a coarse grid only: about
-/// four times as fast, and about as close.
+/// A preview is about four times as fast. It is simplified less carefully, and its margin is less exact.
 enum class Effort { preview, full };
 
 inline constexpr std::size_t least_triangles = 12, most_triangles = 20000;
@@ -30,19 +29,18 @@ inline constexpr std::size_t most_cells = 32;
 
 struct Wish {
   Kind kind = Kind::automatic;
-  std::size_t triangles = 200;  ///< least_triangles to most_triangles; automatic cages only
-  double margin = 0.0015;       ///< distance / model diagonal; least_margin to most_margin
-  double gap = 0.005;           ///< closes gaps below twice this, in diagonals; 0 to most_gap
+  std::size_t triangles = 200;  ///< only for Kind::automatic
+  double margin = 0.0015;       ///< relative to the model's diagonal
+  double gap = 0.005;  ///< closes gaps narrower than twice this value, relative to the model's diagonal
   Symmetry symmetry = Symmetry::automatic;
-  bool quads = false;                         ///< pairs triangles into quads where suitable
-  std::array<std::size_t, 3> cells{1, 1, 1};  ///< boxes along each axis, 1 to most_cells; box cages only
-  bool own_axes = false;  ///< box cages: along the model's axes of inertia, not the file's axes
+  bool quads = false;                         ///< joins pairs of triangles to quads
+  std::array<std::size_t, 3> cells{1, 1, 1};  ///< the number of cells along each axis; only for Kind::box
+  bool own_axes = false;                      ///< uses the model's axes of inertia; only for Kind::box
   Effort effort = Effort::full;
 
   friend bool operator==(const Wish&, const Wish&) = default;
 };
 
-/// A choice by name.
 template <class Value>
 struct Entry {
   Value value;
@@ -50,27 +48,27 @@ struct Entry {
 };
 inline std::span<const Entry<Kind>> all_kinds() {
   static constexpr Entry<Kind> kinds[] = {
-      {Kind::automatic, "automatic", "encloses the model with the given number of triangles"},
-      {Kind::box, "box", "box of quads, divided into cells"},
+      {Kind::automatic, "automatic", "a cage that follows the model, with the given number of triangles"},
+      {Kind::box, "box", "a box of quads, divided into cells"},
   };
   return kinds;
 }
 inline std::span<const Entry<Symmetry>> all_symmetries() {
   static constexpr Entry<Symmetry> symmetries[] = {
-      {Symmetry::automatic, "auto", "the model's plane of symmetry, if any"},
-      {Symmetry::none, "none", "no plane"},
-      {Symmetry::x, "x", "across x through the centre of the model's box"},
-      {Symmetry::y, "y", "across y"},
-      {Symmetry::z, "z", "across z"},
+      {Symmetry::automatic, "auto", "the model's own plane of symmetry, if it has one"},
+      {Symmetry::none, "none", "no plane of symmetry"},
+      {Symmetry::x, "x", "the plane perpendicular to x through the model's centre"},
+      {Symmetry::y, "y", "the plane perpendicular to y through the model's centre"},
+      {Symmetry::z, "z", "the plane perpendicular to z through the model's centre"},
   };
   return symmetries;
 }
 
 struct Made {
   mesh::Surface surface;
-  std::vector<std::string> notes;  ///< messages for the user, one line each
+  std::vector<std::string> notes;  ///< messages for the user
   std::optional<Plane> mirror;     ///< the cage's plane of symmetry
-  double gap = 0;                  ///< gap actually closed; larger than requested if the size demanded it
+  double gap = 0;                  ///< the closed gap; may be larger than requested
 };
 
 }  // namespace viete::cages

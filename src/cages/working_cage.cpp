@@ -24,7 +24,7 @@ std::uint32_t number(VertexId v) {
   return static_cast<std::uint32_t>(v.idx());
 }
 
-// Half of the solid angle as seen from the point.
+// Returns half of the solid angle, as seen from the point.
 double half_angle(const mesh::Corners& t, const Point& from) {
   return mesh::half_solid_angle(t[0] - from, t[1] - from, t[2] - from);
 }
@@ -59,7 +59,7 @@ WorkingCage::WorkingCage(const Shell& shell, const mesh::TriangleTree& model, co
   for (std::size_t v = 0; v < positions_.size(); ++v) connectivity_.add_vertex();
   for (const auto& t : shell.triangles) {
     const FaceId f = connectivity_.add_face(vertex(t[0]), vertex(t[1]), vertex(t[2]));
-    assert(f.is_valid());  // guaranteed by extract()
+    assert(f.is_valid());
     place(f);
   }
 }
@@ -135,7 +135,7 @@ Point WorkingCage::drawn_in(const Star& star, const Point& x, const Shape& shape
 }
 
 double WorkingCage::added_volume(const Star& star, const Point& x) const {
-  double six = 0;  // volume of the tetrahedra from x to the replaced triangles
+  double six = 0;  // six times the volume between x and the replaced triangles
   for (const FaceId f : star.replaced) {
     const mesh::Corners t = corners(f);
     six += mesh::dot(x - t[0], mesh::cross(t[1] - t[0], t[2] - t[0]));
@@ -181,7 +181,7 @@ bool WorkingCage::fits(const Star& star, const Point& x, const Shape& shape) {
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const auto [a, b] = star.rim[i];
     const Vec3 n = normal_of(now_[i].corners);
-    // Compares with the neighbour across the rim and with the next triangle of the star.
+    // Compares the normal with the neighbour across the rim and with the next triangle of the star.
     const auto across = connectivity_.opposite_face_handle(connectivity_.find_halfedge(vertex(a), vertex(b)));
     if (across.is_valid() && mesh::cosine(n, normal(across)) < shape.least_cosine) return false;
     for (std::size_t j = 0; j < now_.size(); ++j) {
@@ -208,8 +208,8 @@ bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::arra
          std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
-// Neighbours at an edge only meet there unless folded, which the cosine limit excludes. Triangles with one
-// common vertex cross if the side opposite of it crosses the other.
+// Triangles with a common edge do not intersect, because the least cosine excludes folded triangles.
+// Triangles with one common vertex intersect if the side opposite this vertex crosses the other triangle.
 bool WorkingCage::cross(const Candidate& s, const Candidate& t) {
   int shared = 0;
   std::size_t of_s = 0, of_t = 0;
@@ -286,8 +286,8 @@ bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId
   return false;
 }
 
-// Tests points between now_ and the replaced triangles. Together they are closed (with their mirror image at
-// the mirror), so that an inner point sees the full solid angle.
+// True if an enclosed point is between now_ and the replaced triangles. Together they form a closed surface,
+// whose solid angle is 4 pi from points inside and 0 from points outside.
 bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   if (enclosed_.empty()) return false;
   mesh::Bounds box = mesh::bounds(now_.front().corners);
@@ -310,7 +310,7 @@ bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   });
 }
 
-// The clearance is interpolated; details thinner than its grid need this exact test.
+// This test is exact, while the clearance misses details thinner than a grid cell.
 bool WorkingCage::is_near_model(const mesh::Corners& t, double distance) const {
   if (!mesh::has_plane(t) || model_.is_near(t, distance)) return true;
   if (!mirrored()) return false;

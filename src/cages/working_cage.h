@@ -1,4 +1,4 @@
-// A cage under construction. It checks whether a change keeps it sound.
+// A cage under construction, with tests whether a change keeps the cage sound.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -18,21 +18,21 @@ using VertexId = Connectivity::VertexHandle;
 using FaceId = Connectivity::FaceHandle;
 using HalfEdgeId = Connectivity::HalfedgeHandle;
 
-/// Limits of triangle shape. Quality is 4 sqrt(3) area / (sum of squared sides): 1 if equilateral.
+/// Limits for the shape of triangles.
 struct Shape {
   double least_quality = 0.1;
-  double least_cosine = -0.5;      ///< between normals of neighbours
-  std::size_t most_triangles = 9;  ///< per vertex
+  double least_cosine = -0.5;      ///< the least cosine between the normals of neighbours
+  std::size_t most_triangles = 9;  ///< the largest number of triangles at a vertex
 };
 
+/// Returns 4 sqrt(3) area / (sum of squared sides), which is 1 for an equilateral triangle.
 double quality(const mesh::Corners& t);
 
-/// The triangle fan around a vertex to be moved or created: one triangle per rim edge. The fan replaces some
-/// triangles of the cage.
+/// The triangles around a moved or new vertex.
 struct Star {
-  std::vector<std::array<std::uint32_t, 2>> rim;
-  std::vector<FaceId> replaced;
-  bool on_mirror = false;
+  std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges opposite the vertex, one per new triangle
+  std::vector<FaceId> replaced;                   ///< the old triangles
+  bool on_mirror = false;                         ///< true if the vertex is on the mirror plane
 
   void clear() {
     rim.clear();
@@ -41,9 +41,9 @@ struct Star {
   }
 };
 
-/// An oriented manifold with positions. Checked changes keep at least `margin` of clearance everywhere
-/// (within grid resolution), no triangle crosses another or the model, the `enclosed` points stay on their
-/// side, and with a mirror no vertex lies beyond x = 0. Not thread-safe.
+/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles
+/// intersect neither other triangles nor the model. Their clearance must be at least `margin`, within the
+/// resolution of the grid. No `enclosed` point may change sides. A mirrored cage must stay in x >= 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
@@ -61,39 +61,39 @@ public:
   mesh::Triangle vertices(FaceId f) const;
   mesh::Corners corners(FaceId f) const { return corners(vertices(f)); }
   mesh::Corners corners(const mesh::Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
-  /// Its length is twice the area.
+  /// Returns the normal; its length is twice the area.
   Vec3 normal(FaceId f) const;
 
-  /// The star of a vertex's triangles.
+  /// The star of a vertex.
   void star_of(VertexId v, Star& star) const;
-  /// The star of both ends of the half-edge after its collapse.
+  /// The star of the vertex that remains after collapsing the half-edge.
   void star_of(HalfEdgeId h, Star& star) const;
-
-  /// The area-weighted mean normal of the replaced triangles, a unit vector or 0; within the mirror plane if
-  /// the star lies on it.
-  Vec3 outward(const Star& star) const;
   /// The star of a new vertex on an edge.
   void star_of(Connectivity::EdgeHandle e, Star& star) const;
+
+  /// Returns the area-weighted mean normal of the replaced triangles, of length 1 or 0. For a star on the
+  /// mirror plane, the normal is parallel to this plane.
+  Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Moves x, where the star must fit, to a position that encloses less, as far as it fits: inward, or
-  /// towards the rim's centre. Takes a few steps per call.
+  /// Returns a position for the star's vertex that fits and encloses less volume than x, or x itself.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
-  /// Volume of the star around x minus the volume of the triangles it replaces.
+  /// Returns the volume that the cage gains if the star replaces its triangles and its vertex is at x.
   double added_volume(const Star& star, const Point& x) const;
-  /// True if the star around x is sound.
+  /// True if the star with its vertex at x fits.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if these two triangles may replace the two at an edge.
+  /// True if the two triangles `now` can replace two triangles at an edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
-  /// From now on checks this margin exactly as well; several times slower.
+  /// From now on, fits() also tests this margin exactly. This is several times slower.
   void be_exact(double margin) { exact_margin_ = margin; }
-  /// True if the model is nearer to the triangle than `distance`, exactly.
+  /// True if the exact distance between triangle and model is less than `distance`.
   bool is_near_model(FaceId f, double distance) const { return is_near_model(corners(f), distance); }
 
-  // Apply changes that fit.
+  // The next functions make a change, which must fit.
+
   void move(VertexId v, const Point& x);
-  /// Keeps the half-edge's `to` vertex and moves it to x.
+  /// Keeps the `to` vertex of the half-edge, and moves it to x.
   void collapse(HalfEdgeId h, const Point& x);
   void flip(Connectivity::EdgeHandle e);
   VertexId split(Connectivity::EdgeHandle e, const Point& x);
@@ -101,7 +101,6 @@ public:
   Shell shell() const;
 
 private:
-  // A triangle to be checked.
   struct Candidate {
     mesh::Triangle vertices;
     mesh::Corners corners;
@@ -114,7 +113,7 @@ private:
   struct Placed {
     Candidate triangle{};
     mesh::Bounds box{};
-    std::uint32_t seen = 0;  // number of the last query that visited it
+    std::uint32_t seen = 0;  // the number of the last query that visited this triangle
     bool is_placed = false;
   };
   void place(FaceId f);
@@ -129,9 +128,9 @@ private:
   double margin_;
   std::span<const Point> enclosed_;
   std::size_t faces_;
-  double exact_margin_ = 0;                        // 0: only checks that it does not cut the model
-  std::vector<Placed> placed_;                     // one per face
-  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each cell of the grid's box
+  double exact_margin_ = 0;  // if 0, only tests that triangles do not intersect the model
+  std::vector<Placed> placed_;
+  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each cell of the search grid
   std::uint32_t question_ = 0;
   std::vector<Candidate> now_;
 };

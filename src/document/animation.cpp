@@ -67,7 +67,7 @@ std::shared_ptr<const deform::LogVector> VectorCache::of(
     return found->vector;
   }
   const auto& space = *shapes(pool);
-  const auto& positions = shape ? *shape : space.logs().rest();  // base positions for restoring whole turns
+  const auto& positions = shape ? *shape : space.logs().rest();
   const auto vector = std::make_shared<const deform::LogVector>(
       shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
   known.shape = shape;
@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// Missing turns are filled in at the first frame, by at most half a turn; another branch of the same rotation
-// differs by a whole turn.
+// Turns are equal if they differ by at most half a turn: missing turns count as 0, and the computed turns
+// that replace them are at most half a turn. Another branch of the same rotation differs by a whole turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {
@@ -276,7 +276,7 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
     return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
   };
   if (folded > 0)
-    notes.push_back("triangles that fold over or collapse, which follow their neighbours: " +
+    notes.push_back("triangles that fold over or collapse and therefore follow their neighbours: " +
                     text(folded, of_folded));
   if (torn > 0)
     notes.push_back(

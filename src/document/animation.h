@@ -1,4 +1,4 @@
-// Mixes shapes of the model, and blends keys in log space to the pose at any frame of a timeline.
+// Mixes shapes of the model, and computes the pose at any frame of a timeline.
 #pragma once
 
 #include <map>
@@ -16,48 +16,48 @@
 namespace viete::document {
 
 struct ShapeTerm {
-  SharedShape shape;  ///< null: rest
+  SharedShape shape;  ///< null means the rest shape
   double factor;
 };
 
-/// The blended shape, positioned by `held`; if `held` is null, vertices move on straight lines. A vertex that
-/// is at rest in all terms stays exactly at rest.
+/// Blends shapes in log space; `held` sets the translation of the result. If `held` is null, blends vertex
+/// positions linearly. A vertex that is at rest in all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// Removes rounding errors across a coordinate plane that contains the rest shape and all terms.
+/// If the rest shape and all terms have the same constant x, y or z, sets this coordinate of the positions.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// The rest shape plus the weighted shapes, in log space or linearly. A single shape with factor 1, or no
-/// shape, is returned bit for bit. Throws base::Error if a shape does not fit the model.
+/// Returns the rest shape plus the weighted shapes, in log space or (`straight`) linearly. A single shape
+/// with factor 1 is returned unchanged. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
-/// Messages about shapes for the user, one line each.
+/// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports);
 
 /// Caches the log vectors of poses of one cage and of shapes of one model. Not thread-safe.
 class VectorCache {
 public:
-  /// A different cage, or null, clears the cached poses.
+  /// Sets the cage, which may be null. Clears the cached poses if the cage changed.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
-  /// A different model clears its cached shapes.
+  /// Sets the model. Clears the cached shapes if the model changed.
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
-  /// Null without a cage.
+  /// Returns null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
-  /// See PoseSpace::vector(). Null without a cage. Cached as long as the pose is in use elsewhere.
+  /// Returns PoseSpace::vector(), or null without a cage. Caches the vector while other code uses the pose.
   std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
-  /// Created on the first call. Requires a model. Throws base::Error: see ShapeSpace.
+  /// Requires a model. The first call creates the space, and throws base::Error like its constructor.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Branches continue those of the previous shape; null: the rest shape. Cached as long as the shape is in
-  /// use elsewhere. Throws base::Error: see ShapeSpace::vector().
+  /// Returns ShapeSpace::vector() with `before` as the preceding shape; a null `shape` is the rest shape. The
+  /// vector is cached while other code uses the shape. Throws base::Error like ShapeSpace::vector().
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// Merges the shapes that another cache of the same model has.
+  /// Adds the cached shapes of another cache. Does nothing if the caches have different models.
   void take(VectorCache&& others);
 
 private:
@@ -76,31 +76,30 @@ private:
   };
   struct KnownShape {
     SharedShape shape;
-    std::vector<VectorAfter> after;  // one for each previous shape
+    std::vector<VectorAfter> after;  // one vector for each preceding shape
   };
   std::shared_ptr<const mesh::Surface> model_;
   std::shared_ptr<const deform::ShapeSpace> shapes_;
   std::map<const void*, KnownShape> known_shapes_;
 };
 
-/// The poses of a timeline at any frame. Immutable and thread-safe; the result does not depend on the frames
-/// evaluated before. At a key's frame it is that key's pose, bit for bit. A pose without whole turns takes
-/// those nearest to the previous key.
+/// Computes the pose at any frame of a timeline. Immutable and thread-safe. At a key, returns exactly the
+/// key's pose. If this pose has no whole turns, adds the whole turns nearest to the previous key.
 ///
-/// Between keys the cage follows the blended logs, see PoseSpace; in a linear timeline its vertices move on
-/// straight lines. Probes are always blended by their logs. If the result leaves the drawable range, as
-/// `smooth` may when it overshoots, the previous key's pose is used.
+/// Between keys, blends the cage in log space (see PoseSpace); if the timeline is linear, blends its vertex
+/// positions. Always blends probes in log space. If the result is out of the drawable range, because `smooth`
+/// easing can overshoot, returns the pose of the previous key.
 class Animation {
 public:
-  /// The timeline must have keys of this cage, and shapes of this model if keys have shapes. Throws
-  /// base::Error if a shape does not fit the model.
+  /// The poses and shapes of the keys must belong to the cage and the model of `vectors`. Throws base::Error
+  /// if a shape does not fit the model.
   Animation(const Timeline& timeline, VectorCache& vectors);
 
-  /// Messages about the keys' shapes for the user, one line each.
+  /// Returns messages about the shapes of the keys, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// As above; `straight` replaces the setting of the timeline.
+  /// Uses `straight` instead of the setting of the timeline.
   WholePose at(double frame, bool straight) const;
 
 private:
@@ -111,12 +110,12 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // largest coordinate allowed; raised if a key exceeds it
+  double farthest_ = most_drawn;  // the largest allowed coordinate, at least the largest of all keys
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys
 
-  std::shared_ptr<const deform::ShapeSpace> shapes_;  // null: no key has a shape
+  std::shared_ptr<const deform::ShapeSpace> shapes_;  // null if no key has a shape
   std::vector<std::shared_ptr<const deform::LogVector>> shape_vectors_;
   std::vector<deform::Held> held_shapes_;
   std::vector<std::string> notes_;

@@ -1,4 +1,4 @@
-// The cost of binding a model to a cage, known before binding starts.
+// The size of a binding, computed before binding starts.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace viete::document {
 
-/// "Binding 50,000 vertices to 148 faces, 72 MB", for the open model and cage; both are required.
+/// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
 std::string binding_plan(const Document& document, const deform::Weighting& weighting);
 
 }  // namespace viete::document

@@ -21,15 +21,14 @@ std::vector<float> shares_of(const Document& document) {
   return std::vector<float>(document.model.surface->positions.size(), 1.0f);
 }
 
-// Null if every share is 1.
 deform::Mask mask_of(const std::vector<float>& shares) {
   const bool whole = std::ranges::all_of(shares, [](float s) { return s == 1; });
   return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
 }
 
-// 1 up to half the radius, then a smooth falloff to 0; d in radii.
-float coverage(double d) {
-  const double t = std::clamp(2 * (1 - d), 0.0, 1.0);
+// Returns the strength of the brush at a distance from its center, relative to the brush radius.
+float coverage(double distance) {
+  const double t = std::clamp(2 * (1 - distance), 0.0, 1.0);
   return static_cast<float>(t * t * (3 - 2 * t));
 }
 

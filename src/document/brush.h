@@ -1,4 +1,4 @@
-// Painting the model's mask: how much each vertex follows the cage.
+// Painting the model's mask: the fraction of the cage's motion that each vertex follows.
 #pragma once
 
 #include <optional>
@@ -15,11 +15,11 @@ namespace viete::document {
 struct Brush {
   static constexpr float least_radius = 4, largest_radius = 400;
 
-  float radius = 40;  ///< logical pixels
-  float share = 0;    ///< mask value at full strength, 0 to 1: the share of its motion a vertex keeps
+  float radius = 40;  ///< in logical pixels
+  float share = 0;    ///< the mask value to paint, from 0 (stays at rest) to 1 (follows the cage)
 };
 
-/// The last deformed model, in the layout for the GPU; no vertices: the model is at rest.
+/// The last deformed model, in the vertex layout of the GPU. Without vertices, the model is at rest.
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
@@ -28,7 +28,8 @@ struct PosedModel {
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };
 
-/// The first intersection of the ray with the posed model, in file coordinates; nullopt: no hit. O(n).
+/// Returns the first intersection of the ray with the posed model, in file coordinates; nullopt if the ray
+/// misses. Tests every triangle.
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray);
 
 /// A point attached to the model: a triangle and barycentric coordinates.
@@ -37,22 +38,23 @@ struct SurfacePoint {
   std::array<double, 3> shares{};
 };
 
-/// As pick_model(), as a point attached to the surface.
+/// Like pick_model(), but returns the triangle and the barycentric coordinates.
 std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray);
 
 /// Masks are quantized to steps of 1/255, as in session files.
 inline constexpr int mask_steps = 255;
 
-/// One stroke, from button press to release; painting a vertex twice within a stroke has no further effect.
+/// One stroke of the brush, from press to release of the mouse button. Painting a vertex twice in one stroke
+/// has the same effect as painting it once.
 class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Sets the mask to `share` within half the radius of the center; the effect falls off to 0 at the radius.
-  /// Updates the document at once.
+  /// Paints the mask value `share` around the center. The strength is full up to half the radius, and falls
+  /// to 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// Records the stroke as one undoable edit, unless it painted nothing.
+  /// Records the stroke as one undoable edit, if it changed the mask.
   void commit(Document& document);
   /// Restores the mask from before the stroke.
   void cancel(Document& document) const;
@@ -63,9 +65,10 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// Sets the mask, or null if every share is 1, as an edit. mask: one share per model vertex, or empty.
+/// Sets the mask as an undoable edit. `mask` is null or has one value per model vertex. A mask of ones only
+/// becomes null.
 void set_mask(Document& document, deform::Mask mask, const char* label);
-/// Each share s becomes 1 - s.
+/// Returns the mask with each value s replaced by 1 - s.
 deform::Mask inverted(const Document& document);
 
 }  // namespace viete::document

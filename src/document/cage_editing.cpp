@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "cages/edit.h"
 #include "cages/enclose.h"
-#include "document/cage_making.h"
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
@@ -24,13 +23,14 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The transform of displacements from rest to pose; those of mirrored vertices are mirrored first.
+// How an edit changes the displacements from rest to pose: mirrors the displacements of mirrored vertices,
+// and scales all displacements.
 struct Follow {
   cages::Plane plane{};
   double scale = 1;
 };
 
-// Keeps whole turns of the parts if their number is unchanged.
+// Transfers a pose to the edited cage. If the number of parts is unchanged, the parts keep their whole turns.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
@@ -46,8 +46,8 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
-// In cage editing the new pose is the rest shape; otherwise remaining vertices keep their pose. Without a
-// label it is part of the last edit.
+// Replaces the cage. During cage editing, the new cage is shown at rest; otherwise its vertices keep their
+// pose. With an empty label, the change extends the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -69,7 +69,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// The same polygons with other positions.
+// Returns the cage with other positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
@@ -96,13 +96,13 @@ void require(bool any, const char* what, const char* advice) {
 }  // namespace
 
 void begin_cage_editing(Document& document) {
-  record_edit(document, "edit the cage");
+  record_edit(document, "edit cage");
   document.kept_pose = std::exchange(document.changed_pose(), deform::rest_pose(*document.cage));
   if (document.selection.kind() == ElementKind::probe) document.selection = Selection(ElementKind::vertex);
 }
 
 void end_cage_editing(Document& document) {
-  record_edit(document, "pose the cage");
+  record_edit(document, "stop editing cage");
   document.changed_pose() = *std::exchange(document.kept_pose, std::nullopt);
 }
 
@@ -114,7 +114,7 @@ bool commit_cage_edit(Document& document) {
     document.selection = selection;
     return true;
   } catch (const base::Error& error) {
-    // Undoes the edit that moved it, and later selection changes.
+    // Undoes the edit that moved the vertices, and selection changes after that edit.
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
@@ -144,8 +144,9 @@ void remove_selected(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
   const Selection& selection = document.selection;
   const auto put = [&](cages::Edited edited, const char* label) {
-    require(edited.surface.corners != cage.corners, "the selection cannot be removed",
-            "it is not enclosed by a single loop; remove faces instead");
+    require(edited.surface.corners != cage.corners,
+            "the boundary around the selection is not a single loop, so the selection cannot be removed",
+            "remove faces instead");
     put_edited(document, std::move(edited), label);
   };
   if (selection.kind() == ElementKind::vertex)
@@ -160,27 +161,27 @@ void extrude_selected(Document& document) {
   const auto polygons = selected_polygons(document);
   require(!polygons.empty(), "no face of the cage is selected", "select faces, or all vertices of a face");
   put_edited(document, cages::extrude(document.cage->surface, polygons, distance * document.cage->diagonal),
-             "extrude");
+             "extrude faces");
 }
 
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
-  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
-          "a cage has at most 20,000 vertices");
-  put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
+  require(document.cage->surface.positions.size() < most_vertices / 4,
+          "the cage would have too many vertices", "a cage may have at most 20,000 vertices");
+  put_edited(document, cages::subdivide(document.cage->surface), "subdivide cage");
 }
 
 void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // The side with the selected vertices, else the positive one.
+  // If vertices are selected, keeps their side of the plane.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))
     sum += rest[v][axis] - plane.offset;
   if (sum < 0) plane = {-1 * plane.normal, -plane.offset};
-  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror the cage", {plane});
+  put_edited(document, cages::mirrored(document.cage->surface, plane), "mirror cage", {plane});
 }
 
 void fit_cage(Document& document) {
@@ -188,15 +189,16 @@ void fit_cage(Document& document) {
           "move the cage yourself");
   const mesh::Surface& cage = document.cage->surface;
   cages::Fitted fitted = cages::fitted_to_box(cage, *document.model.surface, fit_margin);
-  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit the cage", {{}, fitted.scale});
+  put_edited(document, with_positions(cage, std::move(fitted.positions)), "fit cage to model",
+             {{}, fitted.scale});
 }
 
 std::size_t enclose_model(Document& document) {
   const mesh::Surface& cage = document.cage->surface;
-  require(document.cage->closed, "the cage is open and therefore has no inside", "close its holes first");
+  require(document.cage->closed, "the cage is open, so it has no inside", "close its holes first");
   cages::Enclosing enclosing = cages::enclose(cage, *document.model.surface, snug_margin);
   if (enclosing.positions != cage.positions)
-    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose the model");
+    put_edited(document, with_positions(cage, std::move(enclosing.positions)), "enclose model");
   return enclosing.left;
 }
 

@@ -1,35 +1,36 @@
-// Editing the cage itself instead of posing it: a mode that shows the cage at rest.
+// Cage editing: a mode that shows the cage at rest and changes its rest shape instead of its pose.
 #pragma once
 
 #include "document/document.h"
 
 namespace viete::document {
 
-/// Margin between a fitted cage and its box, relative to the model's diagonal.
+/// The margin between a fitted cage and the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, remaining vertices get their pose back, shifted by the edit of
-/// their rest positions. Undoable. Require a cage.
+/// Begin and end cage editing. At the end, each vertex returns to its pose, shifted by the change of its rest
+/// position. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
-/// Makes positions moved in cage editing the cage's rest shape, as part of the edit that moved them. Returns
-/// true if any moved. If the result is not a valid cage, undoes that edit and throws base::Error.
+/// Makes the moved positions the rest shape of the cage, as part of the edit that moved them. Returns false
+/// if no vertex moved. If the result is not a valid cage, undoes that edit and throws base::Error.
 bool commit_cage_edit(Document& document);
 
-/// Edit the selected elements, one edit each. Require the mode and a selection; those that change the whole
-/// cage work in any mode. Throw base::Error without a change if the result would not be a valid cage.
-void split_selected(Document& document);    ///< edges
-void cut_selected(Document& document);      ///< faces
-void merge_selected(Document& document);    ///< vertices
-void remove_selected(Document& document);   ///< vertices, edges: dissolved; faces: deleted
-void extrude_selected(Document& document);  ///< faces
+/// Each function below is one undoable edit. It throws base::Error and changes nothing if the selection is
+/// unsuitable or the result would not be a valid cage. The functions named `selected` require cage editing.
+void split_selected(Document& document);    ///< splits edges
+void cut_selected(Document& document);      ///< cuts faces
+void merge_selected(Document& document);    ///< merges vertices
+void remove_selected(Document& document);   ///< dissolves vertices or edges, or deletes faces
+void extrude_selected(Document& document);  ///< extrudes faces
 void subdivide_cage(Document& document);
-/// Mirrors the larger side across the axis-aligned plane in which the model is most symmetric.
+/// Mirrors one half of the cage across the axis-aligned plane in which the model is most symmetric. Keeps the
+/// half with the selected vertices, or the positive half without a selection.
 void mirror_cage(Document& document);
-/// Moves and scales the cage, and its pose, to the model's box.
+/// Moves and scales the cage, with its pose, to the model's bounding box.
 void fit_cage(Document& document);
-/// Moves the cage outward where it does not contain model vertices. Returns how many remain outside.
+/// Moves the cage outward to enclose the model. Returns the number of model vertices that are still outside.
 std::size_t enclose_model(Document& document);
 
 }  // namespace viete::document

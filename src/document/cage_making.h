@@ -1,4 +1,4 @@
-// Generating a cage in the window: its settings, and the edit that applies the result.
+// The settings for generating a cage in the window, and the edit that applies the generated cage.
 #pragma once
 
 #include <memory>
@@ -16,32 +16,32 @@ using CageKind = cages::Kind;
 using CageSymmetry = cages::Symmetry;
 using CageWish = cages::Wish;
 
-/// While it is open, the document's cage follows the settings.
+/// While the panel is open, the document's cage follows the settings.
 struct CageMaking {
   bool open = false;
-  bool closing = false;  ///< confirmed, and waiting for the full-quality cage that replaces a preview
+  bool closing = false;  ///< the user confirmed, but a full-quality cage must still replace the preview
   CageWish wish;
-  std::vector<std::string> notes{};              ///< about the last generated cage
-  std::vector<std::string> lost{};               ///< poses and keys lost with the previous cage
-  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage; not refined after its undo
+  std::vector<std::string> notes{};              ///< messages about the last generated cage
+  std::vector<std::string> lost{};               ///< messages about sets, poses and keys of the previous cage
+  std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage
   std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
 };
 
-/// True if the document's cage is the last generated one; the next one replaces it in the same edit.
+/// True if the document's cage is the last generated cage.
 bool shows_generated(const Document& document, const CageMaking& making);
-/// As shows_generated(), and generating it was the last edit: replacing it loses nothing.
+/// True if the document's cage is the last generated cage and the last edit generated it. Then replacing the
+/// cage loses no work.
 bool can_replace_generated(const Document& document, const CageMaking& making);
 
-/// Puts a generated cage into the document, at rest. Undoable; cages generated one after the other without
-/// another edit in between are one edit. Throws base::Error without a change if the cage is not valid.
+/// Puts a generated cage at rest into the document. Undoable. Consecutive generated cages form one edit.
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
                    std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
-/// Undoes edits until the cage from before the panel was opened is back.
+/// Undoes edits until the document has the cage from before the panel was opened.
 void cancel_making(Document& document, CageMaking& making);
 
-/// A file next to the model that looks like its cage: cage.obj, MODEL_cage.obj and the like; empty if there
-/// is none or if it is the model itself.
+/// Returns a file in the model's folder whose name suggests a cage, such as cage.obj or MODEL_cage.obj; an
+/// empty path if no such file exists.
 std::filesystem::path cage_beside(const std::filesystem::path& model);
 
 }  // namespace viete::document

@@ -19,7 +19,7 @@ glm::mat4 perspective_lens(float distance, float aspect) {
   return glm::perspective(Camera::vertical_field, aspect, near_plane, far_plane);
 }
 
-// An orthographic view extends behind the eye: zooming in must not clip the model.
+// The orthographic view volume begins behind the eye, so that zooming in does not clip the model.
 glm::mat4 orthographic_lens(float distance, float aspect) {
   const float half = distance * std::tan(0.5f * Camera::vertical_field);
   return glm::ortho(-half * aspect, half * aspect, -half, half, -20.0f, distance + 20.0f);
@@ -29,7 +29,6 @@ float clamped(float value, float least, float most, float otherwise) {
   return std::isfinite(value) ? std::clamp(value, least, most) : otherwise;
 }
 
-// Camera positions beyond the float range are moved towards the model.
 CameraPose in_range(CameraPose pose) {
   const CameraPose home;
   constexpr auto far = static_cast<float>(farthest_place);
@@ -49,14 +48,14 @@ CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
           b.up};
 }
 
-// Converts a direction from a Y-up basis to the file's axes.
+// Converts a direction from Y up to the file's up axis.
 glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
   return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
 }
 
 }  // namespace
 
-// After T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
+// See T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], from = ray.origin - t[0];
   const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(from, u);
@@ -71,7 +70,7 @@ void Camera::set_pose(const CameraPose& pose) {
   jump();
 }
 
-// An immediate change replaces a running animation.
+// Ends a running animation at the current pose.
 void Camera::jump() {
   goal_ = current_ = in_range(current_);
   remaining_ = 0;
@@ -185,8 +184,8 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// Centers the points in the uncovered area. `raised` is the height of that area's center above the center of
-// the view, where the target appears, as a slope of view rays.
+// The points are centered in the area above the covered pixels. `raised` is the height of this area's center
+// above the center of the pane, as the slope of a view ray.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

@@ -26,7 +26,7 @@ void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
   if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
 }
 
-// The polygons that contain these triangles, each once.
+// Returns the polygons of the triangles, without duplicates.
 Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   for (auto& t : triangles) t = surface.triangle_polygon[t];
   std::sort(triangles.begin(), triangles.end());
@@ -38,7 +38,7 @@ bool inside_out(const mesh::Summary& summary) {
   return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
-// Defects found from edges, and degenerate faces. `surface` in the form for which edges are judged.
+// Adds the defects that `summary` lists, and pinched vertices.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
@@ -58,46 +58,42 @@ void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
 }
 
 struct Words {
-  const char *one, *several;       // the title after its number
-  const char *of_cage, *of_model;  // the meaning
+  const char *one, *several;       // the title, without its number
+  const char *of_cage, *of_model;  // the explanation for a cage and for a model
 };
 
 const Words& words_of(Defect defect) {
-  // In the order of Defect.
   static constexpr Words all[] = {
       {"vertex outside the cage", "vertices outside the cage", "",
-       "Log space deformers handle these vertices normally. Mean value weights can be negative "
-       "there and move them against the drag."},
+       "Log space deformers handle these vertices normally. With mean value weights, these vertices can move "
+       "against the drag."},
       {"self-intersecting face", "self-intersecting faces",
-       "The cage intersects itself. Nearby, the model follows both sheets at once.", ""},
+       "Faces of the cage intersect. The model near the intersection follows all of these faces.", ""},
       {"open edge", "open edges",
-       "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model follows "
-       "rotation and stretch only approximately.",
+       "The cage has a hole. Log space deformers still work; with mean value weights, the model follows "
+       "rotation and stretch less exactly.",
        "The model has holes. The deformation is not affected."},
       {"edge with more than two faces", "edges with more than two faces",
-       "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result nearby "
-       "is ambiguous.",
-       "The deformation is not affected; shading can be uneven there."},
+       "More than two faces share this edge. If these faces rotate far apart, the deformation nearby is "
+       "unpredictable.",
+       "The deformation is not affected. Shading can be uneven there."},
       {"vertex shared by separate parts", "vertices shared by separate parts",
-       "Parts of the cage share only this vertex. Dragging it moves all of them.",
-       "The deformation is not affected; shading can be uneven there."},
+       "Parts of the cage share only this vertex. Dragging the vertex moves all of these parts.",
+       "The deformation is not affected. Shading can be uneven there."},
       {"edge between faces of opposite orientation", "edges between faces of opposite orientation",
-       "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. Orient "
-       "all "
-       "faces outward.",
-       "Face orientations disagree. Shading is wrong there; the deformation is not affected."},
+       "Orient all faces outward: mean value weights are wrong here. Log space deformers are not affected.",
+       "Neighbouring faces point to opposite sides. Shading is wrong; the deformation is not affected."},
       {"face pointing inward", "faces, all pointing inward",
-       "All faces point inward. Viete is not affected; other programs may be.",
-       "All faces point inward. The deformation is not affected; programs that open the export may be."},
+       "All faces point inward. Viete works normally, but other programs may not.",
+       "All faces point inward. The deformation is not affected; other programs may show it wrongly."},
       {"face without area", "faces without area",
-       "The face has no area and therefore no influence; its neighbours act in its place.",
+       "The face has no area and therefore no influence. The model follows the neighbouring faces instead.",
        "The face is invisible. The deformation is not affected."},
       {"very thin face", "very thin faces",
-       "The face is so thin that small moves of its vertices rotate or stretch the model strongly.", ""},
+       "The face is very thin: small moves of its vertices rotate or stretch the model strongly.", ""},
       {"duplicate vertex", "duplicate vertices",
-       "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
-       "tears.",
-       "Vertices coincide, for example along seams. They stay together; shading shows an edge there."},
+       "Two vertices are at the same place. Merge them; otherwise the cage tears when you drag only one.",
+       "Vertices coincide, for example along seams. They stay together, but shading shows an edge."},
       {"vertex without a face", "vertices without a face",
        "The vertex belongs to no face. Dragging it has no effect.",
        "The vertex belongs to no face. It is deformed and exported but invisible."}};
@@ -155,7 +151,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
-  // A vertex merged with another one counts as used.
+  // Duplicate vertices lose their faces by welding, but they are not unused.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
@@ -198,7 +194,8 @@ bool matters(const Finding& finding) {
 
 namespace {
 
-// Signed volume of each part of the cage, positive if its faces point outward, in units of the cage's size.
+// Returns the signed volume of each part, relative to the cube of the cage's diagonal. The volume is positive
+// if the faces point outward.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {
@@ -226,8 +223,8 @@ std::string inside_out_note(std::size_t count, std::size_t parts) {
                                 : std::to_string(count) + " of " + std::to_string(parts) +
                                       (count == 1 ? " parts of the cage is" : " parts of the cage are");
   return which +
-         " mirrored in this pose, which log space cannot represent: the model folds; use mean value "
-         "coordinates";
+         " mirrored in this pose: the model folds, because log space cannot represent mirroring; use mean "
+         "value weights";
 }
 
 }  // namespace
@@ -236,11 +233,8 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
                                     const deform::Pose& pose) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
-    notes.push_back(
-        std::to_string(report.collapsed.size()) + std::string(" of the cage's faces") +
-        (report.collapsed.size() == 1 ? " has" : " have") +
-        " collapsed (first: " + std::to_string(report.collapsed.front()) +
-        (report.collapsed.size() == 1 ? "); a minimum stretch is used" : "); minimum stretches are used"));
+    notes.push_back(base::counted(report.collapsed.size(), "face") + " of the cage collapsed (first: face " +
+                    std::to_string(report.collapsed.front()) + "); a minimum stretch is used there");
   }
   if (report.torn.empty()) return notes;
   const std::size_t inside_out = parts_inside_out(cage, pose);
@@ -249,7 +243,7 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
     const auto& [a, b] = report.torn.front();
     notes.push_back(
         base::counted(report.torn.size(), "pair") +
-        " of neighbouring cage faces rotated by more than 120 degrees relative to each other (first: faces " +
+        " of neighbouring cage faces rotated more than 120 degrees relative to each other (first: faces " +
         std::to_string(a) + ", " + std::to_string(b) + "); the model may fold there");
   }
   return notes;

@@ -21,7 +21,7 @@ struct SizeRange {
   const char* use;
 };
 
-// A single point has no size; only its position is checked.
+// A single point has no size: then only its position is checked.
 void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
   double size = box.diagonal();
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
@@ -54,7 +54,7 @@ void check_sizes(const Document& document, const SizeRange& range) {
   check_keys("the key of frame ", document.timeline.keys);
   check_keys("the unkeyed pose of frame ", document.timeline.unkeyed);
   if (document.library.unmixed)
-    check_pose("the pose before weighted poses", *document.library.unmixed, range);
+    check_pose("the pose without weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);
   if (document.cage_file.surface)
     check_pose("the pose of " + place_of(document.cage_file), document.pose.positions, range);
@@ -100,8 +100,8 @@ void check_drawable(const Document& document) {
   check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
-// The highest powers of a length are squares of areas. Measured: from 1e-75 to 1e76 the dragon has the same
-// bits as at size 1, up to the factor; a factor of a billion is left for finer details.
+// The deformation computes squares of areas. The dragon deforms identically at all sizes from 1e-75 to 1e76;
+// the limits are closer, because triangles are smaller than the model.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }

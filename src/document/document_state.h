@@ -1,5 +1,4 @@
-// The part of a document that edits change, stored by the document, by each history entry and as the saved
-// state; with its surfaces and named poses.
+// The part of a document that edits change, including its surfaces and named poses.
 #pragma once
 
 #include <cstdint>
@@ -27,7 +26,7 @@ namespace viete::document {
 struct NamedPose {
   std::string name;
   SharedPose pose;
-  double weight = 0;  ///< in the mix: 0 none, 1 full; may be negative or above 1
+  double weight = 0;  ///< the pose's factor in the mix; may be negative or above 1
 
   friend bool operator==(const NamedPose&, const NamedPose&) = default;
 };
@@ -37,78 +36,75 @@ struct NamedShape {
   SharedShape shape;  ///< never null
 };
 
-/// In user-defined order. The document's pose is `unmixed` plus the weighted poses, added in log space or,
-/// like the timeline, linearly; dragging the cage changes `unmixed` as well.
+/// The named poses, in the order of the user's list. The document's pose is `unmixed` plus the weighted
+/// poses. The sum is taken in log space, or linearly if the timeline is linear.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
-  SharedPose unmixed{};  ///< the pose without the mix; null while nothing is mixed
-  SharedPose mixed{};    ///< the pose with the mix: the document's pose until another edit changes that
+  SharedPose unmixed{};  ///< the pose without the mix; null if all weights are 0
+  SharedPose mixed{};    ///< the pose with the mix; differs from the document's pose after another edit
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
 };
 
-/// A term of a blend of probe poses by their logs; missing probes are at rest.
+/// Probe poses, and their factor in a weighted sum of logs. Missing probes are at rest.
 struct ProbeTerm {
   const std::vector<deform::ProbePose>* poses;
   double factor;
 };
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
-/// True if the pose is within the ranges of scene/document/range.h, for drawing and for sessions. Sums of
-/// logs may exceed them.
+/// True if the pose is within the ranges of document/range.h, and every coordinate is at most `farthest`.
 bool in_range(const WholePose& pose, double farthest = most_drawn);
-/// Equal positions, bit for bit, and equal whole turns; the parts' other rotations follow from the positions.
+/// True if positions are exactly equal and whole turns are equal.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);
-/// As above, with equal shape and probes; missing probes are at rest.
+/// True if cages, shapes and probes have the same pose. Missing probes are at rest.
 bool same_pose(const WholePose& a, const WholePose& b);
 
-/// A loaded or generated surface and its summary.
+/// A loaded or generated surface.
 struct OpenedSurface {
-  std::filesystem::path path;  ///< empty: not stored in any file
+  std::filesystem::path path;  ///< empty if the surface is not in a file
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
-  std::shared_ptr<const formats::Attributes> attributes;  ///< null: none
-  std::shared_ptr<const formats::Original> original;      ///< null: cannot be written back unchanged
+  std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has none
+  std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written back unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< bounds of the vertices used by polygons
+  mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use
   std::vector<std::string> warnings;
-  std::uint64_t content = 0;  ///< mesh::content_key(); 0: unknown
-  std::string made;  ///< description of a surface that is in no file: "made here", "cage.obj, edited"
+  std::uint64_t content = 0;  ///< mesh::content_key(), or 0 if it is not known
+  std::string made;           ///< a description of a surface that is not in a file: "cage.obj, edited"
 };
 
-/// Display name: the file name, or the description.
+/// Returns the file name, or the description of a surface that is not in a file.
 inline std::string name_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.filename().string();
 }
 
-/// As name_of(), with the file's folder.
+/// Returns the path, or the description of a surface that is not in a file.
 inline std::string place_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.string();
 }
 
-/// A surface that is in no file.
 OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// Copying duplicates only pose and selection: surfaces, named poses, keys and masks are shared.
+/// Copies share surfaces, named poses, keys and masks; only pose and selection are duplicated.
 struct DocumentState {
-  std::shared_ptr<const deform::Cage> cage;  ///< null when there is no cage
-  OpenedSurface cage_file;                   ///< surface is null when there is no cage
+  std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
+  OpenedSurface cage_file;                   ///< its surface is null without a cage
   deform::Pose pose;
-  SharedShape shape;  ///< the model's shape before cage and probes act; null: at rest
-  std::optional<deform::Pose>
-      kept_pose;  ///< the real pose while the cage itself is edited, see cage_editing.h
+  SharedShape shape;                      ///< the model before cage and probes deform it; null means at rest
+  std::optional<deform::Pose> kept_pose;  ///< the cage's pose during cage editing, see cage_editing.h
   deform::Scheme scheme = deform::default_scheme();
-  deform::Mask mask;  ///< one value per model vertex; null: every vertex follows the cage
+  deform::Mask mask;  ///< one value per model vertex; null if every vertex follows the cage
   deform::Probes probes;
   Selection selection;
   CageGroups groups;
   PoseLibrary library;
   Timeline timeline;
-  double frame = 1;  ///< current frame of the timeline
+  double frame = 1;  ///< the current frame
 };
 
 }  // namespace viete::document

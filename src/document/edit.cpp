@@ -11,14 +11,14 @@ namespace viete::document {
 
 namespace {
 
-// Settings that require another binding, which may fail.
+// Settings that require a new binding. Binding can fail.
 enum class Setting : std::size_t { blending, radius, iterations, holding };
 
 EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
 }
 
-// Changes a setting of the scheme step by step, also one the scheme does not use.
+// Changes a setting of the scheme. Consecutive changes of one setting are one edit.
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
   deform::Scheme scheme = document.scheme;
@@ -95,7 +95,7 @@ void revert_scheme(Document& document, const deform::Scheme& instead) {
   if (last && last->kind == EditKind::binding) {
     history.drop_last();
   } else {
-    history.extend_last();  // the stored state of the edits has changed
+    history.extend_last();
   }
   document.put_scheme(instead);
 }

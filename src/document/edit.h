@@ -1,4 +1,4 @@
-// Edits of a document: each is one history entry, or a setting.
+// Edits of a document: resetting the pose, and changing the deformer's settings.
 #pragma once
 
 #include "document/document.h"
@@ -7,29 +7,29 @@
 
 namespace viete::document {
 
-/// True if the model has a shape, or a cage vertex or an unlocked probe is not at rest or has whole turns.
+/// True if the model's shape, a cage vertex or an unlocked probe is not at rest, or the cage has whole turns.
 bool differs_from_rest(const Document& document);
 
-/// Resets all vertices, or the selected ones, to rest. Undoable.
+/// Resets the model's shape, the cage and all unlocked probes to rest. Undoable.
 void reset_pose(Document& document);
+/// Resets the selected elements to rest; with a mirror, also their mirror partners. Undoable.
 void reset_selected(Document& document, const Mirror* mirror = nullptr);
 
-/// Sets the kind of elements to select and move, and selects the elements of this kind whose vertices are all
-/// selected. Recorded like any change of the selection.
+/// Sets the kind of elements that the user selects. Selects the elements of this kind whose vertices are all
+/// selected. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
-/// Sets the deformer. Undoable; consecutive changes of the radius are one edit, and so are those of the
-/// amounts.
+/// Sets the deformer. Undoable.
 void set_scheme(Document& document, const deform::Scheme& scheme);
-/// Sets the radius, even if the current weights do not use it.
+
+/// Set one setting of the deformer. Undoable; consecutive changes of the same setting are one edit.
 void set_radius(Document& document, double radius);
 void set_amounts(Document& document, const deform::Amounts& amounts);
-/// Iterations of the stitched solve, 1 to deform::most_iterations, or 0: not stitched. Undoable; consecutive
-/// changes are one edit. Requires elements that turn and stretch, or 0.
+/// Sets the number of iterations of stitching, at most deform::most_iterations. 0 turns stitching off; other
+/// values require elements that rotate and stretch.
 void set_iterations(Document& document, int iterations);
-/// Sets the constraints of a stitched model. Undoable; consecutive changes are one edit.
 void set_holding(Document& document, const deform::Holding& holding);
-/// For settings that failed: undoes the last change of the scheme, or replaces the scheme by `instead`.
+/// After binding failed, sets the scheme to `instead`. Removes the last edit if it changed the scheme.
 void revert_scheme(Document& document, const deform::Scheme& instead);
 
 }  // namespace viete::document

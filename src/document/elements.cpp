@@ -10,8 +10,7 @@ namespace viete::document {
 
 namespace {
 
-// One byte per vertex: faster to write than vector<bool>.
-using Marks = std::vector<std::uint8_t>;
+using Marks = std::vector<std::uint8_t>;  // 1 for each marked vertex
 
 Marks marks_of(const deform::Cage& cage, const Selection& selection) {
   Marks marks(cage.surface.positions.size(), 0);
@@ -19,7 +18,7 @@ Marks marks_of(const deform::Cage& cage, const Selection& selection) {
   return marks;
 }
 
-// The elements that have `holds` of the marks of their vertices.
+// Returns the elements for which `holds` (all_of or any_of) accepts the marks of their vertices.
 template <class Holds>
 Selection elements_with(const deform::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
   std::vector<std::uint32_t> found;
@@ -32,7 +31,7 @@ Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks)
   return elements_with(cage, kind, marks, std::ranges::all_of);
 }
 
-// The vertices of the selection; of selected vertices also their neighbours.
+// Returns the vertices of the selection. If vertices are selected, also returns their neighbours.
 Marks touched_by(const deform::Cage& cage, const Selection& selection) {
   const Marks own = marks_of(cage, selection);
   Marks touched = own;
@@ -147,7 +146,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
   return numbers;
 }
 
-// Hides vertices and deselects them in the same edit.
+// Hides the vertices, and deselects their elements in the same edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
   if (hidden == document.groups.hidden) return;
   record_edit(document, label);
@@ -196,17 +195,17 @@ std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<
 void hide_selected(Document& document) {
   Selection hidden(ElementKind::vertex, document.groups.hidden);
   hidden.apply(selected_vertices(*document.cage, document.selection), SelectMode::add);
-  put_hidden(document, hidden.indices(), "hide");
+  put_hidden(document, hidden.indices(), "hide selected");
 }
 
 void hide_others(Document& document) {
   Selection hidden(ElementKind::vertex, selected_vertices(*document.cage, document.selection));
   hidden.invert(document.cage->surface.positions.size());
-  put_hidden(document, hidden.indices(), "hide others");
+  put_hidden(document, hidden.indices(), "hide unselected");
 }
 
 void show_all(Document& document) {
-  put_hidden(document, {}, "show all");
+  put_hidden(document, {}, "show hidden");
 }
 
 void save_set(Document& document) {

@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The inode, or the name of a missing file.
+// Returns the inode, or the absolute path if the file does not exist.
 FileIdentity identity(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) return std::pair(status.st_dev, status.st_ino);

@@ -1,4 +1,4 @@
-// The files used by a command or an open document, identified by inode instead of name.
+// The files that a command or an open document uses. Different names of one file are recognized by the inode.
 #pragma once
 
 #include <sys/types.h>
@@ -15,7 +15,7 @@ namespace viete::document {
 
 struct FileInUse {
   std::filesystem::path path;
-  std::string_view what;  ///< "the model"; a string with static lifetime
+  std::string_view what;  ///< a string with static lifetime, such as "the model"
 };
 
 using FileIdentity = std::variant<std::pair<dev_t, ino_t>, std::filesystem::path>;
@@ -25,18 +25,18 @@ public:
   FilesInUse() = default;
   FilesInUse(std::initializer_list<std::filesystem::path> files);
 
-  /// `what` describes the file: "the model". Ignores an empty path.
+  /// `what` describes the file, as in "the model". Ignores an empty path.
   void add(const std::filesystem::path& file, std::string_view what);
 
-  /// The description of this file, regardless of spelling and links; null: not in use. A missing file is
-  /// compared by name.
+  /// Returns the description of the file, or null if the file is not in use. The path may be a link. A file
+  /// that does not exist is compared by name.
   const std::string* find(const std::filesystem::path& file) const;
 
 private:
   std::map<FileIdentity, std::string> files_;
 };
 
-/// Descriptions of files in use; the argument `own` is one of the first four.
+/// Descriptions for FileInUse::what.
 inline constexpr std::string_view the_session = "the session", the_cage = "the cage", the_pose = "the pose",
                                   no_own = "", the_model = "the model", the_keys = "the keys",
                                   an_imported_pose = "an imported pose", a_shape = "a shape",

@@ -1,4 +1,4 @@
-// How a drag moves the selection: pivot, axes, mirror and soft selection.
+// Settings for dragging the selection: pivot, axes, mirror and soft selection.
 #pragma once
 
 #include <optional>
@@ -13,13 +13,12 @@ using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 /// The center of rotation and scale.
 enum class Pivot { median, active, joint, point };
 
-/// The orientation of handles and typed axes.
+/// The axes of the gizmo, and of the keys X, Y and Z during a drag.
 enum class Axes { world, view, selection };
 
-/// The mirror plane between both sides of the cage.
 enum class MirrorPlane { none, x, y, z, fit };
 
-/// The falloff of soft selection from the selection to the radius.
+/// The falloff of soft selection.
 enum class SoftCurve { smooth, sharp, linear, constant };
 
 /// The distance measure of soft selection.
@@ -35,7 +34,7 @@ struct SoftSelection {
   static constexpr double least_radius = 0.005, largest_radius = 2;
 
   bool on = false;
-  double radius = 0.35;  ///< where the falloff reaches 0, relative to the view's diagonal; least to largest
+  double radius = 0.35;  ///< the distance at which the falloff reaches 0, relative to the model's diagonal
   SoftCurve curve = SoftCurve::smooth;
   SoftDistance distance = SoftDistance::edges;
 
@@ -44,11 +43,11 @@ struct SoftSelection {
 
 struct Handling {
   Pivot pivot = Pivot::median;
-  std::optional<mesh::Point> point{};  ///< of Pivot::point, in file coordinates; missing: the median
+  std::optional<mesh::Point> point{};  ///< for Pivot::point, in file coordinates; nullopt means the median
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;  ///< pins: 0 strictly follows the poses of the list, 1 as rigid as possible
+  double freedom = 0.5;  ///< for pins: 0 only blends the poses of the list, 1 deforms as rigidly as possible
 
   friend bool operator==(const Handling&, const Handling&) = default;
 };

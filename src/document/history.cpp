@@ -21,9 +21,9 @@ void History::record_selection(DocumentState before) {
 }
 
 void History::push(std::string label, DocumentState before, EditStep step) {
-  constexpr std::size_t bytes_of_cage_vertex = 1000;  // approximate size of surface, bases and neighbourhood
+  constexpr std::size_t bytes_of_cage_vertex = 1000;  // the memory of a cage per vertex, roughly
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
-  // A change of cage changes poses and keys: then each state stores its own.
+  // States with different cages cannot share poses and keys.
   const std::size_t poses =
       before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
   const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);
@@ -35,7 +35,7 @@ void History::push(std::string label, DocumentState before, EditStep step) {
   const std::size_t limit = std::max<std::size_t>(16, memory_limit / bytes);
   given_up_ = std::exchange(redo_, {});
   ++recorded_;
-  if (undo_.size() >= limit) {  // snapshots are complete: dropping one does not affect its neighbours
+  if (undo_.size() >= limit) {
     const auto selection = std::ranges::find(undo_, EditKind::selection, &Entry::kind);
     undo_.erase(selection == undo_.end() ? undo_.begin() : selection);
   }

@@ -1,4 +1,4 @@
-// The vertex pairs of a symmetric cage, for edits that act on both sides.
+// The pairs of mirrored vertices of a symmetric cage, for edits that act on both sides.
 #pragma once
 
 #include <array>
@@ -14,7 +14,6 @@
 
 namespace viete::document {
 
-/// The mirror image of a point, and of a direction.
 mesh::Point reflected(const cages::Plane& plane, const mesh::Point& p);
 mesh::Vec3 reflected_direction(const cages::Plane& plane, const mesh::Vec3& d);
 
@@ -22,34 +21,32 @@ struct Mirror {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   cages::Plane plane;
-  std::vector<std::uint32_t> partners;  ///< one per vertex: itself on the plane, `none` without a partner
+  std::vector<std::uint32_t> partners;  ///< of each vertex; a vertex on the plane is its own partner
 
   std::size_t unpaired() const;
   bool is_on_plane(std::uint32_t v) const { return partners[v] == v; }
   bool is_paired(std::uint32_t v) const { return partners[v] != none && partners[v] != v; }
 };
 
-/// The symmetry of the cage at rest. Partners are mutual nearest neighbours of each other's image, within 2 %
-/// of the cage's diagonal. The plane across an axis passes through 0 or the middle of the cage, whichever
-/// pairs more vertices. Nullopt if no plane fits or none is chosen. O(n log n).
+/// Finds the mirror of the cage at rest; nullopt if no plane fits or `choice` is none. Two vertices are
+/// partners if each is the nearest vertex to the other's mirror image, within 2 % of the cage's diagonal. For
+/// x, y and z, the plane is at 0 or in the middle of the cage, wherever it pairs more vertices.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
-/// The corners of a rectangle in the plane, in order, somewhat larger than the projection of the points.
+/// Returns the corners of a rectangle in the mirror plane, slightly larger than the points projected onto it.
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
-/// Caches the last computed mirror and its inputs.
 struct MirrorCache {
   std::shared_ptr<const deform::Cage> cage;
   MirrorPlane choice = MirrorPlane::none;
   std::optional<Mirror> mirror;
 
-  /// Recomputes the mirror only if an input changed. cage may be null.
+  /// Computes the mirror again if an argument changed. The cage may be null.
   void follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen);
-  /// Null if there is no mirror.
   const Mirror* get() const { return mirror ? &*mirror : nullptr; }
 };
 
-/// The vertices and their mirror partners, ascending; without a mirror the vertices themselves.
+/// Adds the mirror partners to the vertices and sorts the result. Adds nothing if `mirror` is null.
 std::vector<std::uint32_t> with_partners(std::vector<std::uint32_t> vertices, const Mirror* mirror);
 
 }  // namespace viete::document

@@ -12,10 +12,10 @@ namespace viete::document {
 
 namespace {
 
-constexpr int most_steps = 24;    // after the drag has ended
-constexpr double no_step = 1e-5;  // shorter steps count as converged
+constexpr int most_steps = 24;    // the largest number of steps after a drag
+constexpr double no_step = 1e-5;  // a shorter step ends the iteration
 
-// Poses that consist of a shape of the complete model only.
+// Returns the named poses that have a shape and leave the cage at rest.
 std::vector<SharedPose> examples_of(const Document& document) {
   std::vector<SharedPose> examples;
   for (const NamedPose& named : document.library.poses) {
@@ -26,7 +26,6 @@ std::vector<SharedPose> examples_of(const Document& document) {
   return examples;
 }
 
-// The weights of the examples.
 std::vector<double> weights_of(const Document& document, std::span<const SharedPose> examples) {
   std::vector<double> weights;
   for (const SharedPose& example : examples)
@@ -34,7 +33,7 @@ std::vector<double> weights_of(const Document& document, std::span<const SharedP
   return weights;
 }
 
-// True if the shape is determined by the weights.
+// True if the shape is the weighted sum of the examples.
 bool is_mix(const Document& document) {
   const PoseLibrary& library = document.library;
   if (!library.mixes()) return !document.shape;
@@ -97,7 +96,7 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
   begin_here(document, known);
 }
 
-// A shape that is not a mix becomes an example itself.
+// If the current shape is not a mix of the examples, adds the shape to them.
 void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {
@@ -121,7 +120,7 @@ void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }
-  // From freely changing weights to almost constant ones.
+  // The larger the restraint, the less the weights change.
   const double length = posing_->step(seen_.targets, {.restraint = 1e-3 * std::pow(100, hand.freedom),
                                                       .freedom = vectors_.empty() ? 1 : hand.freedom});
   show(document);

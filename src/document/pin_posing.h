@@ -1,4 +1,4 @@
-// Pin posing: the model follows dragged pins by blending the listed shapes, and beyond their range deforms.
+// Pin posing: deforms the model to follow dragged pins, using the shapes in the pose list as examples.
 #pragma once
 
 #include <memory>
@@ -12,19 +12,18 @@
 
 namespace viete::document {
 
-/// Follows a document's pins: after pins were moved, solves for the model's shape and the weights of its
-/// example poses, one step per frame, until they converge. Leaves a pose alone that was set by the timeline,
-/// the pose list or undo.
+/// After pins were moved, solves for the model's shape and the weights of the example poses: one step per
+/// frame, until the shape converges. Does not change a pose that the timeline, the pose list or undo has set.
 class PinPosing {
 public:
   struct Hand {
     double freedom;  ///< see Handling
-    bool holds;      ///< the drag is still running
+    bool holds;      ///< true while the user drags
   };
-  /// Call once per frame, before the model is deformed. Returns true after a step. Throws base::Error if the
-  /// pins cannot be posed; the pins are then back at their vertices in the shape.
+  /// Call this once per frame, before the model is deformed. Returns true if it made a step. If the pins
+  /// cannot be posed, moves them back to their vertices in the shape and throws base::Error.
   bool follow(Document& document, VectorCache& vectors, const Hand& hand);
-  /// True if the next call would make a step.
+  /// True if another step is needed.
   bool is_due() const { return steps_left_ > 0; }
 
 private:
@@ -43,11 +42,11 @@ private:
 
   std::shared_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const deform::ShapeSpace> space_;
-  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per example
-  std::shared_ptr<deform::ExamplePosing> posing_;                  // null: starts from the beginning
-  std::vector<SharedPose> examples_;                               // poses of the list, in its order
-  std::vector<deform::Pin> set_;                                   // pins that posing_ has
-  SharedShape shown_;                                              // result of the last step
+  std::vector<std::shared_ptr<const deform::LogVector>> vectors_;
+  std::shared_ptr<deform::ExamplePosing> posing_;  // null before the first step
+  std::vector<SharedPose> examples_;
+  std::vector<deform::Pin> set_;  // the pins of posing_
+  SharedShape shown_;             // the result of the last step
   Pins seen_;
   Revision whole_ = 0;
   double freedom_ = 0;

@@ -14,7 +14,7 @@ namespace viete::document {
 
 namespace {
 
-// Locked probes ignore the mix.
+// Gives locked probes their current pose: the mix does not move them.
 void keep_locked(const Document& document, WholePose& pose) {
   const auto& all = document.probes.all;
   pose.probes.resize(all.size());
@@ -22,7 +22,7 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// The shape `from` plus `sign` times the library's mix; a single term is returned bit for bit.
+// Returns the shape `from` plus `sign` times the library's mix.
 SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
                          double sign) {
   std::vector<ShapeTerm> shapes;
@@ -45,7 +45,7 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
 }
 
-// The pose `from` plus `sign` times the mix of that state's library.
+// Returns the pose `from` plus `sign` times the mix of the state's library.
 WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
@@ -78,7 +78,7 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
-// The only pose in the mix if its weight is 1: the result then equals it bit for bit.
+// If the mix consists of one pose of weight 1, returns this pose; otherwise null.
 const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
@@ -89,7 +89,7 @@ const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   return found;
 }
 
-// Subtracts the previous mix: the remainder is the unmixed pose.
+// Returns the current pose without the mix of the state `mixed`.
 SharedPose without_mix(const Document& document, const DocumentState& mixed, VectorCache& vectors) {
   const SharedPose now = shared_pose(document);
   if (!mixed.library.mixes()) return now;
@@ -113,8 +113,8 @@ bool are_weights(const PoseLibrary& library) {
   });
 }
 
-// Changes weights and shows the result. Returns false, without a change, if the result exceeds the drawable
-// range.
+// Calls `change` for a copy of the state, and applies the new mix. Returns false and changes nothing if a
+// weight or the new pose is out of range.
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
@@ -136,7 +136,7 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   return true;
 }
 
-// At most so many bytes, without splitting a UTF-8 character.
+// Shortens the text to at most `most` bytes, without splitting a UTF-8 character.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
@@ -222,7 +222,7 @@ void rename_in_keys(Timeline& timeline, const std::string& name, const std::stri
 void add_named(Document& document, std::vector<NamedPose> poses, const char* label) {
   const std::size_t count = document.library.poses.size();
   if (count + poses.size() > PoseLibrary::most_poses)
-    throw base::Error("", "the pose list is full", "delete some of the " + std::to_string(count));
+    throw base::Error("", "the pose list is full", "delete some of the " + std::to_string(count) + " poses");
   record_edit(document, label);
   for (NamedPose& pose : poses) {
     pose.name = free_name(document.library, pose.name);
@@ -251,7 +251,7 @@ void add_shapes(Document& document, std::vector<NamedShape> shapes) {
 }
 
 void update_pose(Document& document, std::size_t pose) {
-  record_edit(document, "update a pose");
+  record_edit(document, "update pose");
   const SharedPose now = shared_pose(document);
   end_mix(document);
   document.library.poses[pose].pose = now;
@@ -259,14 +259,14 @@ void update_pose(Document& document, std::size_t pose) {
 }
 
 void apply_pose(Document& document, std::size_t pose) {
-  record_edit(document, "apply a pose");
+  record_edit(document, "apply pose");
   end_mix(document);
   put_whole_pose(document, *document.library.poses[pose].pose);
 }
 
 void rename_pose(Document& document, std::size_t pose, const std::string& name) {
   if (document.library.poses[pose].name == name || name.empty()) return;
-  record_edit(document, "rename a pose");
+  record_edit(document, "rename pose");
   const std::string before = std::exchange(document.library.poses[pose].name, "");
   document.library.poses[pose].name = free_name(document.library, name);
   rename_in_keys(document.timeline, before, document.library.poses[pose].name);
@@ -275,14 +275,14 @@ void rename_pose(Document& document, std::size_t pose, const std::string& name) 
 void move_pose(Document& document, std::size_t pose, std::size_t to) {
   auto& poses = document.library.poses;
   if (to == pose || to == pose + 1) return;
-  record_edit(document, "move a pose");
+  record_edit(document, "move pose");
   NamedPose moved = std::move(poses[pose]);
   poses.erase(poses.begin() + static_cast<std::ptrdiff_t>(pose));
   poses.insert(poses.begin() + static_cast<std::ptrdiff_t>(to > pose ? to - 1 : to), std::move(moved));
 }
 
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose) {
-  constexpr const char* label = "delete a pose";
+  constexpr const char* label = "delete pose";
   const auto erase = [pose](DocumentState& state) {
     auto& poses = state.library.poses;
     rename_in_keys(state.timeline, poses[pose].name, "");
@@ -335,7 +335,7 @@ bool set_straight(Document& document, VectorCache& vectors, bool straight) {
 
 namespace {
 
-// Changes a copy of each named and keyed pose.
+// Calls `change` for each named pose and each key's pose.
 template <class Change>
 void change_poses(Document& document, const Change& change) {
   const auto put = [&](SharedPose& pose) {
@@ -357,15 +357,14 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
 
 namespace {
 
-// "3 poses and 2 keys"; empty if there are none.
+// Returns text such as "3 poses and 2 keys"; empty for no poses and no keys.
 std::string counted_poses(std::size_t poses, std::size_t keys) {
   const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
   const std::string others = keys == 0 ? "" : base::counted(keys, "key");
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
 
-// Keeps the shapes of keyed poses, with this pose of the cage; removes all others. Returns the number
-// removed.
+// Removes poses without a shape, and sets the cage's pose in the other poses. Returns the number removed.
 template <class Keyed>
 std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });
@@ -404,7 +403,7 @@ void forget_probe(Document& document, std::size_t probe) {
 void set_pose(Document& document, deform::Pose pose) {
   record_edit(document, "open pose");
   end_mix(document);
-  document.kept_pose.reset();  // the change is a pose, not another cage
+  document.kept_pose.reset();
   document.changed_pose() = std::move(pose);
 }
 

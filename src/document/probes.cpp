@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "document/pose_edit.h"
-#include "document/range.h"
 #include "document/record.h"
 #include "mesh/point_tree.h"
 
@@ -18,7 +17,6 @@ namespace {
 
 constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
-// For a model that is a single point, the size it is drawn with.
 double size_of(const Document& document) {
   return document.space.diagonal();
 }
@@ -28,13 +26,13 @@ std::string label(const char* verb, const Document& document) {
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
-// Begins an edit of the probes.
+// Records an edit, and returns the probes for the change.
 deform::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
 
-// For the selected probes.
+// Calls `change` for the selected unlocked probes.
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
@@ -54,7 +52,7 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
-// The vertex drawn nearest to the point.
+// Returns the vertex whose displayed position is nearest to the point.
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   double least = std::numeric_limits<double>::infinity();
@@ -66,7 +64,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// The rest position of a point near the displayed model: keeps its offset from the nearest vertex.
+// Returns the rest position of a point near the displayed model, by its offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);
@@ -117,7 +115,7 @@ bool has_pins(const Document& document) {
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "pull with pins" : "fix with pins", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "make pins soft" : "make pins hard", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }

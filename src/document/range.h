@@ -1,5 +1,4 @@
-// Value ranges, the same for typed, dragged and session values, so that every written session can be read
-// again.
+// The ranges of values, for user input and for files.
 #pragma once
 
 #include <algorithm>
@@ -11,15 +10,14 @@
 
 namespace viete::document {
 
-/// Coordinates and turns of a pose, in memory and in files.
+/// Limits for a pose.
 using deform::largest_turn;
 using mesh::largest_coordinate;
 
-/// View units from the middle of the model, whose diagonal is 2: the limit for drags and camera targets.
-/// Floats still resolve parts of the model at this distance.
+/// The limit for drags and camera targets: a distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
-/// Entries of the log of a probe's stretch: a factor of e^16, nine million.
+/// True if each entry of the log of a probe's stretch is at most 16 (a stretch by nine million).
 inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
     if (!(std::abs(entry) <= 16)) return false;
@@ -27,14 +25,13 @@ inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   return true;
 }
 
-/// Sizes and coordinates, in the file's units, that GPUs can draw in float, whose range ends near 1e-38 and
-/// 1e38. Files beyond these limits are refused.
+/// Sizes and coordinates that GPUs can draw, in the file's units. The range of float is about 1e-38 to 1e38.
 inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 
-/// View units between the camera and its target.
+/// The distance between the camera and its target, in view units.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
-/// Logical pixels of a window; the area covers a wall of screens and limits the memory of a picture.
+/// The size of a window in logical pixels. The largest area limits the memory for pictures.
 inline constexpr double least_window_side = 16, most_window_side = 8192, most_window_area = 4096 * 4096;
 
 inline bool is_window(double width, double height) {
@@ -42,7 +39,7 @@ inline bool is_window(double width, double height) {
          width * height <= most_window_area;
 }
 
-/// True if a drag may move a vertex there, in the file's units.
+/// True if a drag may move a vertex to this point in file coordinates.
 inline bool is_in_reach(const Space& space, const mesh::Point& p) {
   for (int i = 0; i < 3; ++i) {
     const bool near = std::abs((p[i] - space.center[i]) * space.scale) <= farthest_place;

@@ -1,4 +1,4 @@
-// The selection: a set of cage elements of one kind; hidden vertices and named vertex sets.
+// The selection of cage elements or probes; hidden vertices; and named sets of vertices.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@ namespace viete::document {
 
 enum class SelectMode { replace, add, remove };
 
-/// Vertices and edges of the cage (Cage::edges), its polygons, and probes.
+/// Edges are indices of Cage::edges, faces are polygons of the cage.
 enum class ElementKind { vertex, edge, face, probe };
 
-/// Element indices of kind(), ascending and unique. For their vertices see selected_vertices() in
-/// scene/document/elements.h.
+/// A set of elements of one kind. For the vertices of the elements, see document/elements.h.
 class Selection {
 public:
   Selection() = default;
-  /// picked must be ascending.
+  /// `picked` must be ascending.
   explicit Selection(ElementKind kind, std::span<const std::uint32_t> picked = {}) : kind_(kind) {
     apply(picked, SelectMode::replace);
   }
 
   ElementKind kind() const { return kind_; }
+  /// Ascending and unique.
   const std::vector<std::uint32_t>& indices() const { return indices_; }
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }
   bool contains(std::uint32_t index) const;
-  /// The element that was last picked alone, while it is selected.
+  /// Returns the last element that was picked alone; nullopt if it is no longer selected.
   std::optional<std::uint32_t> active() const;
 
   void clear() { indices_.clear(); }
   void select_all(std::size_t count);
   void invert(std::size_t count);
-  /// picked must be ascending.
+  /// `picked` must be ascending.
   void apply(std::span<const std::uint32_t> picked, SelectMode mode);
 
   /// Ignores the active element.
@@ -50,18 +50,18 @@ private:
   bool has_picked_ = false;
 };
 
-/// A saved selection: selects the elements of this kind whose vertices are all in it.
+/// A saved selection: the elements of `kind` that have all their vertices in the set.
 struct NamedSet {
   std::string name;
-  ElementKind kind = ElementKind::vertex;  ///< not probe
+  ElementKind kind = ElementKind::vertex;  ///< never probe
   std::vector<std::uint32_t> vertices;     ///< ascending and unique
 
   friend bool operator==(const NamedSet&, const NamedSet&) = default;
 };
 
 struct CageGroups {
-  /// Hidden vertices, ascending and unique: they cannot be dragged, and elements of hidden vertices alone are
-  /// neither shown nor selected.
+  /// Hidden vertices, ascending and unique. They cannot be dragged. An element whose vertices are all hidden
+  /// is neither shown nor selectable.
   std::vector<std::uint32_t> hidden;
   std::vector<NamedSet> sets;
 

@@ -1,5 +1,4 @@
-// Conversion between file coordinates (double, any size and position) and view coordinates (float, about one
-// unit, at the origin).
+// Conversion between file coordinates (in double) and view coordinates (in float, near the origin).
 #pragma once
 
 #include <cmath>
@@ -10,8 +9,7 @@
 
 namespace viete::document {
 
-/// view = (file - center) * scale. Fixed per document, so that models of size 1e-30 or at 1e7 draw equally
-/// well.
+/// view = (file - center) * scale. With view coordinates, models of any size and position draw equally well.
 struct Space {
   mesh::Point center{0, 0, 0};
   double scale = 1;
@@ -25,12 +23,11 @@ struct Space {
     return {center[0] + p.x / scale, center[1] + p.y / scale, center[2] + p.z / scale};
   }
 
-  /// The diagonal of the box the space was created for.
+  /// Returns the model's diagonal in file coordinates; 2 for a single point.
   double diagonal() const { return 2 / scale; }
 };
 
-/// The ground grid's cell for a model of this diagonal (about 20 cells across): 1, 2 or 5 times a power of
-/// ten.
+/// Returns the cell size of the ground grid: 1, 2 or 5 times a power of ten, about 1/20 of the diagonal.
 inline double grid_cell(double diagonal) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) return 1;
   const double wanted = diagonal / 20;
@@ -39,7 +36,7 @@ inline double grid_cell(double diagonal) {
   return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
 }
 
-/// Scales the diagonal of the box to 2.
+/// Scales the diagonal of the box to 2. A box without size is not scaled.
 inline Space space_for(const mesh::Bounds& box) {
   const double diagonal = box.diagonal();
   return {box.center(), diagonal > 0 ? 2.0 / diagonal : 1.0};

@@ -16,7 +16,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 void check_frame(int frame) {
   if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
     throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
-                      "choose one from " + std::to_string(Timeline::least_frame) + " to " +
+                      "choose a frame from " + std::to_string(Timeline::least_frame) + " to " +
                           std::to_string(Timeline::largest_frame));
 }
 
@@ -24,12 +24,12 @@ bool among(std::span<const int> frames, int frame) {
   return std::ranges::find(frames, frame) != frames.end();
 }
 
-// The key of the frame, created if missing.
+// Returns the key of the frame. Creates the key if the frame has no key.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = std::ranges::lower_bound(keys, frame, {}, &Key::frame);
   if (place != keys.end() && place->frame == frame) return *place;
-  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
+  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some keys");
   return *keys.insert(place, Key{frame});
 }
 
@@ -136,7 +136,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 void set_easing(Document& document, std::span<const int> frames, Easing easing) {
   const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
   if (std::ranges::none_of(document.timeline.keys, changes)) return;
-  record_edit(document, "change the easing");
+  record_edit(document, "change easing");
   for (PoseKey& key : document.timeline.keys)
     if (among(frames, key.frame)) key.easing = easing;
 }
@@ -153,7 +153,8 @@ void set_play(Document& document, const Playing& play) {
   static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
-  t.rate = std::min(std::max(Timeline::least_rate, play.rate), Timeline::largest_rate);  // NaN: the least
+  // NaN clamps to the least rate.
+  t.rate = std::min(std::max(Timeline::least_rate, play.rate), Timeline::largest_rate);
 }
 
 }  // namespace viete::document

@@ -8,30 +8,28 @@
 
 namespace viete::document {
 
-/// The document's frame, rounded.
+/// Returns the current frame, rounded.
 int current_frame(const Document& document);
 
-/// Sets a key of the current pose at that frame. An existing key is replaced and keeps its easing; the range
-/// grows to include it. `weights`: those of the library's poses in the current pose; empty: the library's
-/// own. Throws base::Error beyond Timeline::most_keys, or if the frame is out of range.
+/// Stores the current pose as a key. An existing key keeps its easing. Extends the playback range to the
+/// frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of the
+/// pose list. Throws base::Error if the timeline is full or the frame is out of range.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
-/// As set_key(), as part of the last edit.
+/// Like set_key(), but extends the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Sets a camera key; adds whole turns to its yaw so that it is nearest to that of the previous camera key.
+/// Sets a camera key. Adds whole turns to the yaw, so that the yaw is nearest to the yaw of the previous key.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
-/// One full turn of the camera about the up axis over the playback range, at constant speed and so that the
-/// last frame repeats the first; replaces all other camera keys.
+/// Replaces all camera keys by one full turn about the up axis, at constant speed over the playback range.
 void set_turntable(Document& document, const CameraPose& camera);
-/// Frames in any order; frames without a key are ignored.
+/// Removes the keys and camera keys of the frames. Ignores frames without keys.
 void remove_keys(Document& document, std::span<const int> frames);
-/// Moves keys and camera keys from `frames` to the frames `to`, one each; they replace other keys there.
-/// Consecutive moves from the same timeline `before`, as in one drag, are one edit.
+/// Moves the keys and camera keys of `frames` to the frames `to`, where they replace other keys. `before` is
+/// the timeline before the drag: consecutive moves of one drag are one edit.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
-/// Replaces all keys, range and rate by those of a file.
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
-/// Consecutive changes are one edit. Values are clamped.
+/// Sets the playback settings, clamped to their ranges. Consecutive changes are one edit.
 void set_play(Document& document, const Playing& play);
 
 }  // namespace viete::document

@@ -23,7 +23,7 @@ inline bool same_shape(const SharedShape& a, const SharedShape& b) {
   return a == b || (a && b && *a == *b);
 }
 
-/// Everything that moves the model: its shape, the cage, and the probes by index (missing ones are at rest).
+/// The complete pose of a document: cage, probes and the model's shape. Missing probes are at rest.
 struct WholePose {
   deform::Pose cage;
   std::vector<deform::ProbePose> probes;
@@ -35,14 +35,14 @@ struct WholePose {
            same_shape(a.shape, b.shape);
   }
 };
-/// Never null; equal pointers are equal poses.
+/// Never null.
 using SharedPose = std::shared_ptr<const WholePose>;
 
-/// The interpolation to the next key.
+/// The interpolation from a key to the next key.
 enum class Easing { smooth, linear, hold };
 std::span<const Choice> choices(Easing);
 
-/// The behaviour after the last frame.
+/// The behaviour at the last frame.
 enum class Repeat { once, loop, ping_pong };
 std::span<const Choice> choices(Repeat);
 
@@ -57,8 +57,8 @@ struct MixedPose {
 struct PoseKey {
   int frame;
   SharedPose pose{};
-  Easing easing = Easing::smooth;  ///< up to the next key
-  std::vector<MixedPose> mix{};    ///< named poses it was mixed from, without those changed since
+  Easing easing = Easing::smooth;  ///< from this key to the next key
+  std::vector<MixedPose> mix{};  ///< the named poses in the key's mix, without poses that were updated later
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -71,10 +71,10 @@ struct CameraKey {
 };
 
 struct Playing {
-  int first = 1, last = 60;  ///< playback range; last > first
-  double rate = 24;          ///< frames per second
+  int first = 1, last = 60;  ///< the playback range; last > first
+  double rate = 24;          ///< in frames per second
   Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< linear blending of the cage's vertices, as in other programs
+  bool straight = false;  ///< blends vertex positions linearly instead of in log space
 
   friend bool operator==(const Playing&, const Playing&) = default;
 };
@@ -84,42 +84,43 @@ struct Timeline : Playing {
   static constexpr double least_rate = 1, largest_rate = 240;
   static constexpr std::size_t most_keys = 10'000;
 
-  std::vector<PoseKey> keys;       ///< sorted by frame, unique
-  std::vector<CameraKey> cameras;  ///< likewise
-  std::vector<PoseKey> unkeyed{};  ///< replaced poses that had no key; oldest first
+  std::vector<PoseKey> keys;       ///< sorted by frame; one key per frame
+  std::vector<CameraKey> cameras;  ///< sorted by frame; one key per frame
+  std::vector<PoseKey> unkeyed{};  ///< edited poses without a key, saved when the frame changed; oldest first
 
   bool empty() const { return keys.empty() && cameras.empty(); }
   friend bool operator==(const Timeline&, const Timeline&) = default;
 };
 
-/// The key of that frame, or null.
+/// Returns the key of the frame; null if the frame has no key.
 const PoseKey* key_at(const Timeline& timeline, int frame);
 
-/// A key's share in the pose of a frame; the shares sum to 1.
+/// A key and its factor in an interpolated pose.
 struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// The factors of the keys at a frame: at most four; `from` is the key at or before the frame, or the first.
+/// The interpolation at a frame.
 struct Moment {
-  std::vector<KeyShare> shares;
-  std::size_t from = 0;
+  std::vector<KeyShare> shares;  ///< at most four; the sum of the factors is 1
+  std::size_t from = 0;          ///< the key at or before the frame; before the first key, the first key
 };
 
-/// Any frame, also fractional: the first key before all keys, the last key after them. Requires a key.
+/// Returns the interpolation at any frame, also between whole frames. Requires a key. Before the first key,
+/// the first key's pose is used; after the last key, the last key's pose.
 ///
-/// `smooth` passes through keys: cubic Hermite pieces with the slopes of E. Catmull and R. Rom (A class of
-/// local interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). The slope is 0
-/// at the first and the last key, unless it loops and both are the same pose, and next to a `hold` interval;
-/// next to a `linear` interval it is that interval's slope.
+/// `smooth` is a cubic Hermite spline with the slopes of E. Catmull and R. Rom (A class of local
+/// interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). The slope is 0 next
+/// to a `hold` interval; next to a `linear` interval it is the slope of this interval. At the first and the
+/// last key the slope is 0, unless the timeline loops and both keys have the same pose.
 Moment moment_at(const Timeline& timeline, double frame);
 
-/// The frame after playing for `seconds` from `frame`; `backward` is the direction, which ping-pong reverses.
-/// Nullopt at the end.
+/// Returns the frame after playing for `seconds`; nullopt at the end. Ping-pong can change the direction
+/// `backward`.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Smooth interpolation of camera keys; nullopt without any. The speed is 0 at the first and last key, unless
-/// the camera returns to its start, by full turns or by looping.
+/// Returns the smoothly interpolated camera; nullopt without camera keys. The speed is 0 at the first and the
+/// last key, unless the camera continues smoothly there: after full turns, or in a loop.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::document

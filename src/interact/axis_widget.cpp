@@ -6,7 +6,7 @@ namespace viete::interact {
 
 namespace {
 
-constexpr float reach = 32, margin = 12, named_ball = 9, plain_ball = 7;  // pixels
+constexpr float reach = 32, margin = 12, named_ball = 9, plain_ball = 7;  // in logical pixels
 constexpr float smallest_view = 160;
 
 }  // namespace

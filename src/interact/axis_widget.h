@@ -1,4 +1,4 @@
-// The axis widget at the top right of the view: a click on a ball sets a standard view, a drag orbits.
+// The axis widget at the top right of the view. A click on a ball sets a standard view; a drag orbits.
 #pragma once
 
 #include <array>
@@ -9,31 +9,31 @@
 
 namespace viete::interact {
 
-inline constexpr float axes_radius = 46;  ///< radius of the disc that reacts to the mouse, logical pixels
+inline constexpr float axes_radius = 46;  ///< the radius of the widget, in logical pixels
 
 struct AxisBall {
   int axis;  ///< 0 x, 1 y, 2 z
   bool positive;
-  glm::vec2 at;    ///< logical pixels
-  float nearness;  ///< 1 points at the viewer, -1 away
+  glm::vec2 at;    ///< in logical pixels
+  float nearness;  ///< from -1 (pointing away from the viewer) to 1 (pointing at the viewer)
   float radius;
 
-  document::StandardView view(document::UpAxis up) const;  ///< view from this side
+  document::StandardView view(document::UpAxis up) const;
 };
 
 struct AxisWidget {
   glm::vec2 center;
-  std::array<AxisBall, 6> balls;  ///< far to near
+  std::array<AxisBall, 6> balls;  ///< sorted from far to near
 
   bool contains(const glm::vec2& cursor) const { return glm::distance(cursor, center) <= axes_radius; }
-  /// The nearest ball under the cursor.
+  /// Returns the front ball under the cursor, or null.
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 
-/// Nullopt if the view is too small for it.
+/// Returns nullopt if the view is too small for the widget.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
-/// Looks from the side of the ball, animated; if the camera is there already, from the opposite side.
+/// Animates the camera to the side of the ball. If the camera is already there, uses the opposite side.
 void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

@@ -1,5 +1,4 @@
-// Projection between the scene and the window: points to pixels, and the cursor to a length along an axis, an
-// angle about an axis, or a point in a plane.
+// Projects points to pixels, and the cursor to axes, rotations and planes.
 #pragma once
 
 #include <array>
@@ -16,9 +15,9 @@ class Projector {
 public:
   Projector(const document::Space& space, const document::Camera& camera, const document::Viewport& viewport);
 
-  /// x, y in logical pixels, z the depth in front of the camera; nullopt for points behind it.
+  /// Returns x and y in logical pixels, and the depth. Returns nullopt for a point behind the camera.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
-  /// The segment clipped to the near plane, both ends projected; nullopt if none is in front.
+  /// Clips the segment to the near plane and projects both ends; nullopt if no part of it is in front.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
 private:
@@ -30,8 +29,8 @@ private:
   glm::vec2 window_;
 };
 
-/// A projected point, and cursors projected to axes and planes through it. Points, axes and lengths in view
-/// units, cursors in logical pixels.
+/// Projects a point to the window, and the cursor to axes and planes through the point. Points and lengths
+/// are in view units, cursors in logical pixels.
 class CursorProjection {
 public:
   CursorProjection(const glm::dvec3& point, const document::Camera& camera,
@@ -41,36 +40,36 @@ public:
   glm::dvec2 at() const { return at_; }
   /// View units per logical pixel at the point.
   double per_pixel() const { return per_pixel_; }
-  /// From the point to the eye, of length 1.
+  /// The direction from the point to the eye, of length 1.
   glm::dvec3 to_eye() const { return to_eye_; }
 
-  /// The point's screen velocity for a unit velocity in this direction, in pixels per view unit.
+  /// Returns the motion on screen, in pixels, per view unit of motion in this direction.
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
-  /// The position on the axis through the point that is under the cursor, as a distance from the point; exact
-  /// in perspective too. 0 if the axis points at the eye; towards the vanishing point limited to 20 times the
-  /// orthographic value.
+  /// Returns the distance from the point to the position under the cursor on the axis. If the axis points at
+  /// the eye, returns 0. Near the vanishing point, returns at most 20 times the orthographic distance.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// The angle of the cursor about the axis through the point, radians in (-pi, pi], from an arbitrary zero.
-  /// Nullopt if the ring around the axis is seen edge-on.
+  /// Returns the angle of the cursor about the axis, in radians in (-pi, pi], relative to a fixed direction.
+  /// Returns nullopt if a ring around the axis is seen edge-on.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// For a ring of this radius (pixels) seen edge-on: the rotation by which its near side follows the cursor.
+  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. The ring is seen
+  /// edge-on and has a radius in pixels.
   double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
 
-  /// The intersection of the ray with the plane through the point; nullopt if the plane is seen edge-on, or
-  /// the ray is beyond its horizon.
+  /// Returns the intersection of the ray with the plane through the point. Returns nullopt if the plane is
+  /// seen edge-on, or the cursor is above the plane's horizon.
   std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const document::Ray& ray) const;
 
 private:
   glm::dvec3 point_, right_, up_, forward_, to_eye_;
-  glm::dvec2 at_, slope_;  // slope: of the ray through the point, 0 if orthographic
+  glm::dvec2 at_, slope_;  // the slope of the ray through the point is 0 in an orthographic view
   double depth_, per_pixel_;
   bool orthographic_, in_front_;
 };
 
-/// Two orthonormal axes perpendicular to a unit axis: cross(u, v) == axis.
+/// Two orthonormal axes with cross(u, v) == axis, for a given axis of length 1.
 struct PlaneAxes {
   glm::dvec3 u, v;
 };

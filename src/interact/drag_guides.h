@@ -1,7 +1,6 @@
-// The lines and the swept angle that a drag shows besides its handle, in logical pixels.
+// The axis lines and the rotation arc that are drawn during a drag, in logical pixels.
 #pragma once
 
-#include <array>
 #include <glm/glm.hpp>
 #include <vector>
 
@@ -10,14 +9,13 @@
 namespace viete::interact {
 
 struct DragGuides {
-  glm::vec2 start{0, 0};                   ///< the selection's center at the press
-  std::vector<int> axes;                   ///< axes of the drag
-  std::vector<glm::vec2> axis_directions;  ///< their directions on screen, of length 1
-  /// The arc swept by a rotation, without whole turns, from the press; with `start` it forms a sector. Empty
-  /// for other drags and for a rotation seen edge-on.
+  glm::vec2 start{0, 0};                   ///< the pivot at the start of the drag
+  std::vector<int> axes;                   ///< the axes along which the drag moves or scales
+  std::vector<glm::vec2> axis_directions;  ///< the direction of each axis on screen, of length 1
+  /// The arc of a rotation, without its whole turns. Empty for other drags, and for a ring seen edge-on.
   std::vector<glm::vec2> arc;
   int whole_turns = 0;
-  std::vector<glm::vec2> circle;  ///< the full circle, after a whole turn
+  std::vector<glm::vec2> circle;  ///< the full circle; empty before the first whole turn
 };
 
 DragGuides drag_guides(const TransformDrag& drag, const document::Space& space,

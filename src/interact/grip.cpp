@@ -12,10 +12,9 @@ namespace viete::interact {
 
 namespace {
 
-// Distances from the selected vertices.
-using Distances = std::vector<double>;
+using Distances = std::vector<double>;  // from the selected vertices
 
-// E. W. Dijkstra's shortest paths from all selected vertices at once, up to the radius.
+// Dijkstra's algorithm from all selected vertices, up to the radius.
 Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
                      std::span<const std::uint32_t> selected, double radius) {
   Distances distances(positions.size(), std::numeric_limits<double>::infinity());
@@ -77,7 +76,7 @@ namespace {
 
 using Side = Gripped::Side;
 
-// A fraction of the motion: angle, factors and displacement.
+// Scales the angle, the factors and the displacement by `share`.
 Transform share_of(const Transform& t, double share) {
   if (share == 1) return t;
   Transform part = t;
@@ -87,7 +86,7 @@ Transform share_of(const Transform& t, double share) {
   return part;
 }
 
-// Each vertex follows the side with the larger share; on the plane both.
+// Adds mirror partners. A vertex that both sides would move follows the side with the larger share.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
   for (const Gripped& g : own) by_vertex[g.vertex] = g;
@@ -104,7 +103,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
   return all;
 }
 
-// The image of a point under the motion of its side.
+// Moves a point of the given side. On the plane, applies the mean of the motion and its mirror image.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);
@@ -152,7 +151,7 @@ namespace {
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
-  // The identity is a factor of 1 or an angle of 0.
+  // The amount of taper is a factor: 1 changes nothing. For other shapes, 0 changes nothing.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }

@@ -1,6 +1,5 @@
 #include "interact/mirror_edit.h"
 
-#include <algorithm>
 #include <numeric>
 
 #include "document/elements.h"
@@ -11,13 +10,13 @@ namespace viete::interact {
 
 namespace {
 
-// Moves vertex v of the pose unless it is hidden.
+// Moves the vertex v if it is not hidden.
 void put_visible(document::Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
 }
 
-// Begins an edit of the pose; returns the previous positions.
+// Records an edit, and returns the positions before the edit.
 std::vector<mesh::Point> begin_edit(document::Document& document, const char* label) {
   record_edit(document, label);
   return document.changed_pose().positions;

@@ -6,15 +6,16 @@
 
 namespace viete::interact {
 
-/// Moves the partners of the selected vertices to the mirror images; if both are selected, the source is the
-/// side of leading_vertices(). Vertices on the plane are projected onto it. Undoable.
+/// Moves the mirror partners of leading_vertices() to the mirror images of these vertices. Projects vertices
+/// on the mirror plane onto the plane. Undoable.
 void copy_to_other_side(document::Document& document, const document::Mirror& mirror);
 
-/// Swaps the selected vertices and their partners, or all if nothing is selected, with mirroring. Undoable.
+/// Swaps the poses of both sides, for the selected vertices and their partners. Without a selection, swaps
+/// all vertices. Undoable.
 void swap_sides(document::Document& document, const document::Mirror& mirror);
 
-/// Moves the vertices to these positions, one each, and their partners, unless listed themselves, to the
-/// mirror images. Undoable. mirror may be null.
+/// Moves each vertex to its position, and its mirror partner to the mirror image. A partner that is itself in
+/// `vertices` gets its own position. `mirror` may be null. Undoable.
 void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
                 std::span<const mesh::Point> positions, const document::Mirror* mirror);
 

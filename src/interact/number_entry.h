@@ -1,4 +1,4 @@
-// Entry of a number: key by key during a drag, or as the text of a field.
+// Entering a number, with single keys during a drag or as text in a field.
 #pragma once
 
 #include <optional>
@@ -7,18 +7,18 @@
 
 namespace viete::interact {
 
-/// Parses a number with a decimal point or comma; nullopt if it is not a number or exceeds double.
+/// Parses a number with a decimal point or comma; nullopt for other text and for numbers beyond double.
 std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:
-  /// Accepts digits, a point (or comma), and minus, which toggles the sign at any position. Returns true if c
-  /// was accepted.
+  /// Accepts digits, a point or comma, and minus. Minus changes the sign at any time. Returns false if `c` is
+  /// another character.
   bool type(char c);
   void backspace();
 
   bool empty() const { return digits_.empty() && !negative_; }
-  /// Nullopt before the first digit.
+  /// Returns nullopt before the first digit.
   std::optional<double> value() const;
   std::string text() const { return (negative_ ? "-" : "") + digits_; }
 

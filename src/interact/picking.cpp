@@ -5,14 +5,13 @@
 #include <limits>
 
 #include "document/elements.h"
-#include "document/probes.h"
 
 namespace viete::interact {
 
 namespace {
 
-constexpr float cell = 2;        // logical pixels
-constexpr float behind = 0.01f;  // view units: the model's diagonal is 2
+constexpr float cell = 2;        // in logical pixels
+constexpr float behind = 0.01f;  // in view units
 
 }  // namespace
 
@@ -27,7 +26,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// Every sample whose center is inside.
+// Covers the samples whose centers are inside the triangle.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -52,7 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Uses the deepest of the neighbouring samples: points at silhouettes or on steep faces count as visible.
+// Compares with the deepest neighbouring sample: points at silhouettes and on steep faces are visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -72,12 +71,11 @@ bool Sight::sees(const glm::vec3& at) const {
 
 namespace {
 
-constexpr float tolerance = 8;  // logical pixels
+constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Selects among candidates within the tolerance: the nearest, or the front one of those within 2 pixels of
-// it.
+// Picks the front candidate. Ignores candidates more than 2 pixels farther than the nearest candidate.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
@@ -113,7 +111,7 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
   return nearest.best();
 }
 
-// Interpolating depth linearly on screen is inexact in perspective, but sufficient to find the front edge.
+// Interpolates the depth linearly on screen. In perspective this is inexact, but it finds the front edge.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
                               std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
                               const Flags& hidden) {
@@ -189,8 +187,7 @@ std::optional<Pick> pick_element(const document::Document& document, const docum
   return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
 }
 
-// Dense means that a third of the area is within the tolerance of a vertex: eight vertices in a circle of
-// four times its radius.
+// The limit is eight vertices in a circle of four times the tolerance.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;
@@ -209,7 +206,6 @@ bool is_crowded(const document::Document& document, const document::Camera& came
 
 namespace {
 
-// inside(screen position) tests a vertex.
 template <class Inside>
 std::vector<std::uint32_t> pick_within(const document::Document& document, const document::Camera& camera,
                                        const document::Viewport& viewport, const Inside& inside,
@@ -281,7 +277,7 @@ void draw_on(Lasso& lasso, const glm::vec2& to) {
   if (lasso.line.empty() || glm::distance(lasso.line.back(), to) >= step) lasso.line.push_back(to);
 }
 
-// The winding number: sides that cross the point's horizontal to its right count with their direction.
+// Computes the winding number: counts the sides that cross the ray from the point to the right, with sign.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point) {
   int turns = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -1,5 +1,4 @@
-// Picking: visibility, and the vertices, edges and faces under the cursor or inside a rectangle, a lasso or a
-// brush.
+// Picks the elements under the cursor or inside a rectangle, a lasso or a circle.
 #pragma once
 
 #include <cstdint>
@@ -16,62 +15,57 @@
 
 namespace viete::interact {
 
-/// A coarse depth buffer, one sample per two logical pixels. A point counts as visible up to half a percent
-/// of the model's diagonal behind the nearest surface, so that the cage's own vertices and those slightly
-/// inside are visible.
+/// A coarse depth buffer, with one sample per two logical pixels. Points are visible up to half a percent of
+/// the model's diagonal behind the nearest surface; otherwise the cage would hide its own elements.
 class Sight {
 public:
   Sight(const document::Camera& camera, const document::Viewport& viewport);
 
-  /// Draws an occluding triangle; corners as projected by a Projector. O(pixels covered).
+  /// Draws a triangle that hides elements behind it. The corners are results of a Projector.
   void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
-  /// A projected point with its depth, in logical pixels.
+  /// True if the point is visible. `at` is the result of a Projector.
   bool sees(const glm::vec3& at) const;
 
 private:
-  // Increases towards the eye; linear on screen.
-  float nearness(float depth) const;
+  float nearness(float depth) const;  // increases towards the eye, linear on screen
 
   bool orthographic_;
   int columns_, rows_;
   std::vector<float> nearest_;
 };
 
-/// A picked element of the cage, and the depth of the picked point in front of the camera, in view units.
 struct Pick {
   std::uint32_t index;
-  float depth;
+  float depth;  ///< of the picked point in front of the camera, in view units
 };
 
-/// The element of this kind under the cursor, in the pose. Vertices: the nearest within 8 logical
-/// pixels; among those within 2 pixels of the nearest, the front one. Edges: likewise, by their nearest
-/// point. Faces: the front one; outside of all faces, the one at the nearest edge within that distance.
-/// Hidden elements can be picked, as a cage is edited from both sides, unless `sight` is given. Nullopt
-/// without a cage.
+/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. If other elements are at
+/// most 2 pixels farther from the cursor, picks the front element. If no face is under the cursor, picks a
+/// face at the nearest edge. With `sight`, picks visible elements only.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
-/// The same for the selection's kind.
+/// Picks an element of the selection's kind.
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
                                  const document::Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight = nullptr);
-/// True if cage vertices around the cursor are too dense to click between them.
+/// True if the cage vertices around the cursor are so dense that the user cannot click between them.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight = nullptr);
 
-/// The elements of the selection's kind with all vertices inside the rectangle, ascending; with `sight` only
-/// those with a visible center.
+/// Returns the elements of the selection's kind whose vertices are all inside the rectangle, ascending. With
+/// `sight`, only elements with a visible center are returned.
 std::vector<std::uint32_t> pick_elements_in_box(const document::Document& document,
                                                 const document::Camera& camera,
                                                 const document::Viewport& viewport, const glm::vec2& corner,
                                                 const glm::vec2& opposite, const Sight* sight = nullptr);
-/// As above, inside the closed polyline.
+/// Returns the elements inside a closed polyline, like pick_elements_in_box().
 std::vector<std::uint32_t> pick_elements_in_lasso(const document::Document& document,
                                                   const document::Camera& camera,
                                                   const document::Viewport& viewport,
                                                   std::span<const glm::vec2> line,
                                                   const Sight* sight = nullptr);
-/// The elements with their center in the circle, and the one under its center.
+/// Returns the elements whose center is in the circle, and the element under the center of the circle.
 std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& document,
                                                    const document::Camera& camera,
                                                    const document::Viewport& viewport,
@@ -80,18 +74,17 @@ std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& doc
 
 enum class SelectShape { box, lasso, brush };
 
-/// The brush is a circle at the cursor.
-inline constexpr float least_select_radius = 4, largest_select_radius = 400;  ///< logical pixels
+/// The radius of the selection brush, in logical pixels.
+inline constexpr float least_select_radius = 4, largest_select_radius = 400;
 
-/// In logical pixels; closed from end to start.
 struct Lasso {
-  std::vector<glm::vec2> line;
+  std::vector<glm::vec2> line;  ///< a closed polyline, in logical pixels
   document::SelectMode mode;
 };
 
-/// Appends the cursor position if it is visibly far from the last one.
+/// Adds the cursor position if it is at least 2 pixels from the last position.
 void draw_on(Lasso& lasso, const glm::vec2& to);
-/// True if the closed polyline winds around the point; it may intersect itself.
+/// True if the closed polyline winds around the point. The polyline may intersect itself.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point);
 
 }  // namespace viete::interact

@@ -18,10 +18,9 @@ namespace viete::interact {
 
 namespace {
 
-constexpr double turn_rounding = 1e-6;  // relative
-constexpr double largest_step = 30;     // degrees; branches can be followed reliably
+constexpr double turn_rounding = 1e-6;
+constexpr double largest_step = 30;  // in degrees; small enough to count turns reliably
 
-// A transform between the pose before it and its target.
 struct Motion {
   document::Document& document;
   const deform::Pose& before;
@@ -33,7 +32,7 @@ struct Motion {
     apply(transform, grip, before.positions, document.changed_pose().positions);
   }
 
-  // Rotates in small steps and updates the pose's turns.
+  // Rotates in small steps, and updates the turns of the pose.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
     deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
@@ -44,7 +43,7 @@ struct Motion {
     }
   }
 
-  // Follows one whole turn and multiplies its effect: every whole turn adds the same amount.
+  // Follows one whole turn, and multiplies the change of the turns by the number of whole turns.
   void follow_whole(double from, int count) {
     if (count == 0) return;
     auto& turns = document.pose.turns;
@@ -57,7 +56,7 @@ struct Motion {
   }
 };
 
-// The rotation axis of each part of the cage that rotates rigidly; 0 for others.
+// Returns the rotation axis of each part of the cage; 0 for parts that do not rotate rigidly.
 std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
   const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * document::reflected_direction(grip.plane, own),
                                                 none{};
@@ -78,7 +77,7 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   return of_part;
 }
 
-// The part of a rotation about a unit axis, from minus to plus half a turn.
+// Returns the angle of a rotation about a unit axis, in radians in [-pi, pi].
 double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
   const double half = mesh::norm(rotation) / 2;
   return half == 0 ? 0
@@ -92,7 +91,7 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
   return state.report().turns;
 }
 
-// Whole turns of the part about this axis; nullopt if they were about another axis.
+// Returns the number of whole turns about the axis; nullopt if `turn` has whole turns about another axis.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
@@ -150,7 +149,7 @@ bool place(document::Document& document, const document::DocumentState& snapshot
   return false;
 }
 
-// A whole turn about another axis replaces earlier ones: each part has one axis.
+// Each part has whole turns about one axis only. Whole turns about a new axis replace earlier whole turns.
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;

@@ -16,16 +16,16 @@ namespace {
 
 using Kind = Constraint::Kind;
 
-constexpr double slow_lag = 0.9;           // fraction of each movement in slow mode
-constexpr double turn_snap = 15;           // degrees
-constexpr double scale_snaps = 10;         // per unit of the factor
-constexpr double move_snaps = 10;          // per grid cell
-constexpr double even_scale_pixels = 120;  // to the right or up for a factor of 2
-constexpr double shortest_grip = 40;       // pixels: closer to the pivot, scaling would be too sensitive
+constexpr double slow_lag = 0.9;           // the fraction of the movement that slow mode ignores
+constexpr double turn_snap = 15;           // in degrees
+constexpr double scale_snaps = 10;         // steps per unit of the factor
+constexpr double move_snaps = 10;          // steps per grid cell
+constexpr double even_scale_pixels = 120;  // the movement for a factor of 2
+constexpr double shortest_grip = 40;       // in pixels; limits the speed of scaling close to the pivot
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degrees_of_radian = 57.29577951308232;
 
-// Dividing by an integer gives the same bits as typing the decimal number.
+// Divides by an integer, so that the result is exactly the typed decimal number.
 double snapped(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
@@ -37,7 +37,7 @@ std::string print(const char* format, double value) {
   return zero && text[0] == '-' ? text + 1 : text;
 }
 
-// Enough digits for a hundredth of the grid cell.
+// Writes a length with a precision of a hundredth of the grid cell.
 std::string length_text(double value, double cell) {
   const double decimals = 2 - std::floor(std::log10(cell));
   if (!(decimals >= 0 && decimals <= 9)) return print("%.3g", value);
@@ -89,19 +89,18 @@ bool TransformDrag::type(char c) {
   if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
   if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
-  // Rotating in a plane means about its normal.
+  // Rotating in a plane is rotating about its normal.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
   constrain(fitting == constraint_ ? Constraint{} : fitting);
   return true;
 }
 
-// The mouse movement is then evaluated again from the press.
 void TransformDrag::constrain(const Constraint& constraint) {
   constraint_ = constraint;
   turned_ = turn_lag_ = 0;
 }
 
-// The same axis again: bend in the view plane.
+// If the axis is already set, bends in the view plane again.
 void TransformDrag::bend_about(int axis) {
   const Constraint wanted{Kind::axis, axis};
   const bool again = wanted == constraint_;
@@ -117,7 +116,7 @@ glm::dvec3 TransformDrag::direction() const {
   return grip_.anchor.axes[constraint_.axis];
 }
 
-// Each component along the axes separately.
+// Rounds the component along each axis.
 glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   const double per_unit = move_snaps / document::grid_cell(space_.diagonal());
   glm::dvec3 parts = glm::transpose(grip_.anchor.axes) * shift;
@@ -189,7 +188,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document
   return moved / space_.scale;
 }
 
-// The cursor's angle is ambiguous by whole turns: takes the value nearest to the last one.
+// The cursor's angle is ambiguous by whole turns: uses the angle nearest to the previous angle.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
@@ -204,7 +203,8 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   return turned_ - turn_lag_;
 }
 
-// Along the axis on screen, or away from the pivot in a plane; uniform: to the right and up.
+// A factor along an axis grows in the axis direction on screen, a factor in a plane grows away from the
+// pivot, and a uniform factor grows to the right and up.
 glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;
@@ -227,7 +227,7 @@ glm::dvec3 TransformDrag::factors(double value) const {
   return factors;
 }
 
-// Without an axis a number is a distance in the direction of the mouse movement.
+// Without an axis, a typed number is the distance in the direction of the mouse movement.
 Transform TransformDrag::typed(double value) const {
   Transform t = still();
   if (is_angle(grip_.shaping.shape)) {
@@ -254,7 +254,7 @@ void TransformDrag::soften(document::Document& document, const document::SoftSel
   grip_.vertices = gripped(document, soft, mirror);
   vertices_ = vertices_of(grip_);
   ++softened_;
-  transform_.degrees = 0;  // restart at the pose of the press, so that turns are followed from there
+  transform_.degrees = 0;  // the document now has the pose at the press
 }
 
 void TransformDrag::commit(document::Document& document) const {
@@ -301,7 +301,7 @@ std::string TransformDrag::amounts() const {
   return text;
 }
 
-// "X ", "XZ " for a plane; empty without a constraint.
+// Returns text such as "X " for an axis or "XZ " for a plane; empty without a constraint.
 std::string TransformDrag::axis_names() const {
   std::string names;
   for (int i = 0; i < 3; ++i) {
@@ -317,8 +317,7 @@ std::string TransformDrag::readout() const {
     std::string word(name(grip_.shaping.shape));
     word[0] = static_cast<char>(word[0] - 'a' + 'A');
     const std::string refused =
-        along_way_ ? std::string("   ") + static_cast<char>('X' + *along_way_) + " is the direction of motion"
-                   : "";
+        along_way_ ? std::string("   cannot bend about ") + static_cast<char>('X' + *along_way_) : "";
     return word + ' ' + axis_names() + (entry_.empty() ? shaped_amount() : entry_.text() + '_') + refused +
            beyond;
   }

@@ -1,5 +1,4 @@
-// Moving, rotating or scaling the selection with the mouse and typed numbers, from press to release or
-// cancel.
+// Moves, rotates or scales the selection with the mouse or with typed numbers.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -17,53 +16,49 @@
 
 namespace viete::interact {
 
-/// The cursor in one frame of a drag.
 struct DragInput {
-  glm::vec2 cursor;   ///< logical pixels
-  bool snap = false;  ///< to 15 degrees, 0.1 of scale, a tenth of the grid cell
-  bool slow = false;  ///< a tenth of the speed
+  glm::vec2 cursor;   ///< in logical pixels
+  bool snap = false;  ///< rounds to 15 degrees, to a scale of 0.1, or to a tenth of the grid cell
+  bool slow = false;  ///< moves at a tenth of the speed
 };
 
-/// One drag. Each update recomputes the selection from its positions at the press, so errors do not
-/// accumulate. Rotations count turns: circling the pivot twice is 720 degrees. A typed number overrides the
-/// mouse until it is deleted.
+/// One drag, from press to release. Each update starts from the positions at the press: errors do not add up.
+/// Circling the pivot twice rotates by 720 degrees. A typed number replaces the mouse movement.
 class TransformDrag {
 public:
-  /// Moves the vertices of the grip along its axes; a free move keeps the point at `depth` (view units) under
-  /// the cursor. Requires a selection.
+  /// Requires a selection. A move without a constraint keeps the point at `depth` (in view units) under the
+  /// cursor.
   TransformDrag(const document::Document& document, Grip grip, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const document::Camera& camera);
 
   void update(document::Document& document, const DragInput& input, const document::Camera& camera,
               const document::Viewport& viewport);
 
-  /// x y z: constrain to that axis; again: release; capital: constrain to the plane perpendicular to it.
-  /// Among the shapes only bend uses an axis: its component perpendicular to from-to. Digits, point and
-  /// minus: the amount. Returns true if the character was used; the next update shows it.
+  /// x, y and z constrain the drag to an axis; pressing the key again removes the constraint. X, Y and Z
+  /// constrain to the plane perpendicular to the axis. A bend has a bending axis instead; other shapes have
+  /// no axis. Digits, point and minus enter the amount. Returns false if the character has no effect.
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// Changes the soft selection; the next update uses it.
+  /// Changes the soft selection. Takes effect at the next update.
   void soften(document::Document& document, const document::SoftSelection& soft,
               const document::Mirror* mirror);
-  /// The number of calls of soften(): vertices() may change with each.
+  /// Returns the number of calls of soften(); each call can change vertices().
   int softened() const { return softened_; }
 
-  /// Ends the drag as one history entry; records nothing if nothing moved.
+  /// Records the drag as one undoable edit, if the selection moved.
   void commit(document::Document& document) const;
-  /// Ends it and restores exactly the pose at the press.
+  /// Restores exactly the pose at the press.
   void cancel(document::Document& document) const;
 
   Tool tool() const { return tool_; }
-  /// The cage vertices that it moves.
   std::span<const std::uint32_t> vertices() const { return vertices_; }
   const Grip& grip() const { return grip_; }
   const Constraint& constraint() const { return constraint_; }
-  /// The selection's current transform.
   const Transform& transform() const { return transform_; }
   glm::vec2 press() const { return press_; }
-  /// The amount as a text: "X 0.125", "Z 405.0\u00b0", "1.20"; a number being typed ends with an underscore.
-  /// Ends with "too far" if the amount exceeds the range of a pose; then nothing moves.
+  /// Returns the amount as text, such as "X 0.125", "Z 405.0\u00b0" or "1.20". While the user types a number,
+  /// the text ends with an underscore. If the amount is out of range, nothing moves and "too far" is added.
   std::string readout() const;
 
 private:
@@ -93,16 +88,16 @@ private:
   document::Space space_;
   Tool tool_;
   Constraint constraint_;
-  glm::dvec3 view_hinge_;         // axis of a bend in the view plane
-  std::optional<int> along_way_;  // the last requested axis, if it is parallel to from-to
-  glm::dvec3 pivot_, view_axis_;  // file units; towards the eye at the press
+  glm::dvec3 view_hinge_;         // the axis for bending in the view plane
+  std::optional<int> along_way_;  // the last bending axis, if it was parallel to the line between the ends
+  glm::dvec3 pivot_, view_axis_;  // the view axis points to the eye
   double depth_;
-  glm::dvec2 press_, cursor_, lag_{0, 0};  // lag: distance withheld by slow movement
-  double turned_ = 0, turn_lag_ = 0;       // angle of the cursor around the pivot since the press, radians
-  glm::dvec3 pulled_{0, 0, 0};             // unconstrained displacement of the mouse
+  glm::dvec2 press_, cursor_, lag_{0, 0};  // slow mode subtracts the lag from the cursor
+  double turned_ = 0, turn_lag_ = 0;       // the cursor's angle around the pivot since the press, in radians
+  glm::dvec3 pulled_{0, 0, 0};             // the displacement by the mouse
   NumberEntry entry_;
   Transform transform_;
-  bool in_range_ = true;  // the last update stayed in range
+  bool in_range_ = true;  // false if the last update was out of range
   int softened_ = 0;
 };
 

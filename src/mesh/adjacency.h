@@ -1,4 +1,4 @@
-// Neighbour lists: neighbours in a graph, triangles around vertices.
+// Lists of neighbours.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace viete::mesh {
 
-/// Compressed rows: the items of i are items[starts[i]] up to items[starts[i + 1]].
+/// One list per index i: the items from items[starts[i]] up to, but without, items[starts[i + 1]].
 struct Adjacency {
   std::vector<std::uint32_t> starts, items;
 
@@ -20,8 +20,8 @@ struct Adjacency {
   }
 };
 
-/// for_each(add) must call add(i, item) for each item of each i. It is called twice and must use the same
-/// order both times; items keep that order. Linear. At most 2^32 - 1 items.
+/// for_each(add) must call add(i, item) for each item. It is called twice, and must use the same order both
+/// times. Each list keeps this order. At most 2^32 - 1 items.
 template <class ForEach>
 Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   Adjacency lists;
@@ -34,7 +34,7 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   return lists;
 }
 
-/// The neighbours of each node of a graph, in the order of its edges.
+/// Returns the neighbours of each node of a graph, in the order of the edges.
 inline Adjacency adjacency(std::size_t nodes, std::span<const Edge> edges) {
   return make_adjacency(nodes, [&](const auto& add) {
     for (const auto& [a, b] : edges) add(a, b), add(b, a);

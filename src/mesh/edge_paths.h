@@ -1,4 +1,4 @@
-// Connected components of a surface's edges, and short paths along edges.
+// The connected components of a surface, and short paths along edges.
 #pragma once
 
 #include <cstdint>
@@ -9,15 +9,15 @@
 
 namespace viete::mesh {
 
-/// Borrows the surface's positions. Immutable; thread-safe.
+/// The surface must outlive the object. Immutable and thread-safe.
 class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
 
-  /// The component of a vertex: vertices joined by edges, directly or not, have the same number.
+  /// Returns the number of the vertex's component. Vertices that are connected by edges have the same number.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
   std::span<const std::uint32_t> parts() const { return parts_; }
-  /// True if a path along edges leads from a to b and is at most `longest` long.
+  /// True if a path along edges connects a and b and is at most `longest` long.
   bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
 
 private:

@@ -9,14 +9,14 @@ namespace viete::mesh {
 
 namespace {
 
-// A side, stored at the lower vertex of its edge.
+// A side of a face, stored in the list of its lower vertex.
 struct Side {
   std::uint32_t high, face;
   bool forward;
 };
 
-// Counting sort of sides by the lower vertex, then by the higher one and the face. for_each(add) calls
-// add(from, to, face) for each side, faces ascending. Calls visit(low, sides) for each edge.
+// Sorts sides by the lower vertex, the higher vertex and the face. Calls visit(low, sides) for each edge.
+// for_each(add) must call add(from, to, face) for each side, with ascending faces.
 template <class ForEach, class Visit>
 void visit_edges(std::size_t vertices, const ForEach& for_each, const Visit& visit) {
   std::vector<std::uint32_t> starts(vertices + 1, 0);

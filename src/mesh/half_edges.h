@@ -1,4 +1,4 @@
-// The edges of a surface and the triangle sides along them.
+// The edges of a surface, and the sides of triangles along each edge.
 #pragma once
 
 #include <array>
@@ -11,30 +11,29 @@
 
 namespace viete::mesh {
 
-using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices (or nodes of a graph), the lower first
+using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices, the lower index first
 
 /// One side of a triangle.
 struct HalfEdge {
   std::uint32_t triangle;
-  bool forward;  ///< the triangle's orientation runs from the lower vertex of the edge to the higher one
+  bool forward;  ///< true if the triangle's orientation runs from the lower vertex to the higher vertex
 };
 
-/// Edges of arbitrary triangles: one, two or more triangles per edge, in any orientation.
+/// The edges of any triangles. An edge may have any number of triangles, in any orientation.
 struct HalfEdges {
-  std::vector<Edge> edges;            ///< sorted, each once
-  std::vector<std::uint32_t> starts;  ///< one more than edges
-  std::vector<HalfEdge> sides;        ///< edge e has sides[starts[e]] up to sides[starts[e + 1]], by triangle
+  std::vector<Edge> edges;            ///< sorted and unique
+  std::vector<std::uint32_t> starts;  ///< edge e has the sides from starts[e] up to starts[e + 1]
+  std::vector<HalfEdge> sides;        ///< sorted by edge, then by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {
     return std::span(sides).subspan(starts[e], starts[e + 1] - starts[e]);
   }
 };
 
-/// Skips triangles that repeat a corner. Nearly linear: sorts within the edges of each vertex.
+/// Ignores triangles that repeat a corner.
 HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// The edges of a surface's polygons, sorted, each once: a quad has four, not five. Skips edges from a vertex
-/// to itself. Nearly linear.
+/// Returns the edges of a surface's polygons, sorted and unique. Ignores edges from a vertex to itself.
 std::vector<Edge> polygon_edges(const Surface& surface);
 
 }  // namespace viete::mesh

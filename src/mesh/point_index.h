@@ -1,4 +1,4 @@
-// A hash table of points, over an array of positions that the caller keeps.
+// Finds equal points with a hash table.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,22 @@
 
 namespace viete::mesh {
 
-/// Hash table with open addressing and linear probing, at most half full.
+/// A hash table of points. The caller stores the points in an array.
 class PointIndex {
 public:
-  /// The index of the position with the same bits as p, or positions.size(); the caller then appends p.
+  /// Returns the index of p in the array. If the array does not contain p, returns positions.size(); then the
+  /// caller must append p. Compares bits: -0 and 0 are different.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
 
 private:
   void grow(const std::vector<Point>& positions);
   std::size_t slot_of(const Point& p, const std::vector<Point>& positions) const;
 
-  std::vector<std::uint32_t> slots_;  // vertex + 1, or 0 where free; the size is a power of two
+  std::vector<std::uint32_t> slots_;  // the index + 1, or 0 if the slot is free; the size is a power of two
   std::size_t used_ = 0;
 };
 
-/// For each vertex the lowest vertex at exactly the same position. Linear.
+/// Returns, for each vertex, the lowest vertex at exactly the same position.
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
 
 }  // namespace viete::mesh

@@ -1,4 +1,4 @@
-// Nearest point to a point, an edge or a triangle.
+// Finds the nearest point to a point, an edge or a triangle.
 #pragma once
 
 #include <cstdint>
@@ -10,17 +10,17 @@
 
 namespace viete::mesh {
 
-/// A kd tree over a subset of positions, which the caller must keep alive. Thread-safe.
+/// A kd tree of points. The positions must outlive the tree. Thread-safe.
 class PointTree {
 public:
-  /// Tree over positions[i] for all i of `some`, at least one. O(n log n).
+  /// `some` has the indices of the points for the tree, and must not be empty.
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
-  /// The i whose point is nearest to the triangle; the lowest on a tie. Repeated corners make it an edge or a
-  /// point, see closest_on_triangle().
+  /// Returns the index of the point nearest to the triangle. If several points are nearest, returns the
+  /// lowest index. Corners may repeat, for an edge or a point; see closest_on_triangle().
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
-  /// Calls visit(i) for every point within radius of p, in any order.
+  /// Calls visit(i) for every point within the radius around p, in any order.
   void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 
 private:

@@ -19,7 +19,7 @@ struct Neighbour {
   bool agrees;
 };
 
-// Neighbours across edges of exactly two triangles: at most three each.
+// Returns the neighbours of each triangle across edges of exactly two triangles.
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
@@ -38,7 +38,7 @@ public:
   explicit Orienter(const Surface& surface)
       : neighbours_(neighbours(surface)), side_(surface.triangles.size(), unseen) {}
 
-  // Whether to flip each triangle.
+  // Returns 1 for each triangle to flip.
   std::vector<std::uint8_t> turned() {
     std::vector<std::uint8_t> turn(side_.size(), 0);
     for (std::uint32_t seed = 0; seed < side_.size(); ++seed) {
@@ -54,14 +54,14 @@ public:
     return turn;
   }
 
-  // Valid after turned(): the triangles of each component, and whether all are orientable.
+  // The next two functions are valid after turned(): the components, and true if all of them are orientable.
   const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
   bool agree() const { return agree_; }
 
 private:
   static constexpr std::uint8_t unseen = 2;
 
-  // Visits the component of the seed; false if it is not orientable.
+  // Visits the component of the seed. Returns false if the component is not orientable.
   bool reach(std::uint32_t seed) {
     bool agree = true;
     part_.assign(1, seed);
@@ -80,13 +80,14 @@ private:
   }
 
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> side_;  // 0: same orientation as the component's seed; 1: opposite
+  std::vector<std::uint8_t> side_;  // 0 if the triangle has the orientation of its component's seed, else 1
   std::vector<std::uint32_t> part_;
   std::vector<std::vector<std::uint32_t>> parts_;
   bool agree_ = true;
 };
 
-// The corners from the lowest on, in the lexicographically lower direction; true if that is their own.
+// Returns the corners, beginning with the lowest corner, in the lexicographically lower direction. The second
+// value is true if this is the polygon's own direction.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));
@@ -96,7 +97,7 @@ std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_
   return {ahead ? std::move(forward) : std::move(backward), ahead};
 }
 
-// Marks all but the first of coincident polygons with opposite orientation.
+// Marks each polygon that coincides with an earlier polygon of opposite orientation.
 std::vector<std::uint8_t> backs(const Surface& joined) {
   std::map<std::vector<std::uint32_t>, bool> seen;
   std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
@@ -120,8 +121,7 @@ Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) 
   return part;
 }
 
-// True if every edge is used equally often in both directions. open_too: edges of one triangle count as
-// unbalanced.
+// True if every edge is used equally often in both directions. Ignores boundary edges unless `open_too`.
 bool balanced(const Surface& surface, bool open_too) {
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
@@ -132,8 +132,8 @@ bool balanced(const Surface& surface, bool open_too) {
   return true;
 }
 
-// Orients closed components: those nested in an even number of others all outward or all inward, those nested
-// in an odd number the other way. Flips the components that disagree.
+// Orients a closed component outward if an even number of other components contain it, otherwise inward. Does
+// nothing if all components have the reverse orientation.
 void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
   struct Part {
     Surface surface;
@@ -188,7 +188,7 @@ OneSided one_sided(const Surface& surface) {
   const auto is_back = backs(joined);
   std::vector<std::uint32_t> kept;
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    const bool of_polygon = t < surface.triangle_polygon.size();  // false: an extra triangle
+    const bool of_polygon = t < surface.triangle_polygon.size();
     if (!of_polygon || !is_back[surface.triangle_polygon[t]]) kept.push_back(t);
   }
   Surface front = part_of(joined, kept);

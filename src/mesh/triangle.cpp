@@ -15,7 +15,7 @@ Closest at(const Vec3& ap, const Vec3& ab, const Vec3& ac, double s, double t) {
   return {squared_norm(ap - (s * ab + t * ac)), {1 - s - t, s, t}};
 }
 
-// Parameter of the point of segment (0, d) closest to p.
+// Returns the parameter, from 0 to 1, of the point closest to p on the segment from 0 to d.
 double along(const Vec3& p, const Vec3& d) {
   const double length2 = squared_norm(d);
   return length2 > 0 ? std::clamp(dot(p, d) / length2, 0.0, 1.0) : 0.0;
@@ -39,10 +39,10 @@ std::vector<Triangle> proper_triangles(const Surface& surface) {
 }
 
 bool has_area(const Point& a, const Point& b, const Point& c) {
-  constexpr double least = 1e-12;  // far above rounding, far below any modelled triangle
+  constexpr double least = 1e-12;
   const Vec3 u = b - a, v = c - a;
   const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(c - b)});
-  const double scale = 1 / longest;  // scales sides to about 1, so that products are in range
+  const double scale = 1 / longest;  // keeps the products in range
   return longest > 0 && std::isfinite(scale) && norm(cross(scale * u, scale * v)) > least;
 }
 
@@ -75,13 +75,13 @@ double half_solid_angle(const Point& a, const Point& b, const Point& c) {
 
 namespace {
 
-constexpr double roundoff = 0x1p-53;  // half an ulp of 1
+constexpr double roundoff = 0x1p-53;  // the largest relative rounding error
 
 int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// Exact sum as non-overlapping parts of ascending size (Shewchuk's expansions).
+// An exact sum, stored as non-overlapping parts of ascending size (the expansions of Shewchuk 1997).
 class ExactSum {
 public:
   void add(double x) {
@@ -96,7 +96,7 @@ public:
     size_ = kept;
   }
 
-  // Adds x y z exactly: x y is the sum of a head and a tail, each of which is multiplied by z.
+  // Adds x y z exactly. The product x y is the sum of `head` and `tail`.
   void add_product(double x, double y, double z) {
     const double head = x * y, tail = std::fma(x, y, -head);
     for (const double part : {tail, head}) {
@@ -117,11 +117,12 @@ public:
   int sign() const { return size_ == 0 ? 0 : mesh::sign(parts_[size_ - 1]); }
 
 private:
-  std::array<double, 128> parts_;  // each add() adds at most one part; a determinant adds 96
+  std::array<double, 128> parts_;  // a determinant needs at most 96
   std::size_t size_ = 0;
 };
 
-// The sign of det(u, v, w), whose entries are rounded once; calls exact() if rounding leaves it open.
+// Returns the sign of det(u, v, w), whose entries were rounded once. If the rounding error could change the
+// sign, computes it with exact().
 template <class Exact>
 int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;
@@ -176,7 +177,7 @@ Point2 without(const Point& p, int axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-// The axis along which the projected triangle has area; -1 if there is none.
+// Returns an axis along which the projection of the triangle has area, or -1.
 int visible_axis(const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis)) != 0) return axis;
@@ -184,7 +185,7 @@ int visible_axis(const Corners& t) {
   return -1;
 }
 
-// True if t lies entirely on or outside an edge of s.
+// True if the line through an edge of s separates both triangles, in the projection along the axis.
 bool edge_separates(const Corners& s, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const Point2 a = without(s[i], axis), b = without(s[(i + 1) % 3], axis);
@@ -195,12 +196,12 @@ bool edge_separates(const Corners& s, const Corners& t, int axis) {
   return false;
 }
 
-// True if no two of the signs are opposite, and not all are zero.
+// True if no two signs are opposite.
 bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// True if an edge of s passes through t: ends on opposite sides of the plane, line through the triangle.
+// True if an edge of s passes through t. `sides` has the side of t's plane for each corner of s.
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -225,8 +226,8 @@ bool some_edge_crosses(const Corners& s, const Corners& t) {
   return false;
 }
 
-// Distance of the segments from p along d and from q along e. Source: C. Ericson, Real-Time Collision
-// Detection (2005), 5.1.9.
+// Returns the squared distance of two segments, from p to p + d and from q to q + e. Source: C. Ericson,
+// Real-Time Collision Detection (2005), 5.1.9.
 double squared_distance(const Point& p, const Vec3& d, const Point& q, const Vec3& e) {
   const Vec3 r = p - q;
   const double a = squared_norm(d), b = dot(d, e), c = dot(d, r), g = squared_norm(e), f = dot(e, r);

@@ -1,4 +1,4 @@
-// A bounding-box tree over triangles: nearest triangle, proximity tests, winding numbers.
+// A tree of bounding boxes for fast queries of triangles: nearest triangle, distance tests, winding numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,35 +12,32 @@
 
 namespace viete::mesh {
 
-/// Accepts any triangles; those without area act as their longest edge, or as a point. Copies the corners.
-/// Thread-safe. Lengths from 1e-75 to 1e75.
+/// A tree of any triangles. A triangle without area is treated as its longest edge, or as a point. Copies the
+/// corners. Thread-safe. Valid for lengths from 1e-75 to 1e75.
 class TriangleTree {
 public:
-  /// Needs at least one triangle; indices refer to positions. O(n log n), 0.3 microseconds a triangle.
-  /// progress may be null; throws base::Cancelled. groups: empty, or a number per position; a triangle
-  /// belongs to the group of its first corner.
+  /// Requires at least one triangle. `groups` is empty or has one number per position; a triangle is in the
+  /// group of its first corner. `progress` may be null. Throws base::Cancelled.
   TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
                base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
   struct Nearest {
-    /// The largest std::uint32_t if no triangle is near enough.
     std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  /// The triangle nearest to p among those with a squared distance less than `below`. The distance found does
-  /// not depend on `below`. On a tie any of the triangles.
+  /// Returns the triangle nearest to p, or Nearest() if all squared distances are at least `below`.
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
   struct NearestOfGroup {
     std::uint32_t group, triangle;
     double squared_distance;
   };
-  /// The nearest triangle of each group except `but_group`, within radius of p; in any order. The tree must
-  /// have groups.
+  /// Returns the nearest triangle of each group within the radius around p, except of `but_group`. The order
+  /// is arbitrary. The tree must have groups.
   std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
 
-  /// Calls visit(triangle) for each triangle whose box meets the given one.
+  /// Calls visit(triangle) for each triangle whose bounding box overlaps `box`.
   template <class Visit>
   void for_meeting(const Bounds& box, const Visit& visit) const {
     find([&](std::uint32_t i) { return meet(nodes_[i].box, box) ? Step::into : Step::past; },
@@ -50,27 +47,27 @@ public:
          });
   }
 
-  /// True if a triangle of the tree cuts t or is nearer to it than `distance`. t must have a plane. Cuts are
-  /// exact.
+  /// True if a triangle of the tree intersects t or is nearer to t than `distance`. The intersection test is
+  /// exact. t must have a plane.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// The generalised winding number around p, accurate to a few hundredths: distant triangles act as one
-  /// dipole. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using generalized winding
-  /// numbers; Barill et al. 2018, Fast winding numbers for soups and clouds.
+  /// Returns the generalised winding number around p, with an error of a few hundredths. Sources: Jacobson et
+  /// al. 2013, Robust inside-outside segmentation using generalized winding numbers; Barill et al. 2018, Fast
+  /// winding numbers for soups and clouds (distant triangles are combined to a dipole).
   double winding_number(const Point& p) const;
 
 private:
   static constexpr auto no_group = std::numeric_limits<std::uint32_t>::max();
-  // The triangles of a node are order_[begin] up to order_[end]. The first child is the next node, the other
-  // is `second`, which is 0 in a leaf. As large as a cache line.
+  // The triangles of a node are order_[begin] up to, but without, order_[end]. The first child is the next
+  // node, the second child is `second`; 0 in a leaf.
   struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
-    std::uint32_t group = no_group;  // common to all its triangles, or no_group
+    std::uint32_t group = no_group;  // the group of all its triangles, or no_group
   };
   struct Dipole {
     Point center{};
-    Vec3 area{};  // sum of the triangles' normals by area
+    Vec3 area{};  // the sum of the triangles' normals, weighted by area
     double radius = 0;
   };
   std::uint32_t build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
@@ -78,14 +75,14 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // Calls enter(node), which decides how to go on, and visit(index into order_) for triangles of entered
-  // leaves until it returns true. Returns whether one was found.
+  // Searches the tree. enter(node) decides whether to pass a node, to enter it, or to return true. In entered
+  // leaves, calls visit(index in order_) for each triangle, and returns true if visit() does.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 
   std::vector<std::uint32_t> order_;
-  std::vector<Corners> corners_;       // in that order
-  std::vector<std::uint32_t> groups_;  // in that order, if there are groups
+  std::vector<Corners> corners_;       // in the order of order_
+  std::vector<std::uint32_t> groups_;  // in the order of order_; empty without groups
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;  // one per node
 };

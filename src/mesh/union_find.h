@@ -1,4 +1,4 @@
-// Disjoint sets (union-find) for connected components.
+// Disjoint sets (union-find), for finding connected components.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace viete::mesh {
 
-/// Sets of the numbers 0 to n - 1; initially one set per number.
+/// Disjoint sets of the numbers 0 to n - 1. At first, each number is a set.
 class UnionFind {
 public:
   explicit UnionFind(std::size_t n = 0) { reset(n); }
@@ -21,7 +21,7 @@ public:
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
-  /// The representative of i's set. Halves the path to it.
+  /// Returns the representative of the set that contains i.
   std::uint32_t find(std::uint32_t i) {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
@@ -39,7 +39,7 @@ private:
   std::vector<std::uint32_t> parent_;
 };
 
-/// The components of vertices by shared triangles.
+/// Returns the sets of vertices that triangles connect.
 inline UnionFind parts_by_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
   UnionFind parts(vertices);
   for (const auto& [a, b, c] : triangles) parts.join(a, b), parts.join(b, c);

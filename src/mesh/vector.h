@@ -1,4 +1,4 @@
-// Names of the vector functions of base in this namespace.
+// The vector functions of base, for this namespace.
 #pragma once
 
 #include "base/vector.h"

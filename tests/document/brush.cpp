@@ -65,11 +65,11 @@ TEST_CASE("a_cancelled_or_empty_stroke_is_no_edit") {
   taken_back.dab(d, {}, d.model.surface->positions[0], 1, 0);
   taken_back.cancel(d);
   CHECK_FALSE(d.mask);
-  p.paint(0, 1e-9, 1);  // it is 1 already
+  p.paint(0, 1e-9, 1);  // the value is already 1
   CHECK_FALSE(d.mask);
   CHECK(test::edit_count(d.history) == 0);
   p.paint(0, 1e-9, 0);
-  p.paint(0, 1e-9, 1);  // and 1 again: the mask becomes null
+  p.paint(0, 1e-9, 1);  // a mask of ones becomes null
   CHECK_FALSE(d.mask);
   CHECK(test::edit_count(d.history) == 2);
 }
@@ -103,7 +103,7 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   CHECK((*hit)[2] == doctest::Approx(box.high[2]));
   CHECK((*hit)[0] == doctest::Approx(c[0] + 0.01));
   CHECK_FALSE(pick_model(d, {}, {ray.origin, {0, 0, 1}}));
-  // After the model moves by 5 along x, the old ray misses it and a ray moved by 5 hits it.
+  // If the model moves by 5 along x, the ray must move by 5 too.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : d.model.surface->positions)
     posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});

@@ -1,4 +1,3 @@
-// Cage editing: its effect on shape, pose and history.
 #include "document/cage_editing.h"
 
 #include <doctest/doctest.h>
@@ -9,7 +8,6 @@
 #include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
-#include "files/session.h"
 #include "mesh/winding_number.h"
 #include "support/cube.h"
 #include "support/edits.h"
@@ -34,7 +32,7 @@ double volume(const mesh::Surface& s) {
   return six / 6;
 }
 
-// With one posed vertex, in cage editing.
+// Returns a cube with one posed vertex, in cage editing.
 Document edited_cube() {
   Document document = test::cube_document();
   document.pose.positions[7] = {3, 3, 3};
@@ -105,9 +103,8 @@ TEST_CASE("splitting_and_cutting_leave_the_surface_as_it_is") {
 TEST_CASE("a_new_vertex_of_a_posed_cage_lies_where_its_neighbours_are") {
   Document document = edited_cube();
   std::vector<std::uint32_t> with_seven;
-  for (std::uint32_t e = 0; e < document.cage->edges.size(); ++e) {
+  for (std::uint32_t e = 0; e < document.cage->edges.size(); ++e)
     if (document.cage->edges[e] == mesh::Edge{6, 7}) with_seven = {e};
-  }
   REQUIRE(with_seven.size() == 1);
   select(document, ElementKind::edge, with_seven);
   split_selected(document);
@@ -138,7 +135,7 @@ TEST_CASE("merging_and_removing_keep_a_closed_cage_closed") {
   remove_selected(document);
   CHECK_FALSE(document.cage->closed);
   select(document, ElementKind::vertex, {0});
-  remove_selected(document);  // at the boundary
+  remove_selected(document);  // the vertex is at the boundary
   CHECK(document.cage->surface.positions.size() == 7);
   undo(document);
   undo(document);
@@ -155,7 +152,7 @@ TEST_CASE("extruding_selects_what_was_pushed_out_and_keeps_the_cage_closed") {
   CHECK(volume(document.cage->surface) > size);
   CHECK(document.cage->surface.positions.size() == 12);
   undo(document);
-  // Faces that look away from each other, each its own way.
+  // All faces are extruded: each vertex moves along its own normal.
   document.selection.select_all(document.cage->surface.polygon_count());
   extrude_selected(document);
   CHECK(document.cage->closed);
@@ -171,9 +168,8 @@ TEST_CASE("subdividing_makes_four_of_one_and_mirroring_makes_both_sides_alike") 
   CHECK(document.cage->element_count() == 48);
   CHECK(volume(document.cage->surface) == doctest::Approx(size));
   document.history.record("move", state_of(document));
-  for (auto& p : document.pose.positions) {
+  for (auto& p : document.pose.positions)
     if (p == mesh::Point{1.5, 1.5, 1.5}) p = {1.9, 1.7, 1.8};
-  }
   REQUIRE(commit_cage_edit(document));
   document.selection.clear();
   mirror_cage(document);
@@ -199,7 +195,7 @@ TEST_CASE("a_cage_of_another_size_and_place_is_fitted_and_one_that_is_too_tight_
   document.pose.positions[7][0] += 1;
   document.pose.turns = {{0, 7, 0}};
   fit_cage(document);
-  CHECK(document.pose.positions[7][0] - document.cage->surface.positions[7][0] > 50);  // scaled like the cage
+  CHECK(document.pose.positions[7][0] - document.cage->surface.positions[7][0] > 50);
   CHECK(document.pose.turns[0] == mesh::Vec3{0, 7, 0});
   CHECK(mesh::points_outside(document.cage->surface, document.model.surface->positions).empty());
   CHECK(document.cage->diagonal < 1.1 * document.model.bounds.diagonal());

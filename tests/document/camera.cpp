@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 #include <limits>
 #include <vector>
 
@@ -27,7 +26,7 @@ glm::vec2 pixel(const Camera& camera, const Viewport& v, const glm::vec3& p) {
   return {(0.5f + 0.5f * clip.x / clip.w) * v.window.x, (0.5f - 0.5f * clip.y / clip.w) * v.window.y};
 }
 
-// A bottle: wide at one end of an axis, a point at the other.
+// Returns a bottle that is wide at one end of the axis and narrow at the other end.
 OpenedSurface bottle(std::size_t axis, const std::string& format = "OBJ") {
   mesh::Surface cone = test::cube(1);
   for (auto& p : cone.positions) {
@@ -176,9 +175,8 @@ TEST_CASE("a_camera_clamps_every_input") {
   const float inf = std::numeric_limits<float>::infinity(), nan = std::numeric_limits<float>::quiet_NaN();
   const auto is_sane = [](const CameraPose& p) {
     const float far = static_cast<float>(farthest_place);
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       if (!(std::abs(p.target[i]) <= far)) return false;
-    }
     return p.distance >= nearest_camera && p.distance <= farthest_camera && std::isfinite(p.yaw) &&
            std::abs(p.pitch) <= 1.5708f;
   };

@@ -43,7 +43,7 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
   CHECK(!meaning(found[0]).empty());
 }
 
-// Two separate cubes, or one.
+// Returns a cage of separate cubes.
 deform::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
   const auto positions = surface.positions;
@@ -58,7 +58,7 @@ deform::Cage cage_of(int cubes) {
   return deform::make_cage(mesh::from_triangles(surface.positions, surface.triangles));
 }
 
-// The notes about the cage with its first vertices mapped.
+// Returns the messages about a pose in which the first vertices are mapped.
 std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
   deform::Pose pose = deform::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);
@@ -107,10 +107,9 @@ TEST_CASE("a_turned_face_names_its_edges_and_puts_nothing_outside") {
 }
 
 TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
-  // A vertex on an edge of the cube, or close to it, in its own faces.
   for (const double beside : {0.0, 1e-6}) {
     auto s = test::cube(1.5);
-    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // on or near the edge 1-3
+    s.positions.push_back({1.5 - beside, 0, -1.5 - beside});  // on the edge 1-3, or near this edge
     auto triangles = s.triangles;
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
@@ -160,7 +159,7 @@ TEST_CASE("each_defect_is_named_with_its_elements_and_its_weight") {
 
 TEST_CASE("a_cage_that_cuts_itself_names_the_faces") {
   auto s = test::cube(1.5);
-  s.positions[7] = {-2.5, -2.5, -2.5};  // pulled through the whole cage
+  s.positions[7] = {-2.5, -2.5, -2.5};  // on the other side of the cage
   const auto found = check_in(s, test::cube(0.01));
   REQUIRE(!found.empty());
   CHECK(found[0].defect == Defect::self_intersection);
@@ -168,7 +167,7 @@ TEST_CASE("a_cage_that_cuts_itself_names_the_faces") {
 }
 
 TEST_CASE("faces_are_polygons_and_not_their_triangles") {
-  mesh::Surface s;  // a pentagon with a degenerate triangle, after a quad
+  mesh::Surface s;  // a quad, and a pentagon that contains a degenerate triangle
   s.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}, {1.5, 1, 0}};
   s.corners = {0, 1, 2, 3, 1, 4, 5, 6, 2};
   s.polygon_starts = {0, 4, 9};
@@ -211,7 +210,7 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   step_element(w, -1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{1});
   frame_finding(w);
-  CHECK(w.camera.destination().target.x > 0.2F);  // edge 5-7 is on the right
+  CHECK(w.camera.destination().target.x > 0.2F);
   toggle_finding(w, 0);
   CHECK(!w.checks.shown);
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "document/edit.h"
 #include "document/history.h"
 #include "document/space.h"
 #include "formats/write.h"
@@ -59,7 +58,7 @@ TEST_CASE("sizes_that_float_can_draw_and_double_can_deform_are_told_from_those_t
       CHECK_THROWS_WITH_AS(check_deformable(document), refused, base::Error);
     }
   }
-  auto point = test::cube(0);  // far away
+  auto point = test::cube(0);
   for (auto& p : point.positions) p[2] = 1e70;
   formats::write(model, point);
   CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);
@@ -158,8 +157,7 @@ TEST_CASE("a_cancelled_edit_keeps_redo") {
 
 TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   History h;
-  const auto mask =
-      std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // so large that few states fit
+  const auto mask = std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // few such states fit
   const auto state = [&](double x) {
     DocumentState s = at(x);
     s.mask = mask;

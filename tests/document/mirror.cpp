@@ -43,7 +43,7 @@ TEST_CASE("the_plane_of_a_turned_or_moved_cage_pairs_all_of_it") {
 }
 
 TEST_CASE("a_vertex_without_an_image_has_no_partner_and_one_on_the_plane_is_its_own") {
-  // A roof: two feet, and a ridge on the plane; one more vertex on the right is unpaired.
+  // A roof with its ridge on the mirror plane, and an unpaired vertex on the right.
   const deform::Cage cage = deform::make_cage(
       mesh::from_triangles({{-1, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {3, 0, 1}},
                            {{0, 2, 3}, {2, 5, 3}, {1, 4, 2}, {4, 5, 2}, {1, 6, 4}}));
@@ -59,8 +59,8 @@ TEST_CASE("a_side_is_copied_to_the_other_and_swapped_and_undone") {
   Document document = test::cube_document();
   const auto rest = document.pose.positions;
   const auto mirror = mirror_of(*document.cage, MirrorPlane::x);
-  document.pose.positions[1] = {2, -1, -1};  // on the side of larger x
-  document.pose.positions[0] = {-9, 0, 0};   // its partner
+  document.pose.positions[1] = {2, -1, -1};
+  document.pose.positions[0] = {-9, 0, 0};  // the partner of vertex 1
   const auto posed = document.pose.positions;
   document.selection.apply(std::array{1u}, SelectMode::replace);
   copy_to_other_side(document, *mirror);
@@ -111,7 +111,7 @@ TEST_CASE("the_rectangle_of_a_mirror_lies_in_its_plane_and_covers_the_cage_there
   for (const cages::Plane& plane :
        {cages::Plane{{1, 0, 0}, 0.5}, cages::Plane{{0, 1, 0}, -2}, cages::Plane{{0.6, 0, 0.8}, 1}}) {
     const auto corners = rectangle_in_plane(Mirror{plane, {}}, points);
-    for (std::size_t i = 0; i < 4; ++i) {  // right angles, and no point outside
+    for (std::size_t i = 0; i < 4; ++i) {
       const mesh::Vec3 side = corners[(i + 1) % 4] - corners[i],
                        next = corners[(i + 2) % 4] - corners[(i + 1) % 4];
       CHECK(mesh::dot(plane.normal, corners[i]) == doctest::Approx(plane.offset));

@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "document/cage_editing.h"
-#include "document/cage_making.h"
 #include "document/edit.h"
 #include "document/probes.h"
 #include "document/record.h"
@@ -30,7 +29,7 @@ struct Mixed {
   std::vector<NamedPose>& poses() { return document.library.poses; }
   const std::vector<mesh::Point>& positions() const { return document.pose.positions; }
   bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
-  // Like a drag.
+  // Sets the pose like a drag.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
     document.pose = pose;
@@ -94,14 +93,14 @@ TEST_CASE("names_are_short_each_there_once_and_cut_between_characters") {
   };
   CHECK(add("") == "pose");
   CHECK(add("") == "pose 2");
-  const std::string wide = "\xC3\xA4";  // two bytes
+  const std::string wide = "\xC3\xA4";
   std::string text = "a";
   for (int i = 0; i < 150; ++i) text += wide;
   for (int i = 0; i < 12; ++i) {
     const std::string name = add(text);
     CHECK(name.size() <= PoseLibrary::longest_name);
     const auto space = name.find(' ');
-    CHECK(name.substr(0, space).size() % 2 == 1);  // no split character
+    CHECK(name.substr(0, space).size() % 2 == 1);  // no character of two bytes is split
   }
 }
 
@@ -161,7 +160,7 @@ TEST_CASE("several_poses_are_added_in_log_space_and_subtracted") {
   m.weigh(2, 0);
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
-  // Twice two half turns: whole turns are counted.
+  // Whole turns are counted.
   m.poses()[0].pose = whole(turned_cube(360));
   m.weigh(0, 0.5);
   m.weigh(2, 1);
@@ -192,7 +191,6 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
   CHECK(m.poses()[1].weight == 0);
   CHECK(m.poses()[0].weight == doctest::Approx(0.9));
   CHECK(distance(m.positions(), turned_cube(81).positions) < 1e-12);
-  // After undo the slider continues there.
   m.weigh(0, 0.5);
   CHECK(distance(m.positions(), turned_cube(45).positions) < 1e-12);
   m.check_undone(start);
@@ -201,13 +199,12 @@ TEST_CASE("moves_of_one_slider_are_one_edit_and_of_another_one_another") {
 TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   Mixed m;
   m.weigh(0, 0.5);
-  // Half of a quarter turn, then dragged by 20 degrees.
-  m.put(turned_cube(65));
+  m.put(turned_cube(65));  // a drag by 20 degrees, from 45 degrees
   m.weigh(0, 1);
   CHECK(distance(m.positions(), turned_cube(110).positions) < 1e-12);
   m.weigh(0, 0);
   CHECK(distance(m.positions(), turned_cube(20).positions) < 1e-12);
-  // A whole turn counts as an edit.
+  // A whole turn is an edit too.
   m.weigh(0, 0.5);
   m.put(turned_cube(65 + 360));
   m.weigh(0, 0.75);
@@ -226,7 +223,7 @@ TEST_CASE("whole_poses_from_elsewhere_end_the_mix") {
     CHECK(m.document.pose.positions == there);
   };
   ended([](Document& d) { apply_pose(d, 1); });
-  ended([](Document& d) {  // also the editing of the cage
+  ended([](Document& d) {  // applying a pose also ends cage editing
     begin_cage_editing(d);
     apply_pose(d, 1);
     CHECK_FALSE(is_editing_cage(d));

@@ -6,8 +6,6 @@
 #include "document/brush.h"
 #include "document/edit.h"
 #include "document/range.h"
-#include "files/session.h"
-#include "interact/anchor.h"
 #include "interact/cursor_projection.h"
 #include "interact/grip.h"
 #include "interact/picking.h"
@@ -64,7 +62,7 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   CHECK(p.document().selection.kind() == ElementKind::probe);
   CHECK(p.document().selection.contains(0));
   CHECK(test::edit_count(p.document().history) == 1);
-  // On a posed model: the corresponding rest point.
+  // On a posed model, the probe is added at the corresponding rest point.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : p.document().model.surface->positions)
     posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
@@ -102,7 +100,7 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   t.factors = {2, 1, 1};
   REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), t));
   const auto m = linear_part(p.probe().pose);
-  CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));  // a quarter turn, then twice as wide
+  CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
   CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0.5, 1, 0}) < 1e-15);
   CHECK(p.document().history.undo_label() == "move 2 probes");
@@ -110,9 +108,8 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   undo(p.document());
   CHECK(p.probe().pose == ProbePose{});
   CHECK_FALSE(differs_from_rest(p.document()));
-  // The cage is unchanged.
   CHECK(p.document().pose.positions == p.document().cage->surface.positions);
-  // Rotates about its carried position.
+  // The probe rotates about its position on the moved cage.
   p.document().carried.resize(2);
   p.document().carried[0].place = {1, 5, 0}, p.document().carried[1].place = {-1, 5, 0};
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
@@ -135,7 +132,7 @@ TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing"
   CHECK(p.probe() == before);
   Transform grow;
   grow.factors = {1e12, 1, 1};
-  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));  // limited
+  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));
   CHECK(is_probe_stretch(p.probe().pose.stretch));
 }
 
@@ -165,7 +162,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   CHECK(test::run_command(p.w, "remove_probe"));
   REQUIRE(p.document().probes.all.size() == 1);
   CHECK(p.probe() == locked);
-  CHECK_FALSE(test::run_command(p.w, "remove_probe"));  // the selection is empty
+  CHECK_FALSE(test::run_command(p.w, "remove_probe"));
 }
 
 TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
@@ -180,13 +177,12 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
 }
 
 TEST_CASE("the_axis_of_symmetry_is_found") {
-  // A cube with one side pushed in is symmetric across the other two axes; a second push leaves one.
+  // A cube that is deformed along two axes is symmetric only across the third axis.
   for (std::size_t kept = 0; kept < 3; ++kept) {
     mesh::Surface surface = test::CubeFiles::subdivided_cube();
     for (auto& p : surface.positions) {
-      for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
         if (axis != kept && p[axis] > 0) p[axis] *= 1 + 0.5 * std::abs(p[(axis + 1) % 3] + p[(axis + 2) % 3]);
-      }
     }
     Document document;
     document.model.bounds = mesh::used_bounds(surface);
@@ -209,8 +205,8 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   CHECK(test::edit_count(p.document().history) == edits + 1);
   CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
-  CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // locked
-  // Other probes, or another part, are separate edits; a falloff keeps every radius.
+  CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // the probe is locked
+  // Changing other probes or another part is another edit. A new falloff keeps the radii.
   p.select({1});
   set_radius(p.document(), &Probe::turn, 0.5);
   set_radius(p.document(), &Probe::move, 0.6);
@@ -278,7 +274,7 @@ TEST_CASE("probes_are_picked_and_boxed_where_they_are_seen") {
   CHECK(p.document().selection.size() == 2);
   CHECK(test::run_command(p.w, "select_vertices"));
   CHECK(p.document().selection.empty());
-  CHECK_FALSE(test::run_command(p.w, "select_all"));  // without a cage
+  CHECK_FALSE(test::run_command(p.w, "select_all"));  // the document has no cage
 }
 
 TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_another_cage_only") {
@@ -300,7 +296,7 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     CHECK_FALSE(has_unsaved_edits(back));
     REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
     CHECK(is_kept());
-    CHECK(has_unsaved_edits(back));  // no file contains them together with this cage
+    CHECK(has_unsaved_edits(back));  // no session file has the probes together with this cage
     REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
     CHECK_FALSE(back.document.mask);

@@ -1,4 +1,3 @@
-// Elements of cages and derived selections.
 #include "document/elements.h"
 
 #include <doctest/doctest.h>
@@ -13,13 +12,11 @@ using Numbers = std::vector<std::uint32_t>;
 
 namespace {
 
-// n by n quads in a plane.
 mesh::Surface plane_of_quads(std::uint32_t n) {
   mesh::Surface s;
   s.polygon_starts = {0};
-  for (std::uint32_t y = 0; y <= n; ++y) {
+  for (std::uint32_t y = 0; y <= n; ++y)
     for (std::uint32_t x = 0; x <= n; ++x) s.positions.push_back({1.0 * x, 1.0 * y, 0.1 * (x == 0)});
-  }
   for (std::uint32_t y = 0; y < n; ++y) {
     for (std::uint32_t x = 0; x < n; ++x) {
       const std::uint32_t v = y * (n + 1) + x;
@@ -37,7 +34,7 @@ Selection some(ElementKind kind, const Numbers& indices) {
 
 constexpr ElementKind kinds_of_cages[] = {ElementKind::vertex, ElementKind::edge, ElementKind::face};
 
-// Two separate quads and an unused vertex.
+// Returns a cage of two separate quads and an unused vertex.
 deform::Cage two_quads() {
   mesh::Surface surface;
   for (int i = 0; i < 9; ++i)
@@ -62,7 +59,7 @@ TEST_CASE("growing_adds_what_is_next_to_it_and_shrinking_takes_it_away_again") {
     CHECK(shrunk(cage, all).empty());
     all.select_all(element_count(cage, kind));
     CHECK(grown(cage, all) == all);
-    CHECK(shrunk(cage, all) == all);  // the boundary stays
+    CHECK(shrunk(cage, all) == all);  // the boundary of the cage stays selected
   }
 }
 

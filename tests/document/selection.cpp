@@ -1,9 +1,7 @@
-// Selection edits; hidden elements; selection sets, through cage edits and sessions.
 #include "document/selection.h"
 
 #include <doctest/doctest.h>
 
-#include "document/cage_editing.h"
 #include "document/edit.h"
 #include "document/elements.h"
 #include "interact/grip.h"
@@ -30,7 +28,6 @@ Selection vertices(Indices indices) {
   return selection;
 }
 
-// An empty history without unsaved edits.
 Workspace saved_cube() {
   Workspace w = test::cube_workspace();
   mark_saved(w);
@@ -44,7 +41,7 @@ TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
   const unsigned long edits = w.document.history.revision();
   CHECK(test::run_command(w, "select_all"));
   set_selection(w.document, vertices({1, 2}));
-  set_selection(w.document, vertices({1, 2}));  // no change
+  set_selection(w.document, vertices({1, 2}));
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK(w.document.history.revision() == edits);
   CHECK(w.document.history.undo_label() == "select");
@@ -54,7 +51,7 @@ TEST_CASE("selecting_is_undone_and_redone_and_is_no_work_that_could_be_lost") {
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.selection.empty());
   CHECK_FALSE(test::run_command(w, "undo"));
-  CHECK(test::run_command(w, "select_faces"));  // no edit while nothing is selected
+  CHECK(test::run_command(w, "select_faces"));  // is not an edit, because no element is selected
   CHECK_FALSE(w.document.history.can_undo());
   CHECK(test::run_command(w, "redo"));
   CHECK(test::run_command(w, "redo"));
@@ -77,7 +74,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   redo(w.document);
   CHECK(w.document.selection == vertices({7}));
   undo(w.document);
-  // Dragged out and back: only the selection changes.
+  // If the vertex is dragged out and back, only the selection changes.
   mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
   CHECK(w.document.selection == vertices({7}));
   CHECK(w.document.history.undo_label() == "select");
@@ -98,7 +95,7 @@ TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
   CHECK(test::run_command(w, "invert_selection"));
   CHECK(w.document.selection.empty());
-  // A face with a hidden corner is visible, but that corner stays.
+  // A face with a hidden corner can be selected and moved, but the corner does not move.
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.size() == 12);
@@ -170,7 +167,7 @@ TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_a
   CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
   REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
-  // A new vertex between two of a set belongs to it.
+  // A new vertex between two vertices of a set is in the set.
   select_set(w.document, 0, SelectMode::replace);
   CHECK(test::run_command(w, "split_edges"));
   CHECK(w.document.groups.sets[0].vertices.size() > 3);

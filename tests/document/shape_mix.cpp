@@ -23,7 +23,7 @@ struct Shapes {
       : rest(std::move(surface)), pool(1), space(rest, pool) {}
 
   SharedShape shape(double degrees) const { return shared(turned(rest.positions, degrees)); }
-  // One vertex is pulled out, so that it is no rigid motion.
+  // Moves one vertex, so that the shape is not a rigid motion.
   SharedShape pulled(double degrees) const {
     Points points = rest.positions;
     points[7][2] += 0.5;
@@ -86,7 +86,7 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   CHECK(notes.empty());
   s.mixed({{flat, 0.5}}, false, &notes);
   REQUIRE(notes.size() == 1);
-  CHECK(notes[0] == "triangles that fold over or collapse, which follow their neighbours: 36");
+  CHECK(notes[0] == "triangles that fold over or collapse and therefore follow their neighbours: 36");
   s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
   CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
   notes.clear();

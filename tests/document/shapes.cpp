@@ -1,4 +1,4 @@
-// Shapes of the model in a document: added, mixed, saved in sessions, combined with cages, and posed by pins.
+// Tests shapes of the model: import, mixing, sessions, cages and pins.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -9,9 +9,7 @@
 #include "document/probes.h"
 #include "document/record.h"
 #include "document/time_edit.h"
-#include "files/session.h"
 #include "formats/write.h"
-#include "support/data.h"
 #include "support/distance.h"
 #include "support/files.h"
 #include "support/folder.h"
@@ -35,7 +33,7 @@ using What = OpenRequest::What;
 
 constexpr double quarter_turn = 1.5707963267948966;
 
-// A bar along y of square rings; bending its end keeps the length of its center line.
+// A bar of square rings along y.
 struct BarFiles : test::TemporaryFolder {
   static constexpr int rings = 17;
   mesh::Surface bar;
@@ -60,7 +58,7 @@ struct BarFiles : test::TemporaryFolder {
     write("bar.obj", bar.positions);
   }
 
-  // About z, along an arc.
+  // Bends the bar about z along an arc that keeps the length of the center line.
   Points bent(double angle) const {
     Points points;
     const double length = bar.positions.back()[1], radius = length / angle;
@@ -88,7 +86,6 @@ struct BarFiles : test::TemporaryFolder {
   bool weigh(std::size_t pose, double weight) {
     return set_weight(document(), w.playback.vectors, pose, weight);
   }
-  // The center of the end.
   mesh::Point tip() const {
     mesh::Point sum{0, 0, 0};
     for (std::size_t i = shape().size() - 4; i < shape().size(); ++i) sum = sum + 0.25 * shape()[i];
@@ -100,7 +97,7 @@ struct BarFiles : test::TemporaryFolder {
     formats::write(*this / "cage.obj", cage);
     return *this / "cage.obj";
   }
-  // Like a drag, as one edit, with its effects.
+  // Moves a pin like a drag.
   void move_pin(std::size_t pin, const mesh::Vec3& way) {
     record_edit(document(), "move a pin");
     document().changed_probes().all[pin].pose.move = document().probes.all[pin].pose.move + way;
@@ -128,9 +125,9 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   CHECK(f.document().is_movable());
   CHECK(f.document().library.poses[0].name == "left");
   REQUIRE(f.weigh(0, 1));
-  CHECK(f.document().shape == f.document().library.poses[0].pose->shape);  // the same object
+  CHECK(f.document().shape == f.document().library.poses[0].pose->shape);
   REQUIRE(f.weigh(0, 0.5));
-  CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);  // half as far along the arc
+  CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);
   const Points half = f.shape();
   REQUIRE(set_straight(f.document(), f.w.playback.vectors, true));
   const Points rest = f.bar.positions, left = f.bent(quarter_turn);
@@ -141,12 +138,12 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
   undo(f.document());
   CHECK(f.shape() == half);
   CHECK(!f.document().timeline.straight);
-  REQUIRE(f.weigh(1, -0.5));  // the other one bends the other way
+  REQUIRE(f.weigh(1, -0.5));
   CHECK(f.tip()[0] > BarFiles().bent(quarter_turn / 2)[66][0]);
   REQUIRE(f.weigh(0, -1.5));
   REQUIRE(f.weigh(0, 0));
   REQUIRE(f.weigh(1, 0));
-  CHECK(!f.document().shape);  // exactly at rest
+  CHECK(!f.document().shape);
   while (f.document().history.can_undo()) undo(f.document());
   CHECK(f.document().library.poses.empty());
   while (f.document().history.can_redo()) redo(f.document());
@@ -186,7 +183,7 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   CHECK(f.document().library.poses.size() == 6);
   REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());
-  // A folder: all fitting files, except the model itself.
+  // From a folder, all fitting files except the model itself are imported.
   REQUIRE(open_now(f.w, {What::shapes, {f / "."}}));
   CHECK(f.document().library.poses.size() == 3);
 }
@@ -203,7 +200,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   set_key(f.document(), 20);
   f.add_pin_at(30);
   set_pulls(f.document(), true);
-  f.document().pose.positions[2][0] += 0.25;  // with a posed cage
+  f.document().pose.positions[2][0] += 0.25;
   const fs::path file = f / "all.viete";
   REQUIRE(save_session(f.w, file));
   CHECK(!has_unsaved_edits(f.w));
@@ -217,7 +214,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   for (std::size_t i = 0; i < 2; ++i) CHECK(*b.timeline.keys[i].pose == *a.timeline.keys[i].pose);
   CHECK(b.pose.positions == a.pose.positions);
   CHECK(!has_unsaved_edits(again));
-  // Shared data is written once: two shapes from files in single precision, and a mixed one.
+  // Each shape is written once: two imported shapes and a mixed shape.
   const std::string text = test::file_bytes(file);
   std::size_t shapes = 0;
   for (std::size_t at = 0; (at = text.find("\"float", at)) != std::string::npos; ++at) ++shapes;
@@ -237,7 +234,7 @@ TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go")
   f.document().changed_pose().positions[0][1] -= 0.3;
   f.document().put_shape(nullptr);
   keep_pose(f.document(), "of the cage");
-  REQUIRE(f.weigh(0, 0.5));  // both at once
+  REQUIRE(f.weigh(0, 0.5));
   REQUIRE(f.weigh(2, 0.5));
   CHECK(f.document().shape);
   mesh::Surface cage = test::cube(3);
@@ -273,7 +270,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   f.open();
   f.add_bends();
   for (const std::uint32_t v : {0u, 2u, 66u}) f.add_pin_at(v);
-  f.add_pin_at(2);  // exists already
+  f.add_pin_at(2);  // selects the existing pin
   REQUIRE(f.document().probes.all.size() == 3);
   CHECK(!f.document().shape);
   f.w.handling.freedom = 0.3;
@@ -281,8 +278,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   REQUIRE(f.document().shape);
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{1, -0.3, 0})) < 1e-6);
   CHECK(mesh::norm(f.shape()[0] - f.bar.positions[0]) < 1e-6);
-  CHECK(f.document().library.poses[0].weight - f.document().library.poses[1].weight >
-        0.2);  // shown by the sliders
+  CHECK(f.document().library.poses[0].weight - f.document().library.poses[1].weight > 0.2);
   const SharedShape first = f.document().shape;
   f.move_pin(2, {0.4, -0.3, 0});
   const SharedShape second = f.document().shape;
@@ -294,14 +290,14 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   f.settle_pins();
   CHECK(f.document().shape == second);
   CHECK(f.document().library.poses[0].weight == weight);
-  // A slider continues from there and moves the pins.
+  // A weight slider changes this shape and moves the pins.
   REQUIRE(f.weigh(0, weight + 0.1));
   CHECK(largest_distance(f.shape(), *second) < 0.5);
   CHECK(largest_distance(f.shape(), *second) > 0.01);
   const Probe& pin = f.document().probes.all[2];
   CHECK(pin.place + pin.pose.move == f.shape()[66]);
   f.settle_pins();
-  // Continues from there without a jump.
+  // A small move of the pin after that does not make the shape jump.
   const Points before = f.shape();
   f.move_pin(2, {0.001, 0, 0});
   CHECK(largest_distance(f.shape(), before) < 0.02);
@@ -314,7 +310,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
   f.move_pin(2, {0.5, 0, 0});
   REQUIRE(f.document().shape);
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{0.5, 0, 0})) < 1e-6);
-  double longest = 0;  // rings keep their size
+  double longest = 0;
   for (std::size_t r = 8; r < 60; r += 4)
     longest = std::max(longest, std::abs(mesh::norm(f.shape()[r] - f.shape()[r + 2]) - std::sqrt(0.32)));
   CHECK(longest < 0.06);

@@ -2,11 +2,9 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "base/error.h"
-#include "document/edit.h"
 #include "document/record.h"
 #include "support/edits.h"
 #include "support/posed_cube.h"
@@ -55,7 +53,7 @@ TEST_CASE("frames_out_of_range_and_too_many_keys_are_refused_and_change_nothing"
   for (int i = 0; i < int(Timeline::most_keys); ++i)
     t.timeline().keys.push_back({i, shared_pose(t.document)});
   CHECK_THROWS_AS(set_key(t.document, 20000), base::Error);
-  set_key(t.document, 5);  // an existing key
+  set_key(t.document, 5);  // replaces a key
   CHECK(t.edits() == 1);
   CHECK_THROWS_AS(move_keys(t.document, t.timeline(), Frames{1}, Frames{Timeline::largest_frame + 1}),
                   base::Error);
@@ -67,13 +65,13 @@ TEST_CASE("moved_keys_take_the_place_of_others_and_one_drag_is_one_edit") {
   t.timeline() = test::three_keys();
   const Timeline start = t.timeline();
   for (int step = 1; step <= 20; ++step) move_keys(t.document, start, Frames{1}, Frames{1 + step});
-  CHECK(t.frames() == Frames{11, 21, 31});  // moving across 11 has not replaced it
+  CHECK(t.frames() == Frames{11, 21, 31});  // crossing frame 11 did not replace its key
   CHECK(t.edits() == 1);
   CHECK(t.timeline().keys[1].pose == start.keys[0].pose);
   move_keys(t.document, start, Frames{1}, Frames{11});
   CHECK(t.frames() == Frames{11, 31});
   CHECK(t.timeline().keys[0].pose == start.keys[0].pose);
-  // Another drag, even of the same key, is another edit.
+  // A second drag of the same key is another edit.
   const Timeline then = t.timeline();
   move_keys(t.document, then, Frames{11}, Frames{12});
   CHECK(t.edits() == 2);

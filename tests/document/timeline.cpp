@@ -12,7 +12,7 @@ using namespace viete::document;
 
 namespace {
 
-// A timeline that interpolates one number: the value of each key stands for its pose.
+// A timeline that interpolates one number per key instead of the poses.
 struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;
@@ -97,7 +97,7 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
     CHECK(n.slope(frame, -1e-5) == doctest::Approx(n.slope(frame, 1e-5)).epsilon(1e-4));
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   CHECK(n.slope(50, -1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // Uneven keys of a constant motion: constant between the inner ones.
+  // With uneven keys of a constant motion, the speed is constant except in the first and the last interval.
   EasedKeys even;
   for (const int frame : {0, 1, 7, 9, 30}) even.add(frame, 2.5 * frame);
   for (double frame = 1; frame <= 9; frame += 0.25) CHECK(even.at(frame) == doctest::Approx(2.5 * frame));
@@ -129,7 +129,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   CHECK(std::abs(n.slope(1, 1e-5)) > 0.1);
   n.timeline.repeat = Repeat::once;
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // In a loop, a wheel keyed over one whole turn rotates at constant speed.
+  // In a loop, a wheel with keys over one whole turn rotates at constant speed.
   EasedKeys wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =
@@ -145,7 +145,7 @@ TEST_CASE("playing_goes_by_seconds_and_ends_loops_or_turns_round") {
   CHECK(*played(t, 11, 0.5, backward) == doctest::Approx(16));
   CHECK(*played(t, 30, 0.1, backward) == doctest::Approx(31));
   CHECK_FALSE(played(t, 30, 0.2, backward));
-  CHECK(*played(t, -50, 0.5, backward) == doctest::Approx(16));  // from the first frame on
+  CHECK(*played(t, -50, 0.5, backward) == doctest::Approx(16));  // starts at the first frame
   t.repeat = Repeat::loop;
   CHECK(*played(t, 30, 0.2, backward) == doctest::Approx(12));
   CHECK(*played(t, 30, 0.2 + 2e6, backward) == doctest::Approx(12));  // a million loops
@@ -178,7 +178,7 @@ TEST_CASE("cameras_go_smoothly_from_key_to_key") {
     CHECK(pose.distance > 0);
     yaw = pose.yaw;
   }
-  // Beyond the vertical it stays at the top.
+  // The spline overshoots, but the pitch stays at most vertical.
   t.cameras = {camera(1, 0), camera(11, 0), camera(21, 0), camera(31, 0)};
   t.cameras[1].camera.pitch = t.cameras[2].camera.pitch = 1.57f;
   for (double frame = 1; frame < 31; frame += 0.5) CHECK(camera_at(t, frame)->pitch <= 1.5707964f);

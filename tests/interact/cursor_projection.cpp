@@ -51,9 +51,8 @@ TEST_CASE("a_place_on_an_axis_is_found_again_from_its_pixel") {
     const glm::dvec3 p(0.4, -0.3, 0.7);
     const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
-      for (const double t : {-0.5, 0.0, 0.01, 0.8}) {
+      for (const double t : {-0.5, 0.0, 0.01, 0.8})
         CHECK(projection.along(axis, pixel(c, p + t * axis)) == doctest::Approx(t).epsilon(1e-5));
-      }
     }
   }
 }
@@ -63,7 +62,7 @@ TEST_CASE("an_axis_that_points_at_the_eye_does_not_run_away") {
   const glm::dvec3 p(c.pose().target);
   const CursorProjection projection(p, c, test::viewport);
   CHECK(projection.along(projection.to_eye(), {900, 100}) == 0);
-  // Beyond the vanishing point of a receding axis the length stays finite and keeps its sign.
+  // If the cursor is beyond the vanishing point, the distance is finite and keeps its sign.
   const glm::dvec3 away = glm::normalize(glm::dvec3(c.forward()) + 0.3 * glm::dvec3(c.right()));
   const double far =
       projection.along(away, projection.at() + 10000.0 * glm::normalize(projection.motion(away)));
@@ -94,7 +93,7 @@ TEST_CASE("an_edge_on_ring_has_no_angle_but_its_near_side_follows_the_cursor") {
   c.animate(1);
   const CursorProjection projection(glm::dvec3(c.pose().target), c, test::viewport);
   CHECK_FALSE(projection.angle({1, 0, 0}, {700, 300}));
-  // Moved up, the near side of a wheel about +x rotates backwards.
+  // Moving the near side of a ring about +x upwards is a negative rotation.
   CHECK(projection.edge_on_angle({1, 0, 0}, {0, -84}, 84) == doctest::Approx(-1));
 }
 

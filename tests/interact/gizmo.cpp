@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include "interact/axis_widget.h"
-#include "interact/grip.h"
 #include "support/cube.h"
 #include "support/grips.h"
 #include "support/viewport.h"
@@ -33,9 +32,8 @@ DragGuides guides(Tool tool, Constraint constraint, const char* typed) {
 }
 
 const AxisBall& ball(const AxisWidget& widget, int axis, bool positive) {
-  for (const auto& b : widget.balls) {
+  for (const auto& b : widget.balls)
     if (b.axis == axis && b.positive == positive) return b;
-  }
   FAIL("no such ball");
   return widget.balls[0];
 }
@@ -50,8 +48,7 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
                                      camera(0.65f, 0.32f, distance, orthographic), test::viewport);
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
-        // Perspective enlarges an arm that points at the viewer in proportion to its nearness: a few per
-        // cent.
+        // In perspective, an arm that points at the viewer is a few per cent longer.
         CHECK(length ==
               doctest::Approx(glm::distance(reference.center, reference.arms[i].tip)).epsilon(0.06));
       }
@@ -85,9 +82,8 @@ TEST_CASE("rings_are_hit_on_the_viewers_side_and_the_outer_one_all_around") {
     CHECK(front >= 46);
     CHECK(front <= 52);
   }
-  for (const auto& d : {glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(-0.6f, 0.8f)}) {
+  for (const auto& d : {glm::vec2(1, 0), glm::vec2(0, -1), glm::vec2(-0.6f, 0.8f)})
     CHECK(pick_handle(gizmo, gizmo.center + gizmo_view_ring * d) == Constraint{});
-  }
   CHECK_FALSE(pick_handle(gizmo, gizmo.center + glm::vec2(130, 0)));
 }
 
@@ -148,7 +144,7 @@ TEST_CASE("the_widget_is_at_the_top_right_and_its_balls_point_where_the_axes_do"
   CHECK(ball(widget, 1, true).at.y < widget.center.y - 20);
   CHECK(ball(widget, 2, true).nearness == doctest::Approx(1));
   CHECK(ball(widget, 2, false).nearness == doctest::Approx(-1));
-  CHECK(widget.ball(widget.center)->positive);  // the nearest one
+  CHECK(widget.ball(widget.center)->positive);
   CHECK_FALSE(axis_widget(camera, {{400, 100}, {320, 0}, {80, 74}}));
 }
 

@@ -10,7 +10,6 @@
 #include "interact/placing.h"
 #include "mesh/surface.h"
 #include "support/cube.h"
-#include "support/grips.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -18,7 +17,7 @@ using namespace viete::interact;
 
 namespace {
 
-// An arm along x: square rings at x = 0, 1, 2 ... 9, four vertices each.
+// An arm of square rings at x = 0, 1, 2 ... 9, with four vertices each.
 Document arm() {
   Document document = test::cube_document();
   std::vector<mesh::Point> points;
@@ -57,8 +56,7 @@ Transform quarter_about(const Grip& grip, int axis) {
   return t;
 }
 
-// A strip of quads along x, two units apart in y, folded back over itself halfway, so that its ends are
-// close.
+// A strip of quads along x, folded in the middle, so that the ends of the strip are near each other.
 deform::Cage hairpin() {
   std::vector<mesh::Point> points;
   std::vector<mesh::Triangle> triangles;
@@ -87,11 +85,11 @@ TEST_CASE("a_joint_is_the_boundary_with_the_largest_remaining_part") {
   select(document, 24, 40);  // rings 6 to 9
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
   check_near(anchor_of(document, {}, nullptr, camera).center, {7.5, 0, 0});
-  select(document, 24, 32);  // rings 6 and 7: six rings stay on the left, two on the right
+  select(document, 24, 32);  // rings 6 and 7; six other rings are on the left, two on the right
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {6, 0, 0});
   select(document, 4, 12);
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {2, 0, 0});
-  select(document, 0, 40);  // everything: no joint
+  select(document, 0, 40);  // the whole cage, so there is no joint
   check_near(anchor_of(document, {.pivot = Pivot::joint}, nullptr, camera).center, {4.5, 0, 0});
 }
 
@@ -133,11 +131,11 @@ TEST_CASE("a_placed_point_is_the_pivot_and_the_median_where_none_is_placed") {
 
 TEST_CASE("axes_are_of_length_1_and_right_handed_whatever_is_asked_for") {
   Document document = arm();
-  select(document, 24, 40);  // four rings: longest along x
+  select(document, 24, 40);  // four rings, longest along x
   for (const Axes axes : {Axes::world, Axes::view, Axes::selection}) {
     const Anchor a = anchor_of(document, {.axes = axes}, nullptr, Camera());
     const glm::dmat3 square = glm::transpose(a.axes) * a.axes;
-    for (int k = 0; k < 3; ++k) check_near(square[k], glm::dmat3(1)[k], 1e-6);  // the camera uses float
+    for (int k = 0; k < 3; ++k) check_near(square[k], glm::dmat3(1)[k], 1e-6);
     check_near(glm::cross(a.axes[0], a.axes[1]), a.axes[2], 1e-6);
     if (axes == Axes::selection) check_near(a.axes[0], {1, 0, 0}, 1e-9);
   }
@@ -147,7 +145,7 @@ TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   Document document = arm();
   const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
   REQUIRE(mirror->unpaired() == 0);
-  document.selection.apply(std::array{37u}, SelectMode::replace);  // (9, 1, -1); partner 38 (9, 1, 1)
+  document.selection.apply(std::array{37u}, SelectMode::replace);  // at (9, 1, -1); its partner is 38
   const Grip grip = grip_of(document, {.mirror = MirrorPlane::z}, &*mirror, Camera());
   CHECK(vertices_of(grip) == std::vector<std::uint32_t>{37, 38});
   Transform t;
@@ -164,7 +162,7 @@ TEST_CASE("one_side_leads_if_both_are_selected") {
   const auto mirror = mirror_of(*document.cage, MirrorPlane::z);
   select(document, 36, 40);
   CHECK(leading_vertices(document, &*mirror).size() == 2);
-  document.selection.apply(std::array{36u}, SelectMode::add);  // z = -1 is active
+  document.selection.apply(std::array{36u}, SelectMode::add);  // the active vertex is at z = -1
   CHECK(leading_vertices(document, &*mirror) == std::vector<std::uint32_t>{36, 37});
   const Grip grip = grip_of(document, {}, &*mirror, Camera());
   check_near(grip.anchor.center, {9, 0, -1});
@@ -177,7 +175,7 @@ TEST_CASE("one_side_leads_if_both_are_selected") {
 TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   Document document = arm();
   std::vector<mesh::Point> points = document.cage->surface.positions;
-  for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // two rows are now on z = 0, and are their own partners
+  for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // moves two rows onto the mirror plane z = 0
   mesh::Surface surface = document.cage->surface;
   surface.positions = points;
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
@@ -202,18 +200,18 @@ TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   Handling handling;
   handling.soft = {.on = true, .radius = 4 / document.space.diagonal(), .curve = SoftCurve::linear};
   const Grip grip = grip_of(document, handling, nullptr, Camera());
-  CHECK(grip.vertices.size() == 16);  // rings 6 to 9; ring 5 is at the radius
+  CHECK(grip.vertices.size() == 16);  // rings 6 to 9
   Transform t;
   t.shift = {0, 0, 2};
   REQUIRE(transform_selection(document, Tool::move, grip, t));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // three quarters of 2
-  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // a quarter
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // moved by three quarters of 2
+  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // moved by a quarter of 2
   CHECK(document.pose.positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());
   REQUIRE(transform_selection(document, Tool::rotate, turning, quarter_about(turning, 0)));
-  // Ring 7 rotates by half of 90 degrees: (y, z) = (-1, -1) to (0, -sqrt 2).
+  // Ring 7 rotates by 45 degrees: (y, z) = (-1, -1) moves to (0, -sqrt 2).
   CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
   CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
 }

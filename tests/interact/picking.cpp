@@ -48,7 +48,7 @@ TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels_or_by_a_box
     CHECK(pick_index(w, at + glm::vec2(0, 7.5f)) == i);
     CHECK_FALSE(pick_index(w, at + glm::vec2(0, 8.5f)));
     CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, at + 2.0f, at - 2.0f) ==
-          std::vector<std::uint32_t>{i});  // from any corner
+          std::vector<std::uint32_t>{i});
   }
 }
 
@@ -61,7 +61,7 @@ TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
   w.camera.set_pose(pose);
   const mesh::Point back{0, 0, -1}, front{0, 0, 1};
   w.document.pose.positions.assign(8, back);
-  w.document.pose.positions[5] = front;  // less than 2 pixels from the others
+  w.document.pose.positions[5] = front;  // less than 2 pixels from the other vertices
   for (const auto& p : {back, front}) CHECK(pick_index(w, pixel(w, p)) == 5u);
 }
 
@@ -86,7 +86,7 @@ TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front
   for (const bool orthographic : {false, true}) {
     Workspace w = front_cube(ElementKind::edge);
     w.camera.set_orthographic(orthographic);
-    const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // on the upper front edge, between vertices 6 and 7
+    const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // on the edge between vertices 6 and 7
     for (const float off : {0.0f, -7.5f}) {
       const auto found = pick(w, middle + glm::vec2(0, off));
       REQUIRE(found);
@@ -101,7 +101,7 @@ TEST_CASE("the_face_in_front_is_picked_inside_and_eight_pixels_around_the_cage")
   for (const bool orthographic : {false, true}) {
     Workspace w = front_cube(ElementKind::face);
     w.camera.set_orthographic(orthographic);
-    CHECK(pick(w, pixel(w, {0.9, -0.9, 1.5}))->index == 2);  // the triangles of the front are 2 and 3
+    CHECK(pick(w, pixel(w, {0.9, -0.9, 1.5}))->index == 2);  // triangles 2 and 3 are at the front
     CHECK(pick(w, pixel(w, {0.9, 1.2, 1.5}))->index == 3);
     const glm::vec2 top = pixel(w, {0.2, 1.5, 1.5});
     CHECK(pick(w, top + glm::vec2(0, -7)));
@@ -121,7 +121,7 @@ TEST_CASE("from_inside_the_cage_the_visible_parts_of_faces_and_edges_are_picked"
   REQUIRE(back);
   CHECK(back->index < 2);
   const Workspace w = inside(ElementKind::edge, 0.5f);     // the front of the cage is behind the eye
-  const auto found = pick(w, pixel(w, {1.5, 1.5, -1.0}));  // on the edge between 3, at the back, and 7
+  const auto found = pick(w, pixel(w, {1.5, 1.5, -1.0}));  // on the edge between vertices 3 and 7
   REQUIRE(found);
   CHECK(has(w, found->index, {3, 7}));
 }

@@ -1,10 +1,9 @@
-// Box, lasso and brush over a coarse and a dense cage, through it or for visible elements only.
+// Tests selecting with box, lasso and brush.
 #include "interact/picking.h"
 
 #include <doctest/doctest.h>
 
 #include <array>
-#include <chrono>
 
 #include "document/edit.h"
 #include "document/elements.h"
@@ -23,12 +22,11 @@ namespace {
 struct Hand : test::Mouse {
   using test::Mouse::Mouse;
 
-  // The vertex nearest to the eye.
+  // Returns the vertex nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
-    for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v) {
+    for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v)
       if (seen(v).z < seen(best).z) best = v;
-    }
     return best;
   }
   std::size_t selected() const { return w.document.selection.size(); }
@@ -202,9 +200,9 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     hand.drag({205, 5}, {995, 775});
     const double share =
         static_cast<double>(hand.selected()) / static_cast<double>(element_count(hand.w.document, kind));
-    CHECK(share > 0.35);  // a close ball shows less than half
+    CHECK(share > 0.35);  // from near, less than half of a ball is visible
     CHECK(share < 0.52);
-    // Visible, with a margin near the silhouette.
+    // Elements near the silhouette are not tested.
     const glm::vec3 eye = hand.w.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
       const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));
@@ -219,7 +217,7 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   Hand hand(test::cube_workspace());
   auto& cage = hand.w.document.changed_pose().positions;
   for (auto& p : cage) {
-    for (double& x : p) x *= 0.2;  // inside the model
+    for (double& x : p) x *= 0.2;  // moves the cage into the model
   }
   hand.w.view.select_visible = true;
   hand.drag({205, 5}, {995, 775});
@@ -229,5 +227,5 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   hand.w.view.model = false;
   hand.w.camera.set_orthographic(true);
   hand.drag({205, 5}, {995, 775});
-  CHECK(hand.selected() == 7);  // the eighth is hidden by the cage
+  CHECK(hand.selected() == 7);  // the cage hides the eighth vertex
 }

@@ -29,7 +29,6 @@ void check_point(const mesh::Point& p, const mesh::Point& q) {
   for (std::size_t i = 0; i < 3; ++i) CHECK(p[i] == doctest::Approx(q[i]).epsilon(1e-9));
 }
 
-// Shapes all of the cube's vertices.
 void shape_cube(Document& document, Shape shape, double amount) {
   document.selection.select_all(8);
   Grip grip = test::plain_grip(document);
@@ -60,7 +59,7 @@ TEST_CASE("a_bent_bar_keeps_the_length_of_its_middle_and_ends_at_its_angle") {
   // A quarter circle of length 4 has the radius 8 / pi.
   const double radius = 8 / std::acos(-1.0);
   check_point(shaped(along_x, 90, {5, 0, 0}), {1 + radius, radius, 0});
-  check_point(shaped(along_x, 90, {0, 3, 2}), {0, 3, 2});  // before the fixed end
+  check_point(shaped(along_x, 90, {0, 3, 2}), {0, 3, 2});  // points before the fixed end do not move
 }
 
 TEST_CASE("a_twisted_bar_turns_evenly_about_its_way") {

@@ -7,7 +7,6 @@
 #include "deform/cage_state.h"
 #include "document/document_state.h"
 #include "document/edit.h"
-#include "interact/anchor.h"
 #include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/cube.h"
@@ -82,7 +81,7 @@ TEST_CASE("turns_keep_lengths_and_scales_keep_the_pivot") {
 TEST_CASE("a_whole_turn_leaves_the_cage_at_rest_but_is_an_edit_that_can_be_undone") {
   Document document = selected_cube();
   transform_selection(document, Tool::move, test::plain_grip(document), {});
-  CHECK_FALSE(document.history.can_undo());  // nothing moved
+  CHECK_FALSE(document.history.can_undo());
   transform_selection(document, Tool::rotate, test::plain_grip(document), turn(360));
   CHECK(document.pose.positions == document.cage->surface.positions);
   CHECK(document.pose.turns[0][1] == doctest::Approx(360 * degree));
@@ -103,7 +102,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       for (auto& p : document.pose.positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
       document.pose.positions[3][2] += 0.7;
       const auto posed = document.pose.positions;
-      const auto shown = [&] {  // as a frame does
+      const auto shown = [&] {  // updates the turns like a displayed frame
         deform::CageState state(document.cage, document.scheme.weighting.elements, document.scheme.blend);
         state.set_pose(document.pose);
         document.pose.turns = state.report().turns;
@@ -165,9 +164,7 @@ TEST_CASE("absurd_amounts_neither_hang_nor_leave_the_range_of_numbers") {
 TEST_CASE("an_edit_stays_within_what_can_be_drawn_whatever_the_size_and_place_of_the_model") {
   for (const double size : {1e-30, 1.0, 1e20}) {
     Document document = selected_cube();
-    for (auto* points : {&document.pose.positions}) {
-      for (auto& p : *points) p = {p[0] * size + 7 * size, p[1] * size, p[2] * size};
-    }
+    for (auto& p : document.pose.positions) p = {p[0] * size + 7 * size, p[1] * size, p[2] * size};
     document.space = {{7 * size, 0, 0}, 2 / (size * std::sqrt(12.0))};
     const auto before = document.pose.positions;
     Transform far;
@@ -188,7 +185,7 @@ TEST_CASE("turns_add_up_to_what_a_session_can_hold_and_no_further") {
   while (times < 1000 &&
          transform_selection(document, Tool::rotate, test::plain_grip(document), turn(most_degrees)))
     ++times;
-  CHECK(times > 100);  // about 6283 radians each
+  CHECK(times > 100);
   CHECK(times < 1000);
   const auto turns = document.pose.turns;
   CHECK(std::hypot(turns[0][0], turns[0][1], turns[0][2]) <= deform::largest_turn);
@@ -207,7 +204,7 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     const DocumentState before = state_of(slowly);
     const Grip grip = test::plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
-      place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump of 40 is followed
+      place(slowly, before, grip, turn(seen + 10), seen - 30);  // 40 degrees need several steps
     }
     CHECK(at_once.pose.positions == slowly.pose.positions);
     for (int i = 0; i < 3; ++i)

@@ -4,13 +4,9 @@
 
 #include <cmath>
 
-#include "document/edit.h"
-#include "interact/anchor.h"
 #include "interact/grip.h"
 #include "interact/number_entry.h"
-#include "interact/picking.h"
 #include "support/cube.h"
-#include "support/edits.h"
 #include "support/grips.h"
 
 using namespace viete;
@@ -57,12 +53,12 @@ struct Drag {
   }
 };
 
-// On a circle about the center on screen.
+// Moves the cursor on a circle around the center.
 void go_round(Drag& d, double degrees, float radius = 100) {
   const glm::vec2 center = d.center();
   const int steps = static_cast<int>(std::abs(degrees) / 10);
   for (int i = 1; i <= steps; ++i) {
-    const double a = -degrees * i / steps * pi / 180;  // y points down
+    const double a = -degrees * i / steps * pi / 180;  // negative, because y points down on screen
     d.input.cursor = center + radius * glm::vec2(std::cos(a), std::sin(a));
     d.update();
   }
@@ -116,11 +112,10 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
               CursorProjection(glm::dvec3(d.view_center()), d.w.camera, d.w.viewport).motion(direction));
       const glm::vec2 sideways(-on_screen.y, on_screen.x);
       const glm::vec2 expected = d.center() + glm::vec2(on_screen);
-      d.move(glm::vec2(on_screen) + 0.3f * sideways);  // motion across the axis does not count
+      d.move(glm::vec2(on_screen) + 0.3f * sideways);  // motion across the axis has no effect
       CHECK(glm::distance(d.center(), expected) < 0.05f);
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i)
         if (i != axis) CHECK(d.moved(6)[i] == 0);
-      }
       CHECK(d.moved(6)[axis] > 0);
       CHECK(d.moved(6)[axis] == doctest::Approx(d.moved(7)[axis]));
       CHECK(d.moved(0) == mesh::Point{0, 0, 0});
@@ -134,8 +129,8 @@ TEST_CASE("a_plane_move_stays_in_its_plane_and_under_the_cursor") {
     const glm::vec2 before = d.center();
     d.move({20, -15});
     CHECK(d.moved(6)[axis] == 0);
-    CHECK(glm::distance(d.center() - before, glm::vec2(20, -15)) <
-          2.5f);  // the grabbed point, 14 pixels away, follows exactly
+    // The point under the cursor, 14 pixels from the center, follows exactly.
+    CHECK(glm::distance(d.center() - before, glm::vec2(20, -15)) < 2.5f);
   }
 }
 
@@ -144,7 +139,7 @@ TEST_CASE("going_round_and_back_is_as_it_was") {
   const auto rest = d.w.document.pose.positions;
   const glm::vec2 center = d.center();
   for (int i = -72; i <= 72; ++i) {
-    const double a = (72 - std::abs(i)) * pi / 18;  // two turns and back
+    const double a = (72 - std::abs(i)) * pi / 18;  // two turns forward, then two turns back
     d.input.cursor = center + 100.0f * glm::vec2(std::cos(a), std::sin(a));
     d.update();
     if (i == 0) CHECK(std::abs(d.drag->transform().degrees) == doctest::Approx(720).epsilon(1e-4));
@@ -201,7 +196,7 @@ TEST_CASE("typed_numbers_replace_the_mouse_until_they_are_deleted") {
   d.move({-200, -100});
   CHECK(d.moved(6)[1] == 0);
   CHECK(d.moved(6)[0] != -0.5);
-  d.type("x");  // again: unconstrained
+  d.type("x");  // removes the constraint
   CHECK(std::abs(d.moved(6)[0] - by_mouse[0]) < 1e-6);
 }
 
@@ -225,7 +220,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   d.type("0");
   d.type("0");
   CHECK(d.w.document.pose.turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
-  d.drag->type('x');  // another axis: turns start again
+  d.drag->type('x');  // with another axis, turns are counted from 0
   d.update();
   CHECK(d.w.document.pose.turns[0][0] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   CHECK(std::abs(d.w.document.pose.turns[0][1]) < 1e-9);
