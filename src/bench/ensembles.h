@@ -33,8 +33,7 @@ inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
 }
 
-/// Returns a matrix with these eigenvalues, up to rounding, and with the columns of a random rotation as
-/// eigenvectors.
+/// Returns a matrix with these eigenvalues, up to rounding, and with random orthonormal eigenvectors.
 template <class T>
 Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   const auto v = random_rotation(random);
@@ -100,8 +99,7 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Matrices with eigenvalues from `lowest` to lowest + spread. The middle eigenvalue is at either end, near
-/// it, halfway or arbitrary.
+/// Matrices with eigenvalues from `lowest` to lowest + spread; the third is at an end, near it, or anywhere.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

@@ -47,8 +47,7 @@ struct Figures {
   Halfway shapes;
 };
 
-/// Measures one figure after the other, so that they do not disturb each other. Throws base::Error and
-/// base::Cancelled.
+/// Measures the figures one after the other. Throws base::Error and base::Cancelled.
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress);
 
 /// Returns all measurements in the JSON format of the benchmarks.

@@ -25,8 +25,8 @@ struct ShapesOfModel {
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes);
 
-/// Returns the root mean square of log(length in shape / geometric mean of the lengths in a and b) over all
-/// edges that have a length.
+/// Returns the root mean square of log(length in shape / geometric mean of lengths in a and b) over all
+/// edges. Skips edges without length.
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
@@ -39,9 +39,8 @@ struct ShapePicture {
 
 /// Results halfway from rest to each shape, in log space and linearly.
 struct Halfway {
-  /// One row per shape. "edges": see edge_error(). "volume": relative to the smaller of the volumes at rest
-  /// and in the shape; NaN if the model encloses no volume. "volumes": the same ratio at 21 evenly spaced
-  /// moments from rest to the shape.
+  /// One row per shape. "edges": see edge_error(). "volume": relative to the smaller of both volumes; NaN if
+  /// the model encloses no volume. "volumes": the same ratio at 21 even steps from rest to the shape.
   nlohmann::json rows;
   std::size_t most_lost = 0;           ///< row of the shape that loses most volume by linear interpolation
   std::vector<ShapePicture> pictures;  ///< from rest to that shape

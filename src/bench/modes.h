@@ -78,8 +78,7 @@ inline constexpr double exactly = 1e-9;
 /// Returns the model's vertices in a pose of the cage.
 using Deform = std::function<std::vector<mesh::Point>(const deform::Pose&)>;
 
-/// Returns the largest distance of a vertex from its image under the pose's map, in diagonals of the posed
-/// cage.
+/// Returns the largest distance of a vertex from its image under the map, in diagonals of the posed cage.
 double deviation(const WholePose& pose, const deform::Cage& cage, std::span<const mesh::Point> model,
                  const Deform& deform);
 
@@ -96,8 +95,8 @@ struct CagePoint {
 /// Returns for each point the nearest point of the cage at rest.
 std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const mesh::Point> points,
                                        base::WorkerPool& pool);
-/// Returns the mean distance of the points from the posed positions of these cage points, weighted by shares
-/// with sum 1, in diagonals of the cage at rest.
+/// Returns the mean distance of the points from the posed positions of these cage points, in diagonals of the
+/// cage at rest. The mean is weighted by shares, whose sum is 1.
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
@@ -139,8 +138,7 @@ OverPoses over_poses(const Mode& mode, double ShapeQuality::*value);
 
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses);
 
-/// Prints one table of the schemes and one per pose, and a summary if there are several poses. Throws
-/// base::Error.
+/// Prints the tables of the schemes and of each pose, and a summary of several poses. Throws base::Error.
 void bench_modes(const ModelOptions& options, ModeSettings settings);
 
 }  // namespace viete::bench

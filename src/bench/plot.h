@@ -65,8 +65,8 @@ struct Plot {
   std::string unit = " ns";  ///< unit of the bars
   bool compared = true;      ///< show bars relative to the first one
   std::string across = "matrices in a batch";
-  /// True: curves on axes from 0 to 1, without end values. False: both axes are logarithmic, and values that
-  /// are not positive are not drawn.
+  /// True: axes from 0 to 1, no end values. False: logarithmic axes; values that are not positive are
+  /// skipped.
   bool linear = false;
 };
 

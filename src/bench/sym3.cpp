@@ -110,7 +110,7 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
           f * y * z - s * x, f * x * z - s * y, f * y * z + s * x, c + f * z * z};
 }
 
-/// Returns w = a / (2 sin a) times the antisymmetric part of R, where cos a = (tr R - 1) / 2, with a case for
+/// Returns w = a / (2 sin a) times the antisymmetric part of R, with cos a = (tr R - 1) / 2 and a case for
 /// small angles. Inaccurate near half turns.
 sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));

@@ -48,8 +48,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for c from 0 to 1, with an error of 4e-17 before rounding. The polynomial
-// in 1 - c interpolates at Chebyshev points.
+// Returns acos(c) / sqrt(1 - c^2) for c from 0 to 1 with an error of 4e-17, interpolated at Chebyshev points.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,

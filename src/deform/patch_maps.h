@@ -15,14 +15,13 @@ namespace viete::deform {
 ///
 ///     M = (sum w (p' - c') (p - c)^T) K^-1 = sum (p' - c') g^T,
 ///     K = sum w (p - c) (p - c)^T,    g = w K^-1 (p - c).
-///
 /// A patch starts with the vertices that share a polygon with c. It grows by rings until its vertices spread
 /// in all directions: the least singular value of all sqrt(w) (p - c) must be at least a tenth of the
 /// largest. Usually one ring suffices. A patch stops growing at 256 vertices and at the end of its part. The
 /// weight w = 1 / (e^2 + |p - c|^2) keeps the fit local; e is 3 % of `size`, the size of the cage.
 ///
 /// Every patch reproduces any affine pose of the whole cage. A patch that is flat to a thousandth of its size
-/// uses the normal as third direction, as face_maps() does, and then reproduces only similarities. A vertex
+/// uses the normal as third direction, as face_maps() does, and reproduces only similarities. A vertex
 /// without polygons gets the identity.
 class VertexPatches {
 public:
@@ -40,8 +39,7 @@ public:
   };
   std::span<const Member> members(std::size_t patch) const { return patches_[patch].members; }
 
-  /// Changes only the maps of the patches in `which`. A patch without moved vertices gets exactly I. maps and
-  /// posed have one entry per vertex of the cage.
+  /// Changes only the maps of the patches in `which`. maps and posed have one entry per vertex of the cage.
   void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
                std::span<AffineMap> maps) const;
 

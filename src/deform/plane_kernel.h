@@ -1,5 +1,4 @@
-// Vector code for small matrices of a block of triangles. A plane has one entry of all the matrices.
-// Internal.
+// Vector code for small matrices of a block of triangles. A plane has one entry of all these matrices.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +12,7 @@ namespace viete::deform {
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// The number of adjacent triangles that are summed separately. It does not depend on the register width, so
-/// that all computers add in the same order.
+/// The number of adjacent triangles that are summed separately, so that all computers add in the same order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -34,8 +32,8 @@ struct PlaneKernel {
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
   /// m = the sum over three sides of weight_k posed_k side_k^T.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// s = exp(X) and m = r exp(Y) s, for logs X and Y. r is one matrix by rows, or null for I. Prefetches the
-  /// twelve planes of `next`.
+  /// s = exp(X) and m = r exp(Y) s, for logs X and Y. r is one matrix by rows, or null for I. Prefetches
+  /// `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// Computes the images of two directions u and v under exp(Y) exp(X), where X and Y are weighted sums of
   /// `count` logs, and the derivatives of the images by the weights. group[number][group_size] contains u, v,

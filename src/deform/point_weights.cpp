@@ -14,8 +14,7 @@ namespace {
 constexpr double least_near =
     1.0 / 512;  // in diagonals of the cage: float coordinates have the size of a leaf
 
-// v minus its component along the unit vector, normalised, orthogonal to the last bits; 0 if only rounding
-// errors remain.
+// Returns v without its part along the unit vector, normalised; 0 if only rounding errors remain.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
   const Vec3 across = v - dot(v, unit) * unit;
   if (!(largest_abs(across) > 1e-14 * largest_abs(v))) return {0, 0, 0};
@@ -32,8 +31,7 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// For an edge from (x, y) in the triangle's coordinates: the affine functions along it and to its left, and
-// its length.
+// Sets the affine functions along an edge from (x, y) and to its left, and its length.
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
   length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;

@@ -11,18 +11,16 @@
 
 namespace viete::deform {
 
-// Vector code computes distances from triangles in a special form, because mesh::closest_on_triangle() has
-// branches, which lanes cannot have, and finds the closest point, which is not needed. Each triangle has its
-// own coordinates: origin a, x along its longest edge a b, y inward in its plane, z along its normal. The
-// squared distance of a point (x, y, z) is
+// Vector code computes distances from triangles without branches, unlike mesh::closest_on_triangle(). Each
+// triangle has its own coordinates: origin a, x along its longest edge a b, y inward in its plane, z along
+// its normal. The squared distance of a point (x, y, z) is
 //
 //     z^2                               if (x, y) is inside, left of all three edges;
 //     z^2 + the least of e_1, e_2, e_3  otherwise; e_i is the squared distance from (x, y) to edge i.
 //
 // Let t be the coordinate along an edge of length L, and s the distance from its line. Then
 // e = (t - clamp(t, 0, L))^2 + s^2. For edge a b, t = x and s = y; for the others, t and s are affine in x
-// and y, with three coefficients each. Rounding may misclassify an (x, y) near an edge, where both formulas
-// give the same result. There is no division.
+// and y. Rounding may misclassify an (x, y) near an edge, where both formulas give the same result.
 
 /// Accepts any triangle whose longest side is at most about 1. A triangle without area becomes its longest
 /// edge or a point. Writes the origin of the triangle's coordinates.
@@ -73,10 +71,10 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 /// Mean value weights of the cage's vertices at p, with sum 1. Positions blended with them reproduce affine
 /// poses of closed cages. Each triangle's mean vector, the integral of the unit directions that it covers, is
 /// split along the directions to its corners. Over a closed cage the mean vectors cancel, so the weights
-/// reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). If p is nearer to the cage than
-/// cage.contact, the weights are barycentric. If the sum of weights vanishes, which is possible outside or
-/// for open cages, writes the weights of the closest point of the cage and returns false. weights has one
-/// entry per vertex of the cage. Thread-safe.
+/// reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). Nearer to the cage than cage.contact,
+/// the weights are barycentric. If their sum vanishes, which is possible outside or for open cages, writes
+/// the weights of the closest point of the cage and returns false. weights has one entry per vertex.
+/// Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform

@@ -71,8 +71,7 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used");
 }
 
-// The STL reader numbers vertices by their first use in the faces. This is the cage's order only if the faces
-// are the same.
+// The STL reader numbers vertices by first use in the faces: the cage's order only if the faces are the same.
 void refuse_permuted(const formats::ReadResult& read, const Cage& cage, const std::string& file) {
   const formats::Format* format = formats::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;

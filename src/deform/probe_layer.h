@@ -39,8 +39,8 @@ public:
   bool moves() const { return moves_; }
   /// Grows when weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex. shares() returns them in probe order, or an empty list if all near
-  /// probes are at rest.
+  /// The weights of one probe at a vertex. shares() lists them by probe; empty if all near probes are at
+  /// rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
@@ -58,8 +58,7 @@ public:
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// The absolute places of the probes on the displayed model. The last carry() and all other probes move a
-  /// place; the probe's own motion does not.
+  /// The absolute places of the probes on the displayed model, after carry() and all motions but their own.
   std::vector<mesh::Point> places() const;
   /// The places after the last carry() alone, relative to its origin.
   std::span<const Vec3> carried() const { return places_; }
@@ -91,8 +90,6 @@ private:
 /// its motion, with its own weight, and one with its place for the pivot:
 ///
 ///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
-///
-/// Only leaves that a probe affects have rows.
 class ProbeTiles {
 public:
   /// Updates the weights if the layer's weights changed.

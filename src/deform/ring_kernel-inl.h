@@ -304,8 +304,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// All slots of a block, starting at `begin`, finish each step before the next one. This hides the latency of
-// roots and quotients.
+// All slots of a block finish each step before the next one, which hides the latency of roots and quotients.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

@@ -24,7 +24,6 @@ struct RowShape {
   /// exact weights sum to 1, this only removes the compression error of the mean.
   std::size_t with_mean;
   /// First of the three columns with the handles' centres, or `columns`. See Shares in binding.h.
-  /// binding.h.
   std::size_t center;
 };
 

@@ -1,5 +1,4 @@
-// Schemes: the weights and the blend that deform a model, their names, and how choices of a user are
-// combined.
+// Schemes: the weights and the blend that deform a model, their names, and how users' choices are combined.
 #pragma once
 
 #include <optional>
@@ -74,8 +73,7 @@ struct Weighting {
   double radius = 0.25;  ///< the radius of cut-off weights, in sizes of the cage
 
   double used_radius() const { return partial() ? radius : 0; }
-  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1; the rest of its
-  /// share stays at rest, see Shares in binding.h.
+  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1, see Shares.
   bool partial() const { return weights == Weights::cut_off; }
   /// True if negative weights are set to 0 and the others rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
@@ -85,8 +83,7 @@ struct Weighting {
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 removes it, 1 keeps it, 2 doubles it. Centres
-/// do not change.
+/// Factors of each map's rotation and stretch in log space: 0 removes it, 1 keeps it, 2 doubles it.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -140,8 +137,7 @@ struct PartialChoice {
 /// True if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
-/// Returns all compatible pairs of weights and blend, in the order of the tables. They have default numbers
-/// and are not stitched.
+/// Returns all compatible pairs of weights and blend in the order of the tables, not stitched.
 std::vector<Scheme> valid_schemes();
 
 /// Returns the names of weights and blend as on the command line: "inverse, srl".

@@ -25,12 +25,10 @@ public:
       : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
-  /// Moves the displacements of all vertices, scaled by the mask. Uses the binding's tiles if there are
-  /// tiles.
+  /// Moves the displacements of all vertices, scaled by the mask. Uses the binding's tiles if it has some.
   std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                  base::WorkerPool& pool);
-  /// Moves the displacements of a block's vertices. The block must have weights but no displacements of its
-  /// own. Thread-safe between poses.
+  /// Moves the displacements of the vertices of a block without own displacements. Thread-safe between poses.
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:

@@ -42,7 +42,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation nearest to the mean of the maps, from their area-weighted sum; 0 if there is no such
+// Returns the rotation nearest to the mean of the maps, from their area-weighted sum; 0 without such a
 // rotation.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);

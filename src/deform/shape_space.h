@@ -1,5 +1,4 @@
-// Shapes of a model as vectors of the logs of its triangles' maps. In-between shapes rotate, while linear
-// interpolation would collapse them.
+// Shapes of a model as vectors of its triangles' logs, so that in-between shapes rotate and do not collapse.
 #pragma once
 
 #include <cstdint>

@@ -15,8 +15,7 @@
 namespace viete::deform {
 
 /// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales them by the shares
-/// and completes the centres. sums must have its final size. Each sum adds the handles in order, so the bits
-/// are the same for any division into ranges.
+/// and completes the centres. sums must have its final size. The bits do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
 /// Does the part of blend() after the products.

@@ -30,9 +30,8 @@ std::vector<std::size_t> vertices_of(const Entries& entries) {
 
 }  // namespace
 
-// The maps M of a block of triangles. If the form has rotations and stretches, M = rotation stretch;
-// otherwise rotation is M and stretch is I. Stored as [entry][triangle], so that vector code runs along the
-// triangles.
+// The maps M of a block of triangles as M = rotation stretch, or as rotation = M and stretch = I. Stored as
+// [entry][triangle], so that vector code runs along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
   static constexpr std::size_t ahead = 12;  // prefetch distance of rows, in triangles
@@ -205,8 +204,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// R is the rotation nearest to sum_i x'_i (S g_i)^T. It maximises tr R^T sum_i x'_i (S g_i)^T, the only term
-// of the triangle's energy that depends on R.
+// The rotation R nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, the only term of the
+// triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;

@@ -21,8 +21,7 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. The share of a pinned vertex
-  /// also scales the motion of the pin's target.
+  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' targets.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.
@@ -71,8 +70,7 @@ private:
 /// sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form
-  /// must be logs or maps, iterations 1 or more.
+  /// binding and stitching must belong to one model, cage and kind of elements. form must be logs or maps.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -83,7 +81,7 @@ public:
   /// Positions of the last frame, in double, relative to its rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// The blended positions of these vertices in the last frame before stitching, relative to its rows'
+  /// The blended positions of these vertices in the last frame before stitching, relative to the rows'
   /// origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;

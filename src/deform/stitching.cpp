@@ -231,8 +231,7 @@ private:
 
 }  // namespace
 
-// Returns the area times the gradients of the hat functions of the first two corners: rows of the triangle's
-// stiffness matrix times its corners.
+// Computes rows of the triangle's stiffness matrix times its corners.
 std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }

@@ -30,9 +30,8 @@ enum class Storage {
   lists,    ///< only handles with weight in the leaf; lossless
 };
 
-/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. The logs of the
-/// pivots are blended first, and the logs of the other vertices are computed from them. (Block low rank by
-/// row interpolative decomposition.)
+/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. The pivots' logs
+/// are blended first, then the other logs from them. (Block low rank by row interpolative decomposition.)
 struct LeafFactors {
   std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
@@ -80,8 +79,8 @@ struct TiledBinding {
   /// The total number of weights. There must be lists.
   std::size_t listed_weights() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
-  /// Copies the stored weights of the vertex in a slot, with compression errors, to row. It has one per
-  /// handle.
+  /// Copies the stored weights of the vertex in a slot to row, with compression errors. row.size() ==
+  /// handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
   std::size_t bytes() const;        ///< size of weights or factors, read once per frame
   std::size_t dense_bytes() const;  ///< size without compression
@@ -102,11 +101,10 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 /// True if compression may pay for these sizes. (Handles that only translate are never compressed.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Computes weights leaf by leaf, in parallel. A full matrix of doubles never exists; with compression, no
-/// full matrix of floats exists either. Weights with a radius are stored as lists. Others are compressed with
-/// `tolerance` (0: never) if a sample of leaves predicts cheaper frames. `storage` overrides both. Results do
-/// not depend on the number of threads. Throws base::Error if free memory is insufficient or the model has no
-/// vertices; base::Cancelled.
+/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles or, if compressed, of floats.
+/// Weights with a radius are stored as lists. Others are compressed with `tolerance` (0: never) if a sample
+/// of leaves predicts cheaper frames. `storage` overrides both. Results do not depend on the number of
+/// threads. Throws base::Error if free memory is insufficient or the model has no vertices; base::Cancelled.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

@@ -30,8 +30,7 @@ struct VertexSum {
   bool has_logs = false;         ///< false: rows have another form; only weights are valid
 };
 
-/// Computes the sum at a vertex. Recomputes weights in double, but reads weights along the surface as stored.
-/// mask may be null.
+/// Computes the sum at a vertex. Recomputes weights in double, except along the surface. mask may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
@@ -59,8 +58,8 @@ private:
 /// Returns the error of a frame of these rows, and of the layer's probes unless layer is null: the largest
 /// distance from positions computed in double with exact weights, in diagonals of the cage, at the vertices
 /// of spread_vertices(n, error_sample). ways: the displacements of the shape, see Engine::set_shape(). shown:
-/// the vertices' positions in the frame, relative to the rows' origin. Takes about a millisecond. Weights
-/// along the surface must come from tiles.
+/// the vertices' positions in the frame, relative to the rows' origin. Weights along the surface must come
+/// from tiles. Takes about a millisecond.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);
