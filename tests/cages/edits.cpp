@@ -1,4 +1,4 @@
-// Manual edits of cages with concave polygons: the surface stays connected and keeps its volume.
+// Manual edits of cages with concave polygons: the surface stays connected and has the right volume.
 #include "cages/edit.h"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,3 @@
-// Checks cages around models of every kind, independently of the code that makes them.
 #include <doctest/doctest.h>
 
 #include "cages/judge.h"

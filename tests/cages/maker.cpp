@@ -109,7 +109,6 @@ void pause_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// Makes a cage in another thread.
 struct Work {
   base::Progress progress;
   std::atomic<bool> ended{false}, cancelled{false};

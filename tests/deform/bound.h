@@ -113,8 +113,7 @@ struct Frames {
     staged.deformer.set_probes(probes), fused.set_probes(probes);
   }
 
-  /// Returns the exact result. Checks that the fused or stitched engine, and the staged engine, agree with
-  /// it.
+  /// Returns the exact result. Checks that the engines agree with it.
   std::vector<mesh::Point> deform(const Pose& pose) {
     const auto exact = deform_exactly(staged.model, staged.cage, scheme, pose, sym3::Method::fast,
                                       staged.pool, nullptr, mask, probes, shape);

@@ -146,7 +146,6 @@ TEST_CASE("whole_turns_about_another_axis_are_kept_and_logs_are_coherent") {
       }
     }
   }
-  // The motion continues through full turns.
   std::vector<Vec3> turns{{0, 0, 360 * degree}};
   for (int a = 0; a <= 720; a += 10) turns = branches_of(cage, bent(cage, 20, a), turns).turns;
   CHECK(norm(turns[0] - Vec3{0, 0, 3 * 360 * degree}) < 1e-6);

@@ -17,7 +17,6 @@ namespace {
 
 constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// Returns `count` points without faces.
 mesh::Surface cloud(std::size_t count) {
   Random random(7);
   mesh::Surface surface;

@@ -18,7 +18,6 @@ namespace {
 using Points = std::vector<mesh::Point>;
 constexpr double holds = std::numeric_limits<double>::infinity();
 
-// A model with examples and pins.
 struct Posing {
   mesh::Surface rest;
   base::WorkerPool pool;

@@ -96,7 +96,6 @@ Vector nearest(const Vector& v, const Vector& other) {
 
 constexpr Matrix identity = quad_identity;
 
-// The map of a cage element.
 struct Element {
   Vector rest_center, center, turn{};  // turn: the log of the rotation
   Matrix map = identity, rotation = identity;
@@ -150,7 +149,6 @@ Lists triangles_by_edge(const mesh::Surface& cage) {
   return groups;
 }
 
-// All maps of one kind and their neighbours.
 struct Maps {
   std::vector<Element> elements;
   Lists around;
@@ -183,8 +181,7 @@ Quad size_of(const mesh::Surface& cage) {
   return 2 * farthest;
 }
 
-// Follows logs breadth-first from the first element. Also returns the sum of squared distances to
-// `reference`.
+// Follows logs breadth-first from the first element. Also sums the squared distances to `reference`.
 std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements, const Lists& around,
                                             const Vector& first, const Vector& reference) {
   std::vector<Vector> turns(elements.size());
@@ -249,7 +246,6 @@ void divide_by_sum(std::vector<Quad>& weights) {
   for (Quad& w : weights) w /= sum;
 }
 
-// Returns the squared distances to all handles.
 std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Elements elements) {
   std::vector<Quad> squares;
   const auto& x = cage.positions;
@@ -346,9 +342,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// Solves the normal equations sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T. Each point has a cloud
-// that its own map moves. v are the positive weights, m and m' the means. The rotation of a map B that does
-// not mirror is B (B^T B)^-1/2.
+// Solves sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, where each point has a cloud that its map
+// moves. v are the positive weights, m and m' the means. If B does not mirror, its rotation is B (B^T
+// B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);

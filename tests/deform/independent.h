@@ -30,10 +30,9 @@ struct IndependentFrame {
 /// Schaefer, Warren, SIGGRAPH 2005, figure 4). The identity about the point completes them to sum 1. Blends
 /// are exp(Y) exp(X) (x - sum w c) + sum w c', or the sum of maps. Moving least squares fits a general map, a
 /// similarity or a rotation to points about their means. The sum of weights scales displacements.
-///
 /// The cage must be one closed part, its triangles must have area at rest and posed, and no point may be on
-/// it. Logs follow their neighbours breadth-first, so the result is unique if largest_step is below a quarter
-/// turn. Ignores amounts and iterations of the scheme.
+/// it. Logs follow their neighbours, so the result is unique if largest_step is below a quarter turn. Ignores
+/// amounts and iterations of the scheme.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, const deform::Scheme& scheme);
 

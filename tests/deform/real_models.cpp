@@ -1,4 +1,3 @@
-// Tests of properties on real models, if the files are present.
 #include <doctest/doctest.h>
 
 #include "base/error.h"

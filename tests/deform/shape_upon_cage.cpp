@@ -1,4 +1,3 @@
-// Shapes deformed by a cage in every engine.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"

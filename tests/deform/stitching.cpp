@@ -66,8 +66,7 @@ Vec3 bent_pipe(const Vec3& x) {
   return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
 }
 
-// Returns the energy of positions for one map, by an independent computation: the sum over all triangles,
-// from gradients in the plane of each triangle.
+// Returns the energy of positions for one map, by independent formulas: gradients in each triangle's plane.
 double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
                       const sym3::Mat3<double>& map) {
   double sum = 0;

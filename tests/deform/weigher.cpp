@@ -27,7 +27,6 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-// Computes the weights from their definition.
 void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                     std::span<double> weights) {
   switch (weighting.weights) {

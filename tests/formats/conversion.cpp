@@ -123,9 +123,8 @@ TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
 TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
   // A strip of two quads in the plane z = 0 has one normal for all corners. Then it is bent at x = 1.
   const ReadResult flat = test::read_kept(
-      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\nf 2//1 3//1 "
-      "6//1 "
-      "5//1\n",
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\n"
+      "f 2//1 3//1 6//1 5//1\n",
       "obj");
   std::vector<Point> posed = flat.surface.positions;
   posed[2][2] = posed[5][2] = 1;
