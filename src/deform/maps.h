@@ -15,7 +15,7 @@
 
 namespace viete::deform {
 
-/// x' = linear (x - c) + center + origin. c is the element's rest centre. linear is stored by rows.
+/// Maps x to linear (x - c) + center + origin. c is the element's rest centre. linear is stored by rows.
 struct AffineMap {
   sym3::Mat3<double> linear;
   mesh::Vec3 center;  ///< posed centre minus the pose's origin
@@ -55,7 +55,7 @@ Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 /// which is exactly I if the element did not move.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
-/// The element's centroid at these positions, relative to origin.
+/// The element's centroid relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);
 
@@ -66,7 +66,7 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
-/// linear = rotation * exp(stretch) and rotation = exp(turn).
+/// The polar decomposition of a map: linear = rotation * exp(stretch) and rotation = exp(turn).
 struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
@@ -132,7 +132,6 @@ bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 ///
 /// choose_branches() chooses the branches of Y. If each call gets the report.turns of the call before, the
 /// logs follow a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
-///
 /// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Elements there
 /// that do not rotate rigidly together blend badly; `torn` lists them.
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,

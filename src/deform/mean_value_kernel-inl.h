@@ -20,11 +20,9 @@ using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
 // Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners (numbers modulo 3):
-//
 //     c_i = u_i+1 x u_i+2                        |c_i| the sine of the angle a_i between them
 //     m   = sum of (a_i / |c_i|) c_i / 2         the integral of the unit vectors over the spherical triangle
 //     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
-//
 // The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
 // of a corner is the sum of the s_i of its triangles, divided by its distance from p (Ju, Schaefer, Warren
 // 2005). The two triangles of an edge have the same c_i, except for its sign, and the same a_i / (2 |c_i|)
@@ -48,7 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for c from 0 to 1 with an error of 4e-17, interpolated at Chebyshev points.
+// Returns acos(c) / sqrt(1 - c^2), c from 0 to 1, to 4e-17 before rounding, interpolated at Chebyshev points.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -78,8 +76,7 @@ static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
 // The cage as seen from eight points. Each number is an array of bind_lanes values.
 struct Seen {
   double* directions;  // [corner][x y z, inverse distance]
-  double* edges;       // [edge][x y z of the cross product of its directions, half its angle over its sine,
-                       // squared sine]
+  double* edges;       // [edge][cross product of the directions x y z, angle / (2 sine), squared sine]
 };
 constexpr std::size_t corner_size = 4 * bind_lanes, edge_size = 5 * bind_lanes;
 

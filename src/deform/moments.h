@@ -17,8 +17,7 @@ namespace viete::deform {
 ///     x' = M (x - sum w p) + sum w p',
 ///     B = sum v (p' - m')(p - m)^T + l^2 sum v A,    K = sum v (p - m)(p - m)^T + l^2 sum v I.
 ///
-/// The map M is B K^-1 for `affine`. It is R for `rigid` and R tr S / tr K for `similar`, where B = R S is
-/// the polar decomposition.
+/// M is B K^-1 for `affine`. With B = R S (polar), M is R for `rigid` and R tr S / tr K for `similar`.
 ///
 /// The paper has only the first terms of B and K. They vanish if one point has all the weight, and have a
 /// lower rank if the weighted points lie in a plane; M would be undetermined. Therefore every point also adds
@@ -27,7 +26,6 @@ namespace viete::deform {
 /// flat); `rigid` and `similar` follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w p and w p': in K they could cancel others.
-///
 /// Computes the positions of the vertices [begin, end) in double, each independently. The shares scale the
 /// displacements. The form of the rows must be one of moments.
 void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,

@@ -1,6 +1,5 @@
 // Moving least squares in vector registers: computes positions from weights and rows of moments.
 // frame_kernel.cpp includes this file once per instruction set. (No #pragma once: see sym3/exp-inl.h.)
-//
 // Sums are formed in float relative to a point near each vertex's mean point, which avoids cancellation. Maps
 // are computed from the sums in double, because nearly flat or collinear points lose digits.
 #if defined(VIETE_DEFORM_MOMENTS_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
@@ -125,8 +124,7 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
 inline constexpr int fits_at_once = 2;
 
 // The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
-// line, S has two small stretches and cof S two large ones; a = |M| / |cof M| determines R well. M = 0 gives
-// I.
+// line, S has two small stretches and cof S two large; a = |M| / |cof M| determines R well. M = 0 gives I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

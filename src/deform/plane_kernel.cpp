@@ -130,8 +130,7 @@ static HWY_INLINE void put(const V (&six)[6], double* planes) {
 }
 
 // Computes the columns of the left Jacobian J v = v + p w x v + q w x (w x v) of a rotation vector w of
-// length a; p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics,
-// 2017, 7.1.5).
+// length a; p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics, 7.1.5).
 static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle<V>& half, Vector (&j)[3]) {
   const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
   const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);

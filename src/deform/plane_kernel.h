@@ -32,8 +32,7 @@ struct PlaneKernel {
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
   /// m = the sum over three sides of weight_k posed_k side_k^T.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// s = exp(X) and m = r exp(Y) s, for logs X and Y. r is one matrix by rows, or null for I. Prefetches
-  /// `next`.
+  /// s = exp(X) and m = r exp(Y) s for logs X and Y. r is a matrix by rows; null means I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// Computes the images of two directions u and v under exp(Y) exp(X), where X and Y are weighted sums of
   /// `count` logs, and the derivatives of the images by the weights. group[number][group_size] contains u, v,

@@ -32,7 +32,6 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& triangle);
 Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 
 /// weights[i] = w_i / sum of w_j, where w is 1 over the squared distance. Weights are in [0, 1] and sum to 1.
-///
 /// Only ratios of distances are used, so no length scale overflows. Distances below cage.contact are raised
 /// to it: at a point on the cage, the touching elements get equal weights and all others nearly 0. weights
 /// has one entry per element of this kind. Elements without extent (see HandleShape) get 0.
@@ -69,12 +68,12 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
                        std::span<double> weights);
 
 /// Mean value weights of the cage's vertices at p, with sum 1. Positions blended with them reproduce affine
+/// Mean value weights of the cage's vertices at p, with sum 1. Positions blended with them reproduce affine
 /// poses of closed cages. Each triangle's mean vector, the integral of the unit directions that it covers, is
 /// split along the directions to its corners. Over a closed cage the mean vectors cancel, so the weights
 /// reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). Nearer to the cage than cage.contact,
-/// the weights are barycentric. If their sum vanishes, which is possible outside or for open cages, writes
-/// the weights of the closest point of the cage and returns false. weights has one entry per vertex.
-/// Thread-safe.
+/// the weights are barycentric. If their sum vanishes (outside, or for open cages), writes the weights of the
+/// closest point of the cage and returns false. weights has one entry per vertex. Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform

@@ -11,9 +11,8 @@ namespace viete::deform {
 
 /// Reads positions from any format of formats::read(), turns from comment lines `viete turns: part 0: x y z`
 /// in radians. `part` is an index into cage.roots; missing turns are 0. Adds one line to warnings for faces
-/// that differ from the cage's, for elements without area, and for unreadable turns. Throws base::Error if
-/// the file cannot be read, or has another vertex count than the cage. Also throws for an STL file, which
-/// has no vertex order, if its faces differ from the cage's.
+/// that differ from the cage's, elements without area, and unreadable turns. Throws base::Error if the file
+/// cannot be read, has another vertex count, or is an STL file (without vertex order) with other faces.
 Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<std::string>& warnings);
 
 /// Writes the cage's polygons with the pose's positions. Turns that are not 0 get 17 digits, so that they

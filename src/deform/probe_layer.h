@@ -23,9 +23,7 @@ namespace viete::deform {
 /// Each probe has a rotation vector Y, a log stretch X, a translation t and a position q. q follows the
 /// model's vertex that is nearest to the probe at rest, so probes follow the cage. a, b, c and u are the
 /// probe's weights at the vertex, see probe_weights(). A mask scales a, b and c. A probe at rest leaves all
-/// bits of x unchanged.
-///
-/// Results do not depend on the number of threads.
+/// bits of x unchanged. Results do not depend on the number of threads.
 class ProbeLayer {
 public:
   /// rest must outlive this object and must not be empty.
@@ -39,8 +37,7 @@ public:
   bool moves() const { return moves_; }
   /// Grows when weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex. shares() lists them by probe; empty if all near probes are at
-  /// rest.
+  /// The weights of one probe at a vertex. shares() lists them by probe; it is empty if all near probes rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;

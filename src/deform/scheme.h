@@ -18,7 +18,7 @@ enum class Elements { face, point };
 std::string_view name(Elements elements);
 
 /// The weights of the handles at a vertex. (Smooth weights with bounds, such as bounded biharmonic weights,
-/// would need a solver for quadratic programs with 10^5 or more bounded unknowns. Debian 12 has none.)
+/// would need a solver for quadratic programs with 10^5 or more unknowns. Debian 12 has no such package.)
 enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 
 /// The quantities that are summed with the weights, and how the sums become a position.
@@ -83,7 +83,8 @@ struct Weighting {
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 removes it, 1 keeps it, 2 doubles it.
+/// Factors of each map's rotation and stretch in log space: 0 removes it, 2 doubles it. Centres do not
+/// change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -137,7 +138,7 @@ struct PartialChoice {
 /// True if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
-/// Returns all compatible pairs of weights and blend in the order of the tables, not stitched.
+/// Returns all compatible pairs of weights and blend in table order, with default numbers, not stitched.
 std::vector<Scheme> valid_schemes();
 
 /// Returns the names of weights and blend as on the command line: "inverse, srl".

@@ -70,7 +70,8 @@ private:
 /// sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// binding and stitching must belong to one model, cage and kind of elements. form must be logs or maps.
+  /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form
+  /// must be logs or maps, and iterations 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -81,8 +82,7 @@ public:
   /// Positions of the last frame, in double, relative to its rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// The blended positions of these vertices in the last frame before stitching, relative to the rows'
-  /// origin.
+  /// The blended positions of these vertices in the last frame before stitching, relative to its origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

@@ -30,8 +30,7 @@ inline constexpr double pin_strength = 0.03;
 /// factorisation, and three right-hand sides per pose.
 ///
 /// part_couplings() of strength c join near parts, cracks, and vertices at the same place. Each adds
-/// c |(x'_a - x'_b) - M (x_a - x_b)|^2 as a triangle (a, b, b). A model of one part that does not touch
-/// itself has no couplings.
+/// c |(x'_a - x'_b) - M (x_a - x_b)|^2 as a triangle (a, b, b).
 ///
 /// Results do not depend on the scene's size or its distance from the origin. Thin triangles count as in
 /// half_cotangents(). Every vertex is determined: vertices of parts without a pin are pulled to their blended

@@ -79,8 +79,7 @@ struct TiledBinding {
   /// The total number of weights. There must be lists.
   std::size_t listed_weights() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
-  /// Copies the stored weights of the vertex in a slot to row, with compression errors. row.size() ==
-  /// handles.
+  /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
   std::size_t bytes() const;        ///< size of weights or factors, read once per frame
   std::size_t dense_bytes() const;  ///< size without compression
@@ -94,8 +93,7 @@ struct TiledBinding {
 /// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// Returns a binding without weights: with leaves, rings, unit, rest, and space for offsets. Throws
-/// base::Error if the model has no vertices.
+/// Returns a binding with all parts but its weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
 /// True if compression may pay for these sizes. (Handles that only translate are never compressed.)

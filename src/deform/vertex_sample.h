@@ -58,8 +58,7 @@ private:
 /// Returns the error of a frame of these rows, and of the layer's probes unless layer is null: the largest
 /// distance from positions computed in double with exact weights, in diagonals of the cage, at the vertices
 /// of spread_vertices(n, error_sample). ways: the displacements of the shape, see Engine::set_shape(). shown:
-/// the vertices' positions in the frame, relative to the rows' origin. Weights along the surface must come
-/// from tiles. Takes about a millisecond.
+/// the vertices' positions relative to the rows' origin. Weights along the surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);
