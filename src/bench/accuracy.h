@@ -14,7 +14,7 @@ namespace viete::bench {
 /// Results of one method on one ensemble.
 struct Accuracy {
   double worst = 0;      ///< largest relative Frobenius error of the finite results
-  double nan_share = 0;  ///< part of NaN or infinite results where the true result is in range
+  double nan_share = 0;  ///< part of the results that should be finite but are not
 };
 
 struct AccuracyTable {

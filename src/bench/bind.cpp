@@ -113,7 +113,6 @@ void print(const BindRuns& runs, const std::vector<BenchResult>& results) {
         table);
 }
 
-// Checks the limits for generated cages.
 void check(const BindRuns& runs, const std::vector<BenchResult>& results, Bars& bars) {
   if (const double plain = time_of(results, "plain loops"); plain > 0) {
     bars.check("weights: plain loops / vectors", plain / time_of(results, "vectors"), 45, true);

@@ -17,7 +17,6 @@
 
 namespace viete::bench {
 
-/// Sizes of the measurements.
 struct ReportSizes {
   std::size_t matrices = 10'000'000;
   std::size_t samples = 16'384;  ///< matrices per row of errors

@@ -14,7 +14,6 @@
 
 namespace viete::bench {
 
-/// A model at rest, and shapes of it.
 struct ShapesOfModel {
   mesh::Surface rest;
   std::vector<std::string> names;

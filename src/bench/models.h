@@ -32,7 +32,6 @@ struct ModelOptions {
 /// Opens a model, and its cage if given, for frames in float. Throws base::Error.
 document::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
 
-/// The model of these options, and its cages.
 struct BenchModel {
   explicit BenchModel(const ModelOptions& options);
 

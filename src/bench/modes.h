@@ -32,9 +32,9 @@ struct NamedPose {
 
 /// Measures of a deformed model relative to the model at rest.
 struct ShapeQuality {
-  double energy = 0;          ///< Distortion
-  std::size_t collapsed = 0;  ///< Distortion
-  double bending = 0;         ///< RestModel::bending()
+  double energy = 0;          ///< see Distortion
+  std::size_t collapsed = 0;  ///< see Distortion
+  double bending = 0;         ///< see RestModel::bending()
   double volume = 1;          ///< relative to rest; NaN if the model encloses none
   double gap = 0;             ///< see bench::gap()
   double torn = 0;            ///< see bench::torn()
@@ -45,7 +45,7 @@ struct ShapeQuality {
 /// Results of one scheme.
 struct Mode {
   deform::Scheme scheme;
-  std::string problem;                  ///< why it is not available for this model and cage; empty: available
+  std::string problem;                  ///< why the scheme cannot be used with this model and cage; or empty
   std::array<double, 4> deviations{};   ///< one for each of whole_poses()
   double leak = 0;                      ///< see bench::leak()
   std::vector<ShapeQuality> qualities;  ///< one per pose

@@ -1,4 +1,3 @@
-// The results of all schemes, as tables and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,7 +13,6 @@ namespace viete::bench {
 
 namespace {
 
-// Explains the columns.
 constexpr const char* modes_legend =
     R"(  moved, rigid, similar, affine: largest distance of the model from a map of this kind that poses the
     whole cage, in diagonals; exact: below 1e-9

@@ -18,8 +18,6 @@
 
 namespace viete::bench {
 
-// viete bench exp|eigen|accuracy|sym3|frame|bind|modes.
-
 namespace {
 
 using namespace app;

@@ -65,8 +65,7 @@ struct Plot {
   std::string unit = " ns";  ///< unit of the bars
   bool compared = true;      ///< show bars relative to the first one
   std::string across = "matrices in a batch";
-  /// True: axes from 0 to 1, no end values. False: logarithmic axes; values that are not positive are
-  /// skipped.
+  /// True: axes from 0 to 1, no end values. False: logarithmic axes, which skip values of 0 or less.
   bool linear = false;
 };
 

@@ -1,4 +1,3 @@
-// The sections of the page.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -498,7 +497,6 @@ Section shapes_section(const Figures& figures) {
   return section;
 }
 
-// A value with its description.
 std::string tile(const std::string& value, const std::string& what) {
   return "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
 }
