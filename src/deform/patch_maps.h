@@ -39,7 +39,8 @@ public:
   };
   std::span<const Member> members(std::size_t patch) const { return patches_[patch].members; }
 
-  /// Changes only the maps of patches in `which`; unmoved patches get exactly I. maps, posed: one per vertex.
+  /// Changes only the maps of the patches in `which`. Patches without moved vertices get exactly I. maps and
+  /// posed have one entry per vertex of the cage.
   void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
                std::span<AffineMap> maps) const;
 

@@ -1,4 +1,4 @@
-// Vector code for small matrices of a block of triangles. A plane has one entry of all these matrices.
+// Vector code for small matrices of a block of triangles. A plane has one entry of all matrices.
 #pragma once
 
 #include <cstddef>

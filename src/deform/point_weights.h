@@ -28,7 +28,7 @@ DistanceTriangle<double> distance_triangle(const std::array<Vec3, 3>& corners, V
 
 DistanceTriangle<float> in_float(const DistanceTriangle<double>& triangle);
 
-/// Returns the shift that converts axes . point to coordinates of a triangle with this origin.
+/// Returns the shift that converts the products axes . point to coordinates of a triangle with this origin.
 Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 
 /// weights[i] = w_i / sum of w_j, where w is 1 over the squared distance. Weights are in [0, 1] and sum to 1.

@@ -48,8 +48,8 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
     if (read_turn(comment, turns)) {
       any = true;
     } else {
-      warnings.push_back(
-          file + ": this line of rotations does not fit the cage and was skipped: " + comment.substr(0, 80));
+      warnings.push_back(file + ": the rotations in this line do not fit the cage and are ignored: " +
+                         comment.substr(0, 80));
     }
   }
   return any ? turns : std::vector<Vec3>{};

@@ -29,7 +29,7 @@ constexpr ProbeMixEntry mixes[] = {
       "Scales the weights down where their sum exceeds 1, so two probes moved together act like one"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Scales the weights to sum 1 near any probe. Probes at rest keep their surroundings at rest"},
+      "Scales the weights to a sum of 1 near any probe. Probes at rest keep their surroundings at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest", "The nearest probe has most of the effect (softmax of the weights)"},
      ProbeMix::softmax},

@@ -53,8 +53,8 @@ struct ProbePose {
 /// Returns the pose, rotated further about the probe's place. Any angle is allowed. The axis must have length
 /// 1 and may differ from the axis of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
-/// Returns the pose scaled along the file's axes. Smaller factors become least_factor: no mirrors or
-/// collapse.
+/// Returns the pose scaled along the file's axes. Smaller factors become least_factor, so that the result
+/// neither mirrors nor collapses.
 inline constexpr double least_factor = 1e-3;
 ProbePose scaled(const ProbePose& pose, const Vec3& factors);
 /// Returns exp(Y) exp(X) by rows.

@@ -13,12 +13,12 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, where d is the distance to the element"},
+    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
                  Weights::inverse},
     WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
                  Weights::cut_off},
     WeightsEntry{{"harmonic", "Harmonic",
-                  "harmonic functions on the model's surface, 1 at the vertex nearest to the element"},
+                  "harmonic functions on the model's surface, 1 at the vertex nearest to the cage element"},
                  Weights::harmonic,
                  true},
     WeightsEntry{

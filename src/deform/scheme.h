@@ -138,7 +138,7 @@ struct PartialChoice {
 /// True if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
-/// Returns all compatible pairs of weights and blend in table order, with default numbers, not stitched.
+/// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
 std::vector<Scheme> valid_schemes();
 
 /// Returns the names of weights and blend as on the command line: "inverse, srl".

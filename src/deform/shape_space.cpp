@@ -18,7 +18,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// Below this ratio of its two smallest singular values' sum to the largest, the mean map has no rotation.
+// The least (s0 + s1) / s2 at which the mean map, with singular values s0, s1, s2, has a nearest rotation.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Differences from a neighbour's log, in radians, at which a rotation becomes doubtful and is fully replaced.

@@ -15,7 +15,7 @@
 namespace viete::deform {
 
 /// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales them by the shares
-/// and completes the centres. sums must have its final size. The bits do not depend on the ranges.
+/// and completes the centres. sums must have its final size. Any division into ranges gives the same bits.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
 /// Does the part of blend() after the products.

@@ -21,7 +21,7 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' targets.
+  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' motions.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.

@@ -96,7 +96,7 @@ Shares shares_of(const TiledBinding& binding);
 /// Returns a binding with all parts but its weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// True if compression may pay for these sizes. (Handles that only translate are never compressed.)
+/// True if compression may be worth its cost for these sizes. (It never is for handles that only move.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles or, if compressed, of floats.

@@ -55,8 +55,8 @@ private:
   std::vector<std::uint32_t> slots_;  // of the vertices, if weights are read from tiles
 };
 
-/// Returns the error of a frame of these rows, and of the layer's probes unless layer is null: the largest
-/// distance from positions computed in double with exact weights, in diagonals of the cage, at the vertices
+/// Returns the error of a frame of these rows and, unless layer is null, of its probes. It is the largest
+/// distance from positions computed in double with exact weights, in diagonals of the cage, over the vertices
 /// of spread_vertices(n, error_sample). ways: the displacements of the shape, see Engine::set_shape(). shown:
 /// the vertices' positions relative to the rows' origin. Weights along the surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
