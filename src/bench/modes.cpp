@@ -184,7 +184,7 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures in double, link by link. Has only one binding at a time, because these bindings are large.
+  // Measures in double, link by link. Keeps only one binding at a time, because they are large.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {

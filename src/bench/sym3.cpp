@@ -70,7 +70,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   for (const Method m : {Method::diag, Method::improved_sd})
     cases.push_back(batched(std::string(sym3::name(m)), 1, [&, m] { sym3::exp<T>(matrices, answers, m); }));
   cases.push_back(one_by_one("one by one", matrices, answers, [](const Sym3<T>& s) { return sym3::exp(s); }));
-  // Repeated, because a processor runs wide instructions slowly for the first 20 us or so.
+  // Repeats each case, because a processor runs wide instructions slowly for the first 20 us or so.
   for (const Kernel& k : sym3::kernels())
     cases.push_back(batched(std::string(k.name), 100,
                             [&, kernel = &k] { sym3::exp(in.view(), out.view(), in_cache, {kernel}); }));

@@ -8,7 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// If a part's turns differ by more radians from the mean of its logs, the logs cannot represent them.
+// If turns differ by more radians than this from the mean of a part's logs, logs cannot represent them.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {

@@ -52,7 +52,7 @@ void ProbeLayer::weigh() {
   });
 }
 
-// Stores nothing if all near probes are at rest, so that many of them with large radii need no memory.
+// Stores nothing if all near probes are at rest, so that many such probes with large radii need no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
   std::vector<ProbeWeights> weights(probes_.all.size());
   bool moves = false;

@@ -42,7 +42,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation nearest to the mean map, from the maps' area-weighted sum; 0 without such a rotation.
+// Returns the rotation nearest to the mean map, from the area-weighted sum of maps; 0 if none is nearest.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant

@@ -173,7 +173,7 @@ private:
     }
   }
 
-  // Writes the weights of a leaf to rows, which must have its final size, and sums and shares to w. Returns
+  // Writes the weights of a leaf to rows, and sums and shares to w. rows must have its final size. Returns
   // the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
@@ -357,7 +357,7 @@ private:
   TiledBinding b_;
   base::AlignedVector<float> surface_weights_;  // all vertices, for weights along the surface
   std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
-  double solved_ = 0;                           // part of the work that is solving for these weights
+  double solved_ = 0;                           // part of the work for solving these weights
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace viete::deform {
 
 namespace {
 
-// Converts arrays of arrays to the kernels' form.
+// Returns the numbers of arrays of arrays as the kernels need them.
 template <class Arrays>
 auto numbers(const Arrays& arrays) {
   using Array = typename Arrays::value_type;

@@ -58,7 +58,7 @@ private:
   Vec3 origin_;
   double scale_;  // a power of two: the cage's diagonal times it is near 1
   std::vector<Vec3> handles_;
-  std::vector<Vec3> corners_;  // the cage's; these and all members below are relative to origin_ and scaled
+  std::vector<Vec3> corners_;  // these and all members below are relative to origin_ and scaled
   // For distances: the handles as triangles, and the origins of their axes.
   std::vector<DistanceTriangle<double>> triangles_;
   std::vector<DistanceTriangle<float>> float_triangles_;

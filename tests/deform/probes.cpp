@@ -158,7 +158,7 @@ TEST_CASE("probes_share_a_vertex_by_their_mix") {
       CHECK(sum(w, &ProbeWeights::pivot) == doctest::Approx(1).epsilon(1e-14));
       if (mix != ProbeMix::partial) CHECK(sum(w, &ProbeWeights::turn) == doctest::Approx(1).epsilon(1e-14));
     }
-    // The nearer probe gets at least its part of the sum of both weights.
+    // Softmax gives the nearer probe at least the part that division by the sum gives.
     const double even = a / (a + b), sharp = w[0].turn;
     CHECK((even > 0.5 ? sharp >= even : even < 0.5 ? sharp <= even : sharp == doctest::Approx(0.5)));
   }
