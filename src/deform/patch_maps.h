@@ -49,7 +49,7 @@ private:
 
   const Cage& cage_;
   mesh::Adjacency triangles_;       // triangles around each vertex
-  std::vector<Vec3> rest_normals_;  // length: the size of the adjacent triangles
+  std::vector<Vec3> rest_normals_;  // normal() of each vertex at rest
   std::vector<Patch> patches_;
 };
 

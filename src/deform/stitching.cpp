@@ -24,7 +24,7 @@ namespace viete::deform {
 namespace {
 
 constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
-constexpr double found_pins = 0.5;  // part of the time
+constexpr double found_pins = 0.5;  // part of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
 constexpr double indistinguishable = 1e-9;  // smaller differences of distances count as 0; in diagonals
@@ -135,7 +135,7 @@ private:
   void hold_the_rest() {
     const std::size_t n = model_.positions.size();
     mesh::UnionFind parts(n);
-    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // by vertex; by part number
+    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // one per vertex; one per part
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
       const auto& [a, b, c] = model_.triangles[t];
@@ -174,7 +174,7 @@ private:
     Leaves leaves = make_leaves(p, std::vector<std::uint32_t>(p.size(), 0));
     const std::vector<std::uint32_t> places = slots_of(leaves);
     s.order = std::move(leaves.order);
-    s.order.resize(p.size());  // without padding
+    s.order.resize(p.size());  // removes the padding
     s.triangles = mesh::proper_triangles(model_);
     const auto first_place = [&](const mesh::Triangle& t) {
       return std::min({places[t[0]], places[t[1]], places[t[2]]});

@@ -55,7 +55,7 @@ struct Stitching {
   std::vector<Vec3> cotangents;
   /// g of the first two corners of each triangle; the three g sum to 0.
   std::vector<std::array<Vec3, 2>> gradients;
-  mesh::Adjacency around;  ///< for each vertex in the order: 3 t + corner of its triangles t
+  mesh::Adjacency around;  ///< for each vertex in `order`: 3 t + corner of its triangles t
   std::vector<Pin> pins;
   Binding pinned;  ///< for the pins: rest, rest_origin, offsets from the handle's centre, without weights
   std::vector<Hold> holds;

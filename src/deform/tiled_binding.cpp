@@ -16,7 +16,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t fewest_handles = 32;  // for compression
+constexpr std::size_t fewest_handles = 32;  // with fewer handles, weights are not compressed
 constexpr double worth_factoring = 0.7;     // factors must need less than this part of the multiply-adds
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
@@ -355,7 +355,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   TiledBinding b_;
-  base::AlignedVector<float> surface_weights_;  // all vertices, for weights along the surface
+  base::AlignedVector<float> surface_weights_;  // of all vertices, for weights along the surface
   std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
   double solved_ = 0;                           // part of the work for solving these weights
 };

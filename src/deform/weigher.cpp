@@ -87,7 +87,7 @@ void Weigher::add_views() {
     const mesh::Edge& edge = table.edges[e];
     for (const auto& [triangle, forward] : table.of(e)) {
       MeanValueTriangle& view = views_[triangle];
-      int i = 0;  // the opposite corner
+      int i = 0;  // the corner opposite the edge
       while (view.corner[i] == edge[0] || view.corner[i] == edge[1]) ++i;
       view.edge[i] = static_cast<std::uint32_t>(edges_.size());
       view.sign[i] = forward ? 1 : -1;
@@ -116,7 +116,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
       return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:
-    case Weights::biharmonic: break;  // per vertex, not per point
+    case Weights::biharmonic: break;  // these weights exist only at vertices
   }
   return 0;
 }

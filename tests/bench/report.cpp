@@ -56,7 +56,7 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   const std::string page = report_page(figures, made);
   CHECK(test::xml_problem(page) == "");
   CHECK(test::outside_of(page) == "");
-  const std::string above = page.substr(0, page.find("<footer"));  // the footer has errors with parts of NaN
+  const std::string above = page.substr(0, page.find("<footer"));  // the footer contains NaN
   std::smatch number;
   CHECK_FALSE(std::regex_search(above, number, std::regex("[^a-z]-?(nan|inf)[^a-z]")));
   const auto json = report_json(figures, made);

@@ -98,7 +98,7 @@ TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
   CHECK(test::written_again(read, read.surface.positions) == wedges);
   REQUIRE(read.attributes);
   const Attributes& a = *read.attributes;
-  CHECK(a.texture_points.size() == 5);  // (0, 0) once
+  CHECK(a.texture_points.size() == 5);  // (0, 0) occurs once
   const auto at = [](const Attributes& all, std::size_t c) {
     return all.texture_points[all.corner_texture[c]];
   };

@@ -215,7 +215,7 @@ TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
 TEST_CASE("coplanar_triangles_cross_only_if_they_overlap") {
   const Corners t = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
   CHECK(intersect(t, {{{1, 1, 1}, {9, 1, 1}, {1, 9, 1}}}));
-  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // within
+  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // inside it
   CHECK(intersect(t, t));
   CHECK_FALSE(intersect(t, {{{4, 0, 1}, {0, 4, 1}, {4, 4, 1}}}));    // a common edge
   CHECK_FALSE(intersect(t, {{{2, 0, 1}, {6, 0, 1}, {4, -4, 1}}}));   // a part of an edge
