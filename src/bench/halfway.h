@@ -38,8 +38,8 @@ struct ShapePicture {
 
 /// Results halfway from rest to each shape, in log space and linearly.
 struct Halfway {
-  /// One row per shape. "edges": see edge_error(). "volume": relative to the smaller of both volumes; NaN if
-  /// the model encloses no volume. "volumes": the same ratio at 21 even steps from rest to the shape.
+  /// One row per shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
+  /// shape; NaN if the model encloses no volume. "volumes": this ratio at 21 even steps to the shape.
   nlohmann::json rows;
   std::size_t most_lost = 0;           ///< row of the shape that loses most volume by linear interpolation
   std::vector<ShapePicture> pictures;  ///< from rest to that shape

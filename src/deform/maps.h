@@ -47,8 +47,8 @@ using sym3::full;
 Vec3 middle(std::span<const mesh::Point> positions);
 
 /// The point to which a pose's positions are relative, so that blending keeps its precision far from the
-/// coordinate origin. It is the middle of the rest cage, moved near the middle of the pose by a multiple of
-/// about half the cage's size. Small edits do not change it, so distant vertices keep all bits.
+/// coordinate origin. It is the middle of the rest cage, moved near the middle of the pose in steps of about
+/// half the cage's size. Small edits do not change it, so distant vertices keep all bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
 /// The matrix that maps the rest basis to u, v, n. Near rest it is computed as I + (posed - rest) rest^-1,

@@ -124,7 +124,8 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
 inline constexpr int fits_at_once = 2;
 
 // The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
-// line, S has two small stretches and cof S two large; a = |M| / |cof M| determines R well. M = 0 gives I.
+// line, S has two small stretches, and cof S two large ones. With a = |M| / |cof M|, the sum determines R
+// well. M = 0 gives I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

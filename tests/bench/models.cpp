@@ -135,7 +135,7 @@ TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // The sheet is folded from one side to the other, through the flat state.
+  // Both folds are nearly complete, on opposite sides. The shorter way between them is the complete fold.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;

@@ -166,7 +166,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // the left side of the seam gets the first vertex
+  open[3] = -1, open[0] = 1;  // moves the left side of the seam to the first vertex
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};
