@@ -46,7 +46,7 @@ std::string without_prefix(const std::string& name, const std::string& prefix);
 mesh::Surface subdivided(const mesh::Surface& surface);
 
 /// Returns a closed cage of `faces` triangles (even, at least 8): the hull of directions spread evenly over
-/// the sphere, each at the distance from the model's centre that encloses every vertex, plus 6 %.
+/// the sphere. Each direction has the distance from the model's centre that encloses every vertex, plus 6 %.
 mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces);
 
 /// Returns the cage twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and stretched by

@@ -26,7 +26,7 @@ private:
 
 /// Computes for each element the map, its polar decomposition by SVD, and the logs of stretch and rotation.
 /// Logs are principal, so poses must keep the elements' area and rotate them by less than 180 degrees. For
-/// each vertex, sums full matrices with weights in double (9 + 9 + 3 numbers per cage triangle) and applies
+/// each vertex, sums full matrices with weights in double: 9 + 9 + 3 numbers per cage triangle. Then applies
 /// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to their vertices.
 class ReferenceFrame {
 public:

@@ -121,8 +121,8 @@ sym3::Sym3<double> log_stretch(const Polar& polar);
 /// True if both stretches of a map are above the minimums of log_maps(). False for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// If the map mirrors, collapses or is not finite, replaces its split by the SVD, with singular values raised
-/// to the minimums of log_maps(). Returns true if a value was raised or the map is not finite.
+/// Replaces the split of a map that mirrors, collapses or is not finite by its SVD. Singular values are
+/// raised to the minimums of log_maps(). Returns true if a value was raised or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R S from its split, or by SVD if the map mirrors or nearly

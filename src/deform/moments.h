@@ -21,9 +21,9 @@ namespace viete::deform {
 ///
 /// The paper has only the first terms of B and K. They vanish if one point has all the weight, and have a
 /// lower rank if the weighted points lie in a plane; M would be undetermined. Therefore every point also adds
-/// the map A of its patch (patch_maps.h), like a cloud of points of radius l, 10 % of the cage's edges. Then
-/// K is never singular. `affine` still follows affine poses of the cage exactly (similarities if the cage is
-/// flat); `rigid` and `similar` follow similarities.
+/// the map A of its patch (patch_maps.h), like a cloud of points of radius l. l is 10 % of the cage's edges.
+/// Then K is never singular. `affine` still follows affine poses of the cage exactly (similarities if the
+/// cage is flat); `rigid` and `similar` follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w p and w p': in K they could cancel others.
 /// Computes the positions of the vertices [begin, end) in double, each independently. The shares scale the
@@ -32,8 +32,8 @@ void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t be
                       std::span<mesh::Point> positions);
 
 /// Rest data of one vertex for the fused frame. The frame sums B' = sum v p' (p - n)^T + l^2 sum v A about a
-/// fixed point n next to m, which avoids cancellation. Rounding of n leaves B' - B = m' s^T with
-/// s = sum v (p - n), which is so small that sum w p' can replace m'.
+/// fixed point n next to m. This avoids cancellation. Rounding of n leaves B' - B = m' s^T, where
+/// s = sum v (p - n) is so small that sum w p' can replace m'.
 struct RestMoment {
   Vec3 dual;     ///< K^-1 (x - sum w p), times l
   double scale;  ///< l / tr K, times the unit of the frame's positions

@@ -34,10 +34,10 @@ struct PlaneKernel {
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
   /// s = exp(X) and m = r exp(Y) s for logs X and Y. r is a matrix by rows; null means I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
-  /// Computes the images of two directions u and v under exp(Y) exp(X), where X and Y are weighted sums of
-  /// `count` logs, and the derivatives of the images by the weights. group[number][group_size] contains u, v,
-  /// and for each log, X in the axes u, v, u x v and Y. Writes changes[log][3 of u, 3 of v][plane_stride]:
-  /// the derivatives, then the images as last entry. Writes only the first group_size numbers of each plane.
+  /// Computes the images of two directions u and v under exp(Y) exp(X), and their derivatives by the weights.
+  /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log, X
+  /// in the axes u, v, u x v and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives, then
+  /// the images as last entry. Writes only the first group_size numbers of each plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
   /// Applies the first two columns of `count` maps to columns[n][2][plane_size]. Adds the results, summed
   /// over groups, to sums[map][column][3][group_size].

@@ -95,8 +95,8 @@ struct ProbeWeights {
 /// Computes the weights of all probes at a rest position; pins get 0. Turn, stretch and move are combined
 /// separately. `added` leaves the weights unchanged. `partial` divides them by their sum if it is above 1,
 /// `whole` if it is above 0. `softmax` replaces each weight b by e^(s b) - 1, with s = softmax_sharpness, and
-/// divides by the sum, so that the nearest probe dominates. Pivots are the larger of turn and stretch,
-/// divided by their sum. weights has one entry per probe.
+/// divides by the sum. The nearest probe then dominates. Pivots are the larger of turn and stretch, divided
+/// by their sum. weights has one entry per probe.
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 

@@ -159,8 +159,8 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer is Way::smooth, which has the lowest energy over the poses of many models and is
-/// never among the worst (see the manual). Models without triangles get weights that need no surface.
+/// The default deformer is Way::smooth. It has the lowest energy over the poses of many models and is never
+/// among the worst (see the manual). Models without triangles get weights that need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {

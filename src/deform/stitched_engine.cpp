@@ -204,8 +204,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// The rotation R nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, the only term of the
-// triangle's energy that depends on R.
+// R is the rotation nearest to sum_i x'_i (S g_i)^T. It maximises tr R^T sum_i x'_i (S g_i)^T, the only term
+// of the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;

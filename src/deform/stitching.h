@@ -33,8 +33,8 @@ inline constexpr double pin_strength = 0.03;
 /// c |(x'_a - x'_b) - M (x_a - x_b)|^2 as a triangle (a, b, b).
 ///
 /// Results do not depend on the scene's size or its distance from the origin. Thin triangles count as in
-/// half_cotangents(). Every vertex is determined: vertices of parts without a pin are pulled to their blended
-/// positions with weight 1e-4, and vertices of only thin triangles, or of no triangle, with weight 1.
+/// half_cotangents(). Every vertex is determined. In parts without a pin, vertices are pulled to their
+/// blended positions with weight 1e-4. Vertices with only thin or no triangles are pulled with weight 1.
 struct Stitching {
   struct Pin {
     std::uint32_t vertex, handle;

@@ -56,9 +56,10 @@ private:
 };
 
 /// Returns the error of a frame of these rows and, unless layer is null, of its probes. It is the largest
-/// distance from positions computed in double with exact weights, in diagonals of the cage, over the vertices
-/// of spread_vertices(n, error_sample). ways: the displacements of the shape, see Engine::set_shape(). shown:
-/// the vertices' positions relative to the rows' origin. Weights along the surface must come from tiles.
+/// distance from positions computed in double with exact weights, in diagonals of the cage. It is measured at
+/// the vertices of spread_vertices(n, error_sample). ways: the displacements of the shape, see
+/// Engine::set_shape(). shown: the vertices' positions relative to the rows' origin. Weights along the
+/// surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);

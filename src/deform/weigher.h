@@ -13,7 +13,7 @@
 
 namespace viete::deform {
 
-/// Computes the weights of Binding for any points, with an error of 1e-13, or the error of
+/// Computes the weights of Binding for any points. The error is 1e-13, or the error of
 /// inverse_distance_weights() and mean_value_weights() if it is larger. For weights along the surface, has
 /// only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
 class Weigher {
