@@ -14,11 +14,11 @@ namespace viete::bench {
 /// Results of one method on one ensemble.
 struct Accuracy {
   double worst = 0;      ///< largest relative Frobenius error of the finite results
-  double nan_share = 0;  ///< share of results with NaN or infinity although the true result is in range
+  double nan_share = 0;  ///< part of the results that should be finite but are not
 };
 
 struct AccuracyTable {
-  std::string title, by;  ///< title, and the meaning of the rows
+  std::string title, by;  ///< by: the meaning of the rows
   struct Row {
     std::string name;
     double value = 0;             ///< the gap, spread or scale; 0 for ensembles
@@ -27,11 +27,11 @@ struct AccuracyTable {
   std::vector<Row> rows;
 };
 
-/// All tables, `samples` matrices per row, against the 106 bits of sym3/reference.h. In float the input is
-/// first rounded to float, and the error refers to exp of the rounded input. Throws base::Cancelled.
+/// Measures all tables with `samples` matrices per row, against results of 106 bits (sym3/reference.h). In
+/// float, the input is first rounded to float, and errors refer to the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
-/// The relative errors of every method.
+/// Returns the relative errors of every method.
 Table errors_table(const AccuracyTable& accuracy);
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables);

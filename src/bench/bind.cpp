@@ -26,10 +26,10 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
-/// One model in one cage, and every method of binding.
+/// One model in one cage, and all ways to bind it.
 class BindRuns {
 public:
-  /// Plain loops need much memory: omit them for very large models.
+  /// Plain loops need much memory. Omit them for very large models.
   BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)
@@ -77,7 +77,7 @@ private:
     for (const auto& p : model_.positions) weights(cage_, p, row);
   }
 
-  // Leaf by leaf, as for compression: the full matrix never exists.
+  // Weighs leaf by leaf, as compression does: the full matrix never exists.
   void weigh(const deform::Weighting& weighting) {
     const deform::Weigher weigher(cage_, weighting);
     std::vector<deform::Vec3> sums(deform::leaf_slots);
@@ -103,17 +103,16 @@ private:
 
 void print(const BindRuns& runs, const std::vector<BenchResult>& results) {
   const auto size = static_cast<double>(runs.size()), elements = static_cast<double>(runs.elements());
-  Table table{{"", "ms", "ns a pair"}, {}};
+  Table table{{"", "ms", "ns per pair"}, {}};
   for (const auto& r : results)
     table.rows.push_back(
         {r.name, base::few_digits(r.ns_per_item * size * 1e-6), base::few_digits(r.ns_per_item / elements)});
   print("bind: " + base::with_thousands(runs.size()) + " vertices, " + std::to_string(runs.elements()) +
             " cage triangles, kernel " + std::string(sym3::kernel_name()) +
-            "; one thread, its processor time, medians of interleaved runs",
+            "; processor time of one thread, medians of interleaved runs",
         table);
 }
 
-// The limits of generated cages.
 void check(const BindRuns& runs, const std::vector<BenchResult>& results, Bars& bars) {
   if (const double plain = time_of(results, "plain loops"); plain > 0) {
     bars.check("weights: plain loops / vectors", plain / time_of(results, "vectors"), 45, true);
@@ -134,7 +133,7 @@ void bench_bind(const ModelOptions& options) {
     BindRuns runs(opened.model, *cage, options.count == 0);
     const auto results = runs.run(options.rounds);
     print(runs, results);
-    std::printf("  memory: %.1f MB dense, %.1f MB compressed to %g\n",
+    std::printf("  memory: %.1f MB dense, %.1f MB compressed with tolerance %g\n",
                 static_cast<double>(runs.dense().bytes()) * 1e-6,
                 static_cast<double>(runs.compressed().bytes()) * 1e-6, runs.compressed().tolerance);
     if (options.cage.empty()) check(runs, results, bars);

@@ -1,4 +1,4 @@
-// Matrix ensembles for measuring errors and times: the paper's ensemble, clusters, spreads; with fixed seeds.
+// Random matrices with fixed seeds for measuring errors and times: the paper's, close eigenvalues, spreads.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Uniformly distributed rotation: from a quaternion uniform in the ball.
+/// Returns a uniformly distributed rotation, from a quaternion that is uniform in the ball.
 inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
@@ -33,7 +33,7 @@ inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
            {s * (x * z - w * y), s * (y * z + w * x), 1 - s * (x * x + y * y)}}};
 }
 
-/// Matrix with these eigenvalues, up to rounding, and the columns of a random rotation as eigenvectors.
+/// Returns a matrix with these eigenvalues, up to rounding, and with random orthonormal eigenvectors.
 template <class T>
 Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   const auto v = random_rotation(random);
@@ -45,7 +45,7 @@ Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-/// `count` matrices, number i by make(random, i).
+/// Returns `count` matrices; matrix i is make(random, i).
 template <class T, class Make>
 std::vector<Sym3<T>> made(std::size_t count, unsigned seed, const Make& make) {
   Random random(seed);
@@ -71,7 +71,7 @@ std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_see
   });
 }
 
-/// The upper triangle's six entries uniform in [low, high].
+/// Matrices with six entries uniform in [low, high].
 template <class T>
 std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -81,7 +81,7 @@ std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count)
   });
 }
 
-/// Two eigenvalues `gap` apart, the third arbitrary; all within [0, 3].
+/// Matrices with eigenvalues in [0, 3]: two of them `gap` apart, the third arbitrary.
 template <class T>
 std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -90,7 +90,7 @@ std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   });
 }
 
-/// Three eigenvalues with gaps of `gap`, within [0, 3].
+/// Matrices with three eigenvalues in [0, 3], each `gap` above the one before.
 template <class T>
 std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -99,8 +99,7 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Largest minus smallest eigenvalue = spread; the middle one at either end, near it, halfway or arbitrary;
-/// the smallest at `lowest`.
+/// Matrices with eigenvalues from `lowest` to lowest + spread; the third is at an end, near it, or anywhere.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

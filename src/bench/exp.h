@@ -1,5 +1,4 @@
-// The methods for exp, and their cost by layout and size, compared with a copy of the same bytes; checks of
-// all bounds of the core.
+// Times of exp by method, layout and size, compared with a copy of the same bytes; checks of sym3's limits.
 #pragma once
 
 #include <cstddef>
@@ -26,11 +25,11 @@ struct ExpMethod {
   sym3::Sym3<float> operator()(const sym3::Sym3<float>& s) const { return in_float(s); }
 };
 
-/// Diag, Direct (Eigen's closed-form computeDirect instead of QR), SD, Improved SD as printed and guarded,
-/// Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp), and Fast, one matrix per call.
+/// One matrix per call: Diag; Direct (Eigen's closed-form computeDirect instead of QR); SD; Improved SD as
+/// printed and guarded; Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp); Fast.
 std::span<const ExpMethod> exp_methods();
 
-/// One layout and size, all from the same interleaved run.
+/// Times for one layout and size, all from the same interleaved run.
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
@@ -48,11 +47,11 @@ struct ExpBench {
   std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
 };
 
-/// The paper's ensemble, one thread, processor time, medians. About 100 bytes of memory per matrix, 30 s for
-/// 10^7. Throws base::Cancelled.
+/// Measures the paper's ensemble on one thread. Times are medians of processor time. Needs about 100 bytes of
+/// memory per matrix, and 30 s for 10^7 matrices. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-/// The times of the methods by their labels, and of our method in the cache.
+/// Returns the times of the methods by their labels, and the time of Fast in the cache.
 std::vector<BenchResult> labelled_times(const ExpBench& bench);
 Table layouts_table(const ExpBench& bench);
 
@@ -65,16 +64,16 @@ struct EigenBench {
   std::vector<BenchResult> results;
 };
 
-/// Cost of eigenvalues by QR, Eigen's closed form, Viete's formula and our method: the paper's ensemble in
-/// double, one thread, processor time, medians. Throws base::Cancelled.
+/// Measures eigenvalues by QR, Eigen's closed form, Viete's formula and Fast, for the paper's ensemble in
+/// double on one thread. Times are medians of processor time. Throws base::Cancelled.
 EigenBench measure_eigen(std::size_t count, base::Progress& progress);
 
 void print(const EigenBench& bench);
 nlohmann::json to_json(const EigenBench& bench);
 Plot plot_of(const EigenBench& bench);
 
-/// viete bench sym3: prints speed and error of the core, one line per documented limit. `count`: number of
-/// matrices for runs from memory, 0 for 10,000,000. Throws base::Error.
+/// viete bench sym3: prints the speed and the errors of sym3, one line per documented limit. `count` matrices
+/// are used for runs from memory; 0 means 10,000,000. Throws base::Error.
 void bench_sym3(std::size_t count, const std::filesystem::path& json);
 
 }  // namespace viete::bench

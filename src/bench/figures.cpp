@@ -36,14 +36,14 @@ ReportSizes quick_sizes() {
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  // Checks files first.
+  // Opens all files before it measures.
   const document::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
   figures.poses = read_poses(files.poses, *opened.cage, warnings);
   if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
   const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
   const struct {
-    double seconds;  // approximate, of all matrices
+    double seconds;  // approximate time for all matrices
     std::function<void()> measure;
   } works[] = {{10, [&] { figures.eigen = measure_eigen(sizes.matrices, progress); }},
                {25, [&] { figures.exp = measure_exp(sizes.matrices, false, progress); }},

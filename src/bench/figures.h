@@ -1,4 +1,4 @@
-// Measures all figures of a report, those of the paper and additional ones, one after the other.
+// Measures all figures of a report: those of the paper, and additional ones.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +17,19 @@
 
 namespace viete::bench {
 
-/// Sizes of the measurements.
 struct ReportSizes {
   std::size_t matrices = 10'000'000;
   std::size_t samples = 16'384;  ///< matrices per row of errors
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 7;  ///< rounds of frames
 };
-/// A tenth of the time, with more noise.
+/// Sizes for a tenth of the time, with more noise.
 ReportSizes quick_sizes();
 
 struct ReportFiles {
   std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;  ///< poses of the cage; empty: a generated one
-  std::filesystem::path rest;                ///< a model at rest, and shapes of it; default: the dragon's
+  std::vector<std::filesystem::path> poses;  ///< poses of the cage; empty: one generated pose
+  std::filesystem::path rest;                ///< the model at rest of `shapes`
   std::vector<std::filesystem::path> shapes;
 };
 
@@ -47,13 +46,13 @@ struct Figures {
   Halfway shapes;
 };
 
-/// Sequential, so that measurements do not disturb each other. Throws base::Error, base::Cancelled.
+/// Measures the figures one after the other. Throws base::Error and base::Cancelled.
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress);
 
-/// All measurements, in the format of the benchmarks.
+/// Returns all measurements in the JSON format of the benchmarks.
 nlohmann::json to_json(const Figures& figures);
 
-/// A path quoted for the shell.
+/// Quotes a path for the shell.
 std::string shell_word(const std::filesystem::path& path);
 
 }  // namespace viete::bench

@@ -38,7 +38,7 @@ using namespace frame_names;
 using deform::Link;
 using sym3::Method;
 
-/// A limit of the ratio of two times.
+/// A limit for the ratio of two times.
 struct RatioBar {
   const char* over;
   std::size_t over_faces;
@@ -105,8 +105,8 @@ struct Case {
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// In a drag each frame finds the caches as the previous one left them. Short frames need a few repetitions to
-// reach that state; long ones flush the caches anyway.
+// In a drag, each frame finds the caches as the previous frame left them. Short frames need a few repetitions
+// to reach that state; long frames flush the caches anyway.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;
@@ -114,7 +114,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// Measures processor time; with several threads the time of the slowest.
+// Measures processor time. With several threads, this is the time of the slowest thread.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
@@ -144,7 +144,7 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// The fused engine alone, with tiles that need no other binding.
+/// The fused engine with tiles as its only binding.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
@@ -164,7 +164,7 @@ struct FusedFrame {
   deform::FusedEngine engine;
 };
 
-/// One model in one cage, with all compared paths bound.
+/// One model bound to one cage for all compared frames.
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage)
@@ -203,11 +203,11 @@ public:
   }
 
 private:
-  // Skipped if memory does not suffice: then there is no staged reference.
+  // Without enough memory there is no staged frame, and no reference for errors.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
     staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Scheme{binding_->weighting}, one_);
-    staged_->deform(pose_, Method::diag);  // an exponential without code in common with ours
+    staged_->deform(pose_, Method::diag);  // this exponential has no code in common with `fast`
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
     std::printf("  no staged frame: %s\n", error.what());
@@ -274,7 +274,7 @@ private:
   std::vector<Case> cases_;
 };
 
-// Times of one cage.
+// Prints the times of one cage.
 void print(std::span<const FrameTime> times) {
   Table table{{"", "cpu", "wall", "faster", "error", "MB"}, {}};
   for (std::size_t l = 0; l < deform::link_count; ++l) table.columns.emplace_back(deform::name(Link(l)));
@@ -287,9 +287,10 @@ void print(std::span<const FrameTime> times) {
                           base::few_digits(1e-6 * static_cast<double>(t.bytes))});
     for (const double ms : t.links.ms) table.rows.back().push_back(ms > 0 ? base::few_digits(ms) : "");
   }
-  print(std::to_string(times.front().vertices) + " vertices, " + std::to_string(times.front().faces) +
-            " cage triangles; ms a frame: processor time (of the slower thread), wall; stages: wall",
-        table);
+  print(
+      std::to_string(times.front().vertices) + " vertices, " + std::to_string(times.front().faces) +
+          " cage triangles; ms per frame: processor time of the slowest thread, wall time; stages: wall time",
+      table);
 }
 
 nlohmann::json to_json(const FrameTime& t) {

@@ -36,7 +36,7 @@ public:
     }
   }
 
-  /// The copy as a reference for computations: the same bytes, read once and written once.
+  /// Reads and writes the same bytes as a computation, as a reference for its time.
   void copy_to(MatrixArray& other) const {
     const std::size_t size = layout_ == planes ? count_ : data_.size();
     for (std::size_t from = 0; from < data_.size(); from += layout_ == planes ? stride_ : size)

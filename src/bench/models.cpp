@@ -20,7 +20,7 @@ namespace {
 
 using mesh::cross, mesh::dot, mesh::Point;
 
-// A spiral of points from pole to pole (Fibonacci lattice).
+// Returns points on a spiral from pole to pole (Fibonacci lattice).
 std::vector<Point> directions(std::size_t count) {
   const double golden = std::numbers::pi * (3 - std::sqrt(5.0));
   std::vector<Point> result(count);
@@ -36,7 +36,7 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Convex hull by insertion: replaces the triangles visible from a point by a fan over their rim.
+// Computes the convex hull by insertion: replaces the triangles visible from a point by a fan over their rim.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   return triangles;
 }
 
-// x as a non-negative combination of a triangle's corners, if it lies in their cone.
+// Returns the coefficients of x as a combination of a triangle's corners, if all are non-negative.
 std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) {
   const Point &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
   const double volume = dot(a, cross(b, c));
@@ -64,7 +64,7 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
   return w;
 }
 
-// A triangle encloses the points in its cone if its corners are as far out as w_0 + w_1 + w_2 of each.
+// A triangle encloses a point with coefficients w if its corners are scaled by at least w_0 + w_1 + w_2.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
@@ -84,7 +84,7 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
   return radii;
 }
 
-// The model, truncated or subdivided to about this number of vertices.
+// Truncates or subdivides the model to about this number of vertices.
 mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
@@ -182,7 +182,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// Sum of tetrahedra from one of its points, so that no digits are lost far from the origin.
+// Adds up tetrahedra from one of the surface's points, so that no digits are lost far from the origin.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;
@@ -190,7 +190,7 @@ double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> trian
   return sum / 6;
 }
 
-// Angle between the normals of the triangles a b c and b a d; 0 if they are coplanar.
+// Returns the angle between the normals of the triangles a b c and b a d; 0 if they are coplanar.
 double hinge_angle(std::span<const Point> p, const std::array<std::uint32_t, 4>& corners) {
   const auto& [a, b, c, d] = corners;
   const Point edge = p[b] - p[a], n = cross(edge, p[c] - p[a]), m = cross(p[d] - p[a], edge);

@@ -46,7 +46,7 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// The vertices with triangles, ascending.
+// Returns the vertices that have triangles, ascending.
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   const std::set<std::uint32_t> used(surface.corners.begin(), surface.corners.end());
   return {used.begin(), used.end()};
@@ -171,7 +171,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
 
 namespace {
 
-// Limit for energies per area and bending; smaller values are rounding.
+// Energies per area and bendings below this limit are rounding errors.
 constexpr double next_to_none = 1e-10;
 
 /// Measures one model in one cage.
@@ -184,7 +184,7 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures in double, link by link, with one binding at a time, since those of all vertices are large.
+  // Measures in double, link by link. Keeps only one binding at a time, because they are large.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
@@ -307,7 +307,7 @@ private:
   std::vector<std::string> warnings_;
 };
 
-// The schemes to be measured, named deformers first.
+// Returns the schemes to measure, named deformers first.
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
@@ -363,7 +363,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   }
 }
 
-// Leaves out a scheme that this cage does not support, and reports the reason.
+// Measures a scheme. If this cage does not support it, stores the reason.
 template <class Measure>
 void attempt(Mode& mode, const Measure& measure) {
   if (!mode.problem.empty()) return;
@@ -383,7 +383,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
   ModeRuns runs(model, std::move(cage), poses, settings.method);
   const std::vector<deform::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
-  // Approximate shares of the time.
+  // Approximate parts of the time.
   constexpr double shapes = 0.6, bound = 0.7;
   const auto each = [&](double from, double to, const auto& measure) {
     const auto count = static_cast<double>(modes.size());

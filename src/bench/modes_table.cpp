@@ -1,4 +1,3 @@
-// The results of all schemes, as tables and as JSON.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -14,19 +13,18 @@ namespace viete::bench {
 
 namespace {
 
-// Explains the columns.
 constexpr const char* modes_legend =
-    R"(  moved, rigid, similar, affine: deviation of the model from the map of this kind that poses the whole
-    cage, in diagonals; exact: below 1e-9
-  leak: motion of vertices more than a quarter of the diagonal away when one vertex of the cage moves
-    by a tenth of it, in diagonals; median over the model, and over 8 vertices of the cage
-  frame, bind: ms, processor time of one thread; *: stage by stage, in double
+    R"(  moved, rigid, similar, affine: largest distance of the model from a map of this kind that poses the
+    whole cage, in diagonals; exact: below 1e-9
+  leak: one cage vertex moves by a tenth of the diagonal; how far vertices more than a quarter of the diagonal
+    away move, in diagonals; median over the model and over 8 cage vertices
+  frame, bind: processor time of one thread in ms; *: stage by stage, in double
   volume: relative to rest
-  energy: symmetric Dirichlet energy of the triangles, 0 at rest, mean by area; x mvc: relative to mean
-    value coordinates
+  energy: symmetric Dirichlet energy of the triangles, mean by area, 0 at rest
+  x mvc: relative to mean value coordinates
   bending: energy of the changes of angle between triangles (discrete shells); kinks increase it
-  gap: mean distance of the surface from the posed nearest point of the cage, in diagonals
-  torn: largest change of distance of vertices that are close at rest but not joined by edges, in diagonals
+  gap: mean distance of the surface from the posed nearest points of the cage, in diagonals
+  torn: largest change of distance between vertices close at rest but not joined by edges, in diagonals
 )";
 
 /// A measure of a shape: its column in the table of a pose, and its key in JSON.
@@ -69,13 +67,13 @@ std::string cell(double value, const char* format) {
   return text;
 }
 
-// "smooth: face, biharmonic, srl".
+// Returns a name such as "smooth: biharmonic, srl".
 std::string name_of(const Mode& mode) {
   const auto way = deform::way_of(mode.scheme);
   return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
 }
 
-/// A line for each scheme that was measured; `row` returns its numbers.
+/// Prints a line for each scheme that was measured; `row` returns its numbers.
 template <class Row>
 void print_modes(const std::string& title, std::vector<std::string> columns, std::span<const Mode> modes,
                  const Row& row) {
@@ -105,14 +103,15 @@ std::vector<std::string> columns_of(const Entries& entries) {
 
 void print_notes(const ModeComparison& compared, std::span<const NamedPose> poses) {
   std::printf("\ngap at rest: %.4f\n", compared.rest_gap);
-  if (!compared.encloses) std::printf("note: the model is not closed and has no volume to compare\n");
+  if (!compared.encloses) std::printf("note: the model is not closed, so volumes are not compared\n");
   if (compared.without_area)
-    std::printf("note: %zu triangles of the model have no area at rest and are left out\n",
+    std::printf("note: %zu triangles of the model have no area at rest and are ignored\n",
                 compared.without_area);
   for (const auto& warning : compared.warnings) std::printf("note: %s\n", warning.c_str());
   for (const Mode& mode : compared.modes) {
     const std::string name = name_of(mode);
-    if (!mode.problem.empty()) std::printf("note: no %s: %s\n", name.c_str(), mode.problem.c_str());
+    if (!mode.problem.empty())
+      std::printf("note: %s was not measured: %s\n", name.c_str(), mode.problem.c_str());
     for (std::size_t p = 0; p < mode.qualities.size(); ++p) {
       if (const auto collapsed = mode.qualities[p].collapsed)
         std::printf("note: %s, %s: %zu triangles have collapsed\n", name.c_str(), poses[p].name.c_str(),

@@ -18,8 +18,6 @@
 
 namespace viete::bench {
 
-// viete bench exp|eigen|accuracy|sym3|frame|bind|modes.
-
 namespace {
 
 using namespace app;
@@ -27,19 +25,19 @@ using namespace app;
 struct MatrixOptions {
   std::size_t count = 0;
   bool in_float = false, force = false;
-  std::filesystem::path json;  // output of the numbers; empty: none
+  std::filesystem::path json;  // file for the numbers; empty: no file
 };
 
 template <class Options>
 void add_json_options(CLI::App& command, Options& options) {
-  add_file_option(command, "--json", options.json, "JSON file for the numbers");
+  add_file_option(command, "--json", options.json, "Write the numbers to this JSON file");
   add_force_option(command, options.force);
 }
 
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
 
-// Fails before the system kills the program. A matrix needs input and output, at most nine doubles each.
+// Throws before the system kills the program. A matrix needs input and output, at most nine doubles each.
 void require_memory_for(std::size_t count) {
   base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});
@@ -63,7 +61,7 @@ void run_sym3(const MatrixOptions& options, base::Progress&) {
 
 void run_accuracy(const MatrixOptions& options, base::Progress& progress) {
   const auto tables = measure_accuracy(options.count, options.in_float, progress);
-  std::printf("Largest relative error (Frobenius norm) against 106 bits, kernel %s\n",
+  std::printf("Largest relative error (Frobenius norm), compared with 106-bit results, kernel %s\n",
               std::string(sym3::kernel_name()).c_str());
   for (const auto& table : tables) print(table.title, errors_table(table));
   write_json(options.json, {{"figure", "accuracy"}, {"tables", to_json(tables)}});
@@ -75,13 +73,14 @@ std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rou
   options.rounds = rounds;
   add_file_option(command, "MODEL", options.model, formats::a_mesh())->default_str("the bundled dragon");
   add_file_option(command, "CAGE", options.cage, "Cage at rest")->default_str(usual_cage);
-  whole_in_range(command.add_option("--rounds", options.rounds, "Number of repetitions"), 1, 1000)
+  whole_in_range(
+      command.add_option("--rounds", options.rounds, "Number of times to repeat every measurement"), 1, 1000)
       ->default_str(std::to_string(rounds));
   add_json_options(command, options);
   return shared;
 }
 
-// Checks the files; takes the bundled model if none is given.
+// Checks the files. Uses the bundled model if no model is given.
 void prepare(ModelOptions& options, bool posed) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, document::the_pose);
@@ -98,7 +97,7 @@ void add_sized_bench(CLI::App& command, Action& action, std::vector<std::size_t>
   ModelOptions& options = *bench;
   options.faces = std::move(faces);
   whole_in_range(command.add_option("--vertices", options.count,
-                                    "Number of vertices: the model is truncated or subdivided to about it"),
+                                    "Truncate or subdivide the model to about this number of vertices"),
                  1, 20'000'000)
       ->default_str("all");
   std::string usual;
@@ -156,12 +155,13 @@ struct MatrixBench {
 };
 
 constexpr MatrixBench matrix_benches[] = {
-    {"exp", "Time of exp by method, layout and size", "Matrices", paper_count, most_matrices, true, run_exp},
-    {"eigen", "Time of eigenvalues: QR, Viete's formula and ours", "Matrices", paper_count, most_matrices,
-     false, run_eigen},
-    {"accuracy", "Error of exp by method, eigenvalue gap, spread and scale", "Matrices per row", 4096,
-     1'000'000, true, run_accuracy},
-    {"sym3", "Check every guarantee of exp by kernel and layout", "Matrices in memory", paper_count,
+    {"exp", "Measure the time of exp by method, layout and size", "Number of matrices", paper_count,
+     most_matrices, true, run_exp},
+    {"eigen", "Measure the time of eigenvalues: QR, Viete's formula and Fast", "Number of matrices",
+     paper_count, most_matrices, false, run_eigen},
+    {"accuracy", "Measure the error of exp by method, eigenvalue gap, spread and scale",
+     "Number of matrices per row", 4096, 1'000'000, true, run_accuracy},
+    {"sym3", "Check every guarantee of exp by kernel and layout", "Number of matrices in memory", paper_count,
      most_matrices, false, run_sym3}};
 
 void add_matrix_bench(CLI::App& command, Action& action, const MatrixBench& bench) {
@@ -185,17 +185,17 @@ void add_matrix_bench(CLI::App& command, Action& action, const MatrixBench& benc
 }  // namespace
 
 void add_bench_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("bench", "Measure speed and accuracy on this machine");
+  auto* command = app.add_subcommand("bench", bench_text);
   command->require_subcommand(1);
   add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
   for (const MatrixBench& bench : matrix_benches)
     add_matrix_bench(*command->add_subcommand(bench.name, bench.text), action, bench);
-  add_sized_bench(*command->add_subcommand("frame", "Time of a frame by path, cage and stage"), action,
-                  {50, 100, 300, 600}, 11, bench_frame);
-  add_sized_bench(*command->add_subcommand("bind", "Time and memory of binding a model"), action, {300}, 5,
-                  bench_bind);
-  add_modes_bench(*command->add_subcommand("modes", "Exactness, distortion and cost of every deformer"),
-                  action);
+  add_sized_bench(*command->add_subcommand("frame", "Measure the time of a frame by engine, cage and stage"),
+                  action, {50, 100, 300, 600}, 11, bench_frame);
+  add_sized_bench(*command->add_subcommand("bind", "Measure the time and memory of binding a model"), action,
+                  {300}, 5, bench_bind);
+  add_modes_bench(
+      *command->add_subcommand("modes", "Measure exactness, distortion and cost of every deformer"), action);
 }
 
 }  // namespace viete::bench

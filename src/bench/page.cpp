@@ -75,13 +75,13 @@ Made made_here(const std::string& command, double seconds) {
   const std::string date = date_now();
   return {date,
           processor,
-          {{"Machine", processor},
+          {{"Computer", processor},
            {"Memory", base::memory_size(bytes)},
            {"System", system_name()},
            {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
            {"Kernel of the vector code", std::string(sym3::kernel_name())},
-           {"Made", date + ", in " + base::few_digits(seconds) + " s"},
-           {"By", command}}};
+           {"Measured", date + ", in " + base::few_digits(seconds) + " s"},
+           {"Command", command}}};
 }
 
 namespace {
@@ -136,7 +136,7 @@ h2,h3,p.origin,p.seen{break-after:avoid}dl.tiles{grid-template-columns:repeat(4,
 @media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--paper:#14181d;--ink:#e3e7ec;--faint:#9aa5b1;--rule:#2b333c;--wash:#1b2127;--ours:#56b4e9}}
 )";
 
-// Colours of the plots, with their replacements in the dark theme.
+// Colours of the plots and their replacements in the dark theme.
 constexpr const char* dark_colors[][2] = {
     {"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"}, {"#e4e8ec", "#2b333c"},
     {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"}, {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"},
@@ -158,8 +158,8 @@ std::string header(const Figures& figures, const Made& made, const std::vector<S
   std::string text =
       "<header>\n<h1>Matrix exponentials and deformation</h1>\n" +
       paragraph("Measured by Viete on " + made.processor + ", " + made.date +
-                ": the three figures of the paper, and five of our own. The times of one table are measured "
-                "in turns, so ratios are more reliable than absolute times.") +
+                ". The report shows the three figures of the paper and five others. The times of a table "
+                "are measured in turns, so ratios are more reliable than absolute times.") +
       summary_of(figures) + "<nav aria-label=\"Contents\"><ol>\n";
   for (const Section& s : sections)
     text += "<li><a href=\"#" + s.id + "\">" + escaped(s.title) + "</a></li>\n";
@@ -182,10 +182,9 @@ std::string footer(const Made& made, const nlohmann::json& json) {
   for (const auto& [what, value] : made.facts) table.rows.push_back({what, value});
   return "<footer id=\"made\">\n<h2>How it was measured</h2>\n" +
          paragraph(
-             "Times are medians of interleaved rounds, in processor time of the calling thread, so that "
-             "other "
-             "work on the machine affects all of a table equally. On a busy machine, ratios vary by a third "
-             "from run to run. Random inputs have a fixed seed.") +
+             "Times are medians over rounds, in processor time of one thread. Each round measures all rows "
+             "of a table, so other programs slow all rows equally. On a busy computer, ratios vary by a "
+             "third from run to run. Random inputs have a fixed seed.") +
          html(table) +
          "<details class=\"raw\"><summary>All numbers, as in report.json</summary>\n<pre class=\"raw\">" +
          escaped(json.dump(1)) + "</pre></details>\n</footer>\n";

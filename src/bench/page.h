@@ -12,11 +12,12 @@
 
 namespace viete::bench {
 
-/// Elements of a page that is also XML: every value escaped, every element closed. A paragraph of this class,
-/// or without one if it is empty; a table, which scrolls on narrow pages; a drawing with its title, which is
-/// also its accessible name.
+/// Elements of a page that is also XML: every value is escaped and every element is closed.
+/// A paragraph of this class, or without a class if `kind` is empty.
 std::string paragraph(std::string_view text, std::string_view kind = "");
+/// A table that scrolls on narrow pages.
 std::string html(const Table& table);
+/// A drawing with its title, which is also its accessible name.
 std::string figure(std::string_view title, std::string_view svg);
 
 /// A section of the page: text, drawings, numbers and the commands that repeat them.
@@ -27,23 +28,23 @@ struct Section {
   std::string body;  ///< HTML: drawings and tables
   std::vector<std::string> commands;
 };
-/// The paper's three figures and its claims, then ours.
+/// Returns the paper's three figures and its claims, then the new figures.
 std::vector<Section> sections_of(const Figures& figures);
 
-/// The main results as tiles: values with their descriptions.
+/// Returns the main results as tiles: values with their descriptions.
 std::string summary_of(const Figures& figures);
 
 /// When and where the figures were measured.
 struct Made {
-  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; with its number of threads
-  std::vector<std::pair<std::string, std::string>> facts;  ///< with their labels, in reading order
+  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; processor and its number of threads
+  std::vector<std::pair<std::string, std::string>> facts;  ///< labels and values in reading order
 };
-/// On this machine, by this command, as typed.
+/// Returns the facts about this computer. `command` is the command as typed.
 Made made_here(const std::string& command, double seconds);
 
-/// The raw numbers of the page and of report.json.
+/// Returns the numbers of the page, for report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
-/// Well-formed XML. Tables, plots and text are derived from the figures.
+/// Returns the page as well-formed XML. Its tables, plots and texts are derived from the figures.
 std::string report_page(const Figures& figures, const Made& made);
 
 }  // namespace viete::bench

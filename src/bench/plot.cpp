@@ -142,7 +142,7 @@ void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
 /// Maps values to pixels.
 struct Scale {
   bool logarithmic;
-  double low, high, from, to;  ///< values, or their logarithms; pixels
+  double low, high, from, to;  ///< low, high: values or their logarithms; from, to: pixels
 
   double at(double value) const { return logarithmic ? std::log10(value) : value; }
   double operator()(double value) const { return from + (to - from) * (at(value) - low) / (high - low); }
@@ -165,7 +165,7 @@ struct Tick {
   bool strong;
 };
 
-// Few enough to be readable: a subset of many decades; for few decades also intermediate ticks.
+// Returns few enough ticks to be readable. `between` adds ticks inside decades if there are few decades.
 std::vector<Tick> ticks(const Scale& scale, bool between) {
   std::vector<Tick> found;
   const double length = scale.high - scale.low;

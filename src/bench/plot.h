@@ -1,4 +1,4 @@
-// Benchmarks as SVG pictures: bars of times, and curves of time against size.
+// Benchmarks as SVG pictures: bars of times, and curves of times by size.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ struct SvgText {
   bool strong = false;
 };
 
-/// Lengths in pixels, y down; colours as CSS writes them. y of a text is its baseline.
+/// A picture. Lengths are in pixels, y points down, colours are as in CSS. The y of a text is its baseline.
 class Svg {
 public:
   Svg(double width, double height);
@@ -35,7 +35,7 @@ public:
   void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
-  /// The complete document so far.
+  /// Returns the complete document so far.
   std::string document() const { return body_ + "</svg>\n"; }
 
 private:
@@ -46,7 +46,7 @@ struct PlotBar {
   std::string name;
   double ns = 0;
   const char* color;
-  double part = 0;  ///< coloured part; 0: all of it
+  double part = 0;  ///< length of the coloured part; 0: the whole bar
 };
 
 struct PlotCurve {
@@ -60,16 +60,16 @@ struct PlotCurve {
 };
 
 struct Plot {
-  std::vector<PlotBar> bars;  ///< the first one is the reference
+  std::vector<PlotBar> bars;  ///< the first bar is the reference
   std::vector<PlotCurve> curves;
   std::string unit = " ns";  ///< unit of the bars
   bool compared = true;      ///< show bars relative to the first one
   std::string across = "matrices in a batch";
-  bool linear = false;  ///< curves from 0 to 1, without end values; else both axes are logarithmic, and
-                        ///< values that are not positive are not drawn
+  /// True: axes from 0 to 1, no end values. False: logarithmic axes, which skip values of 0 or less.
+  bool linear = false;
 };
 
-/// Colours distinguishable for colour-blind readers and in grey (Okabe and Ito, darkened for white paper).
+/// Colours that colour-blind readers can distinguish, also in grey (Okabe and Ito, darkened for white paper).
 namespace plot_color {
 inline constexpr const char* reference = "#6b7785";
 inline constexpr const char* rival = "#c77700";
@@ -78,10 +78,10 @@ inline constexpr const char* rest = "#cfd6dd";  ///< the rest of a bar with a co
 inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
 }  // namespace plot_color
 
-/// The colour of a method, the same in every plot; other names get that of references.
+/// Returns the colour of a method, the same in every plot. Other names get the colour of references.
 const char* color_of_method(const std::string& name);
 
-/// An SVG document with the bars, or the curves, 400 pixels wide.
+/// Returns an SVG document, 400 pixels wide, with the bars or the curves.
 std::string draw_bars(const Plot& plot);
 std::string draw_curves(const Plot& plot);
 

@@ -9,9 +9,9 @@
 
 namespace viete::bench {
 
-/// Loops over vertices and cage triangles, in double: distance to the triangle's plane by barycentric
-/// coordinates, and to its three edges; the smallest of them to the power of -2; then each row divided
-/// by its sum. Two arrays, distances and weights, of n rows of k each.
+/// Computes weights by loops over vertices and cage triangles, in double. Takes the smallest of the distances
+/// to the triangle's plane, by barycentric coordinates, and to its three edges, to the power of -2. Then
+/// divides each row by its sum. Distances and weights are two arrays of n rows of k numbers.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
@@ -24,13 +24,13 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// Per element: map, polar decomposition by SVD, logs of stretch and rotation (principal, so poses must
-/// rotate elements by less than 180 degrees and keep their area). Per vertex: full matrices summed with
-/// weights in double (9 + 9 + 3 numbers per cage triangle), improved SD, Rodrigues' formula, the affine
-/// product; normals scattered from triangles. Buffers are allocated once.
+/// Computes for each element the map, its polar decomposition by SVD, and the logs of stretch and rotation.
+/// Logs are principal, so poses must keep the elements' area and rotate them by less than 180 degrees. For
+/// each vertex, sums full matrices with weights in double: 9 + 9 + 3 numbers per cage triangle. Then applies
+/// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to their vertices.
 class ReferenceFrame {
 public:
-  /// Keeps references to cage and binding; the binding must have weights.
+  /// Keeps references to cage and binding. The binding must have weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
   ~ReferenceFrame();
 

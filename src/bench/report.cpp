@@ -1,4 +1,4 @@
-// viete report [MODEL CAGE [POSE...]] -o FOLDER: the figures, measured here, as one page.
+// viete report [MODEL CAGE [POSE...]] -o FOLDER: measures all figures and writes them as one page.
 #include "bench/options.h"
 
 #include <cstdio>
@@ -34,7 +34,7 @@ struct ReportOptions {
   fs::path numbers() const { return folder / "report.json"; }
 };
 
-// Creates the output folder; true if it was missing.
+// Creates the output folder. Returns true if it did not exist.
 bool made_folder(const fs::path& folder) {
   std::error_code code;
   if (fs::is_directory(folder, code)) return false;
@@ -45,7 +45,7 @@ bool made_folder(const fs::path& folder) {
                     "choose another folder");
 }
 
-// Uses the bundled dragon if no model is given; its shapes always.
+// Uses the bundled dragon if no model is given. The shapes are always the dragon's.
 void complete(ReportFiles& files) {
   const app::BundledModel bundled = app::bundled_model();
   if (files.model.empty())
@@ -84,7 +84,7 @@ Figures measured(const ReportOptions& options, const ReportSizes& sizes) try {
   app::TerminalProgress work("Measuring");
   return measure_figures(options.files, sizes, work.progress());
 } catch (const base::Cancelled&) {
-  throw base::Error(options.folder.string(), "stopped", "no file was changed");
+  throw base::Error(options.folder.string(), "the measurement was stopped", "no file was changed");
 }
 
 void make_report(ReportOptions options) {
@@ -108,7 +108,7 @@ int run_report(const ReportOptions& options) {
     if (is_new) fs::remove(options.folder, not_empty);
     throw;
   }
-  std::printf("%s: the report; its numbers are in report.json\n", options.page().string().c_str());
+  std::printf("Saved %s and its numbers, report.json.\n", options.page().string().c_str());
   return app::exit_ok;
 }
 

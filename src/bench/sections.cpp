@@ -1,4 +1,3 @@
-// The sections of the page.
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -19,21 +18,21 @@ using sym3::Method;
 
 constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// Number of cage triangles of the quoted frame times.
+// Number of cage triangles for the frame times in texts.
 constexpr std::size_t usual_faces = 300;
 
-// Time saved relative to `than`, in percent: 76 for 0.24 and 1.
+// Returns the saved time in percent: 76 if time is 0.24 and than is 1.
 double percent_less(double time, double than) {
   return 100 * (1 - time / than);
 }
 
-// The frame by links, with exp by this method.
+// Returns the frame computed link by link, with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
   return times.empty() ? nullptr
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Largest error over all gaps of two and three eigenvalues, in double.
+// Returns the largest error over all gaps of two and three eigenvalues, in double.
 std::string worst_error(const Figures& figures, Method method) {
   const auto methods = exp_methods();
   const auto at = std::ranges::find(methods, sym3::label(method),
@@ -47,7 +46,7 @@ std::string worst_error(const Figures& figures, Method method) {
   return error_text(worst);
 }
 
-// Volume loss of a row of measure_halfway(): "27 %", "nothing".
+// Returns the volume loss in a row of measure_halfway(): "27 %" or "nothing".
 std::string lost_volume(const nlohmann::json& way) {
   const double lost = 100 * (1 - double(way["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
@@ -68,19 +67,18 @@ std::string count_option(std::size_t count) {
 Section eigenvalues_section(const Figures& figures) {
   const EigenBench& bench = figures.eigen;
   const auto ns = [&](const char* name) { return time_of(bench.results, name); };
-  return {
-      "eigenvalues",
-      "Figure 1 of the paper",
-      "Eigenvalues",
-      "Viete\u2019s formula takes " + percent(percent_less(ns("Viete"), ns("QR"))) +
-          " less time than QR; ours takes " + percent(percent_less(ns("Fast"), ns("QR"))) + " less.",
-      "QR rotates the matrix repeatedly until it is diagonal. The formula solves the characteristic "
-      "polynomial with one arc cosine and three cosines, without iteration. Direct is Eigen\u2019s closed "
-      "form.",
-      plots(figure("ns per matrix, " + base::with_thousands(bench.count) + " matrices, double",
-                   draw_bars(plot_of(bench)))) +
-          html(times_table(bench.results, "ns per matrix")),
-      {"viete bench eigen" + count_option(bench.count)}};
+  return {"eigenvalues",
+          "Figure 1 of the paper",
+          "Eigenvalues",
+          "Viete\u2019s formula takes " + percent(percent_less(ns("Viete"), ns("QR"))) +
+              " less time than QR; Fast takes " + percent(percent_less(ns("Fast"), ns("QR"))) + " less.",
+          "QR rotates the matrix repeatedly until it is diagonal. The formula solves the characteristic "
+          "polynomial with one arc cosine and three cosines, without iteration. Direct is the closed form "
+          "of Eigen.",
+          plots(figure("ns per matrix, " + base::with_thousands(bench.count) + " matrices, double",
+                       draw_bars(plot_of(bench)))) +
+              html(times_table(bench.results, "ns per matrix")),
+          {"viete bench eigen" + count_option(bench.count)}};
 }
 
 double ns_of(const ExpBench& bench, Method method) {
@@ -129,7 +127,7 @@ Section exponentials_section(const Figures& figures) {
 Section deformation_section(const Figures& figures) {
   Plot plot;
   plot.unit = " ms";
-  Table table{{"method", "frame, ms", "exponentials, ms", "their share", "blend, ms", "rest, ms"}, {}};
+  Table table{{"method", "frame, ms", "exponentials, ms", "part of frame", "blend, ms", "rest, ms"}, {}};
   for (const Method m : shown_methods) {
     const FrameTime* t = staged_frame(figures.deformation, m);
     if (!t) continue;
@@ -152,10 +150,9 @@ Section deformation_section(const Figures& figures) {
                  " with Improved SD and " + table.rows[3][3] + " with Fast, which makes the frame " +
                  few_digits(plot.bars[0].ns / plot.bars[3].ns) + " times faster.";
   section.why =
-      "Each vertex needs one exponential per frame. When it is cheap, most of the time goes into the "
-      "weighted "
-      "sum of the cage\u2019s logarithms (blend), which grows with the cage. The viewer computes everything "
-      "in one pass; see Frames by cage.";
+      "Each vertex needs one exponential per frame. If it is cheap, the weighted sum of the cage\u2019s "
+      "logarithms (blend) takes most of the time and grows with the cage. The viewer computes everything in "
+      "one pass; see Frames by cage.";
   section.body =
       plots(figure("ms per frame, " + base::with_thousands(first.vertices) + " vertices, cage of " +
                        std::to_string(first.faces) + " triangles; coloured: exponentials",
@@ -184,16 +181,15 @@ Section paper_section(const Figures& figures) {
       "several times cheaper.",
       "S. Kaji and H. Ochiai, A Fast Computation of 3x3 Matrix Exponentials and its Application in CG.",
       html(table) +
-          paragraph("Machine, compiler and year differ. The paper measures a dragon of 50,000 vertices and "
-                    "100,000 triangles and does not state the precision; its cosine is a single-precision "
-                    "routine. Its processor, compiler, absolute times and cage size are unknown, so only the "
-                    "savings are compared. The share of the exponentials in a frame, and therefore the last "
-                    "row, depends on the cage. The formulas are as printed, with misprints corrected.",
+          paragraph("The paper measures a dragon of 50,000 vertices and 100,000 triangles. It does not state "
+                    "the precision, but its cosine is a single-precision routine. Its processor, compiler, "
+                    "absolute times and cage size are unknown, so only the savings are compared. The last "
+                    "row depends on the cage. The formulas are as printed, with misprints corrected.",
                     "note"),
       {}};
 }
 
-// Errors of the four methods, without scales so small that all matrices are zero by rounding.
+// Draws the errors of the four methods. Skips scales so small that rounding makes all matrices zero.
 std::string errors_plot(const AccuracyTable& accuracy) {
   constexpr double least = 1e-20;
   Plot plot;
@@ -236,7 +232,7 @@ Section accuracy_section(const Figures& figures) {
   const std::string count = "viete bench accuracy" + count_option(figures.sizes.samples);
   return {
       "errors",
-      "Ours",
+      "Not in the paper",
       "Accuracy",
       "Where eigenvalues are close, the largest relative error is " + worst(Method::sd) + " with SD and " +
           worst(Method::improved_sd) + " with Improved SD, in double precision. Diag stays at " +
@@ -247,7 +243,7 @@ Section accuracy_section(const Figures& figures) {
       error_plots(figures) + error_tables("double", figures.accuracy) +
           error_tables("float", figures.accuracy_in_float) +
           paragraph("The largest error of " + base::with_thousands(figures.sizes.samples) +
-                        " matrices per row, in the Frobenius norm, against 106-bit results.",
+                        " matrices per row, in the Frobenius norm, compared with 106-bit results.",
                     "note"),
       {count, count + " --float"}};
 }
@@ -261,7 +257,7 @@ std::string frames_seen(const Figures& figures) {
   return "In a cage of " + std::to_string(usual_faces) + " triangles, a frame of " +
          base::with_thousands(ours->vertices) + " vertices takes " + base::milliseconds(ours->cpu_ms) + ", " +
          few_digits(plain->cpu_ms / ours->cpu_ms) +
-         " times less than the published method. While one vertex is dragged, it takes " +
+         " times less than with the published method. While one vertex is dragged, it takes " +
          base::milliseconds(dragged->cpu_ms) + ".";
 }
 
@@ -298,13 +294,13 @@ Section frames_section(const Figures& figures) {
       table.rows[i].push_back(t && !std::isnan(t->error) ? error_text(t->error) : "");
     }
   return {"frames",
-          "Ours",
+          "Not in the paper",
           "Frames by cage",
           frames_seen(figures),
-          "Published: a rebuild of published tools, which blends matrices in double precision, vertex by "
-          "vertex. Dense: blends all weights in one pass in single precision. Compressed: blends a few "
-          "vertices of each block exactly and interpolates the logarithms of the others. Dragged: adds only "
-          "the change to the sums from the start of the drag.",
+          "Published: blends matrices vertex by vertex in double precision, as published tools do. Dense: "
+          "blends all weights in one pass in single precision. Compressed: blends a few vertices of each "
+          "block exactly and interpolates the logarithms of the others. Dragged: adds only the change to "
+          "the sums from the start of the drag.",
           plots(figure("ms per frame with normals, one thread", draw_curves(plot))) + html(table) +
               paragraph("Processor time of one thread. The cages are generated around the model. Errors are "
                         "relative to double precision, in diagonals of the cage.",
@@ -403,7 +399,7 @@ Section deformers_section(const Figures& figures) {
     else
       problems += paragraph(label_of(mode) + ": " + mode.problem, "note");
   }
-  Section section{"deformers", "Ours", "Deformers", "", "", "", {}};
+  Section section{"deformers", "Not in the paper", "Deformers", "", "", "", {}};
   section.commands = {"viete bench modes " + shell_word(figures.files.model) + " " +
                       shell_word(figures.files.cage)};
   for (const auto& pose : figures.files.poses) section.commands[0] += " " + shell_word(pose);
@@ -413,9 +409,8 @@ Section deformers_section(const Figures& figures) {
   section.seen = deformers_seen(modes, figures.poses.size());
   section.why =
       "A deformer is a choice of maps, weights and blend. Low distortion is not the only criterion: Mean "
-      "value "
-      "reproduces affine poses exactly, Local leaves distant parts at rest, and As published needs neither a "
-      "surface nor a solver.";
+      "value reproduces affine poses exactly, Local keeps distant parts at rest, and As published needs "
+      "neither a surface nor a solver.";
   section.body =
       plots(deformers_plot("distortion, relative to mean value coordinates", modes, energy, "") +
             deformers_plot("ms per frame, one thread", modes, frame, " ms")) +
@@ -437,7 +432,7 @@ constexpr std::tuple<const char*, const char*, const char*> interpolations[] = {
 
 Plot volumes_of(const nlohmann::json& row) {
   Plot plot;
-  plot.linear = true, plot.across = "share of the way";
+  plot.linear = true, plot.across = "0: rest, 1: shape";
   for (const auto& [name, key, color] : interpolations) {
     PlotCurve curve{name, color, false, {}};
     const auto& volumes = row[key]["volumes"];
@@ -449,7 +444,7 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// Draws all at the same scale.
+// Draws all pictures at the same scale.
 std::string drawn(std::vector<ShapePicture> pictures) {
   constexpr double width = 200, height = 170, margin = 6;
   double scale = 1e9;
@@ -467,14 +462,14 @@ std::string drawn(std::vector<ShapePicture> pictures) {
 }
 
 Section shapes_section(const Figures& figures) {
-  Section section{"shapes", "Ours", "Between shapes", "", "", "", {}};
+  Section section{"shapes", "Not in the paper", "Between shapes", "", "", "", {}};
   Table table{{"halfway to", "volume, log space", "volume, linear", "edges, log space", "edges, linear"}, {}};
   Plot edges;
   edges.unit = " %", edges.compared = false;
   std::string curves;
   for (const auto& row : figures.shapes.rows) {
     const std::string name = name_of_shape(row);
-    curves += figure("volume on the way to " + name, draw_curves(volumes_of(row)));
+    curves += figure("volume between rest and " + name, draw_curves(volumes_of(row)));
     for (const auto& [how, key, color] : interpolations)
       edges.bars.push_back({name + ", " + how, 100 * double(row[key]["edges"]), color});
     table.rows.push_back({name});
@@ -486,8 +481,8 @@ Section shapes_section(const Figures& figures) {
       drawn(figures.shapes.pictures) +
       plots(curves + figure("deviation of edge lengths halfway, %", draw_bars(edges))) + html(table) +
       paragraph(
-          "Volume: relative to the smaller end. Edges: root mean square deviation of the lengths, in "
-          "logarithms, from the geometric mean of both ends. Shapes of the bundled dragon.",
+          "Volume: relative to the smaller of both shapes. Edges: root mean square deviation of the "
+          "logarithms of lengths from the mean of both shapes. Shapes of the bundled dragon.",
           "note");
   const auto& most = figures.shapes.rows[figures.shapes.most_lost];
   const auto &straight = most["straight"], &logs = most["log_space"];
@@ -497,13 +492,11 @@ Section shapes_section(const Figures& figures) {
                  ", and edge lengths deviate by " + percent(100 * double(logs["edges"])) + ".";
   section.why =
       "Linear interpolation moves each point along a straight line. If a part rotates by 180\u00b0, its "
-      "points "
-      "meet at the axis and the part collapses. Logarithms interpolate the rotation itself, so that each "
+      "points meet at the axis and the part collapses. Logarithms interpolate the rotation itself, so each "
       "triangle turns about the axis and keeps its size.";
   return section;
 }
 
-// A value with its description.
 std::string tile(const std::string& value, const std::string& what) {
   return "<div><dt>" + escaped(what) + "</dt><dd>" + escaped(value) + "</dd></div>\n";
 }

@@ -37,7 +37,7 @@ using sym3::SymView;
 constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
 const std::string planes_text = ", planes in the second cache, per matrix";
 
-/// A case of all matrices, by calls for single matrices.
+/// A case that computes all matrices by calls for single matrices.
 template <class In, class Out, class Function>
 RoundCase one_by_one(const char* name, const std::vector<In>& in, std::vector<Out>& out, Function function) {
   return {name, in_cache,
@@ -48,7 +48,7 @@ RoundCase batched(const std::string& name, std::size_t repeats, const std::funct
   return {name, in_cache, [run](std::size_t) { run(); }, repeats};
 }
 
-/// The copy of so many planes.
+/// A case that copies this number of planes.
 RoundCase copy_of(const double* from, double* to, std::size_t planes, std::size_t stride) {
   return batched("copy", 20, [=] { std::memcpy(to, from, planes * stride * sizeof(double)); });
 }
@@ -70,7 +70,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   for (const Method m : {Method::diag, Method::improved_sd})
     cases.push_back(batched(std::string(sym3::name(m)), 1, [&, m] { sym3::exp<T>(matrices, answers, m); }));
   cases.push_back(one_by_one("one by one", matrices, answers, [](const Sym3<T>& s) { return sym3::exp(s); }));
-  // Repeated, because a processor runs wide instructions slowly for the first 20 us or so.
+  // Repeats each case, because a processor runs wide instructions slowly for the first 20 us or so.
   for (const Kernel& k : sym3::kernels())
     cases.push_back(batched(std::string(k.name), 100,
                             [&, kernel = &k] { sym3::exp(in.view(), out.view(), in_cache, {kernel}); }));
@@ -101,7 +101,7 @@ void out_of_cache(std::size_t count, Bars& report) {
   report.check("exp of Matrix3d, from memory: / copy", faster(full.times, "fast", "copy"), 1.3, false);
 }
 
-/// R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
+/// Returns R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
 sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
   const double a2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], a = std::sqrt(a2);
   const double c = std::cos(a), s = a > 1e-8 ? std::sin(a) / a : 1, f = a > 1e-8 ? (1 - c) / a2 : 0.5;
@@ -110,8 +110,8 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
           f * y * z - s * x, f * x * z - s * y, f * y * z + s * x, c + f * z * z};
 }
 
-/// w = a / (2 sin a) times the antisymmetric part of R, cos a = (tr R - 1) / 2, with a case for small angles;
-/// inaccurate near half turns.
+/// Returns w = a / (2 sin a) times the antisymmetric part of R, with cos a = (tr R - 1) / 2 and a case for
+/// small angles. Inaccurate near half turns.
 sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));
   const double f = a > 1e-8 ? a / (2 * std::sin(a)) : 0.5;
@@ -170,8 +170,8 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
 constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
 constexpr double pow_exponent = 0.4;
 
-/// The usual method of finite element codes: eigenvectors by QR, divided differences of the function, its
-/// derivative for eigenvalues closer than a millionth.
+/// The usual method of finite element codes: eigenvectors by QR and divided differences of the function, or
+/// its derivative if eigenvalues are closer than a millionth.
 template <class T>
 void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
                      std::span<const Sym3<T>> directions, std::span<Sym3<T>> out) {
@@ -194,7 +194,7 @@ void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
   }
 }
 
-/// Matrices, six directions for each, and space for the results, in planes.
+/// Matrices, six directions for each matrix, and space for the results, in planes.
 template <class T>
 struct Planes {
   std::vector<Sym3<T>> matrices, directions;
@@ -252,7 +252,7 @@ void time_derivative(const std::string& what, T (*value_at)(T), T (*slope_at)(T)
 
 template <class T>
 void derivatives(const std::string& type, Bars& report) {
-  // Positive definite with margin, for all functions; the paper's ensemble nearly is not.
+  // Positive definite with a margin, as all functions need; the paper's ensemble can be nearly singular.
   Random random(12);
   std::vector<Sym3<T>> matrices(matrices_in_cache);
   for (auto& s : matrices)
@@ -282,7 +282,7 @@ void derivatives(const std::string& type, Bars& report) {
       [](auto s, auto... a) { sym3::pow_tangent(s, pow_exponent, a...); });
 }
 
-/// The largest relative error of exp in u, against 106 bits.
+/// Returns the largest relative error of exp, in units of the roundoff u, compared with 106 bits.
 template <class T>
 double worst_error(const std::vector<Sym3<T>>& matrices) {
   std::vector<Sym3<T>> answers(matrices.size());
@@ -317,7 +317,7 @@ void bench_sym3(std::size_t count, const std::filesystem::path& json) {
   const bool small = count != 0 && count < 1'000'000;
   std::printf("kernels:");
   for (const Kernel& k : sym3::kernels()) std::printf(" %s", std::string(k.name).c_str());
-  std::printf("; running %s; one thread, its processor time, medians of interleaved runs\n",
+  std::printf("; running %s; processor time of one thread, medians of interleaved runs\n",
               std::string(sym3::kernel_name()).c_str());
   in_second_cache<double>("double", report);
   in_second_cache<float>("float", report);

@@ -1,4 +1,4 @@
-// Interleaved rounds of measurements; their results as tables and JSON.
+// Interleaved rounds of measurements, with results as tables and JSON.
 #pragma once
 
 #include <cstddef>
@@ -22,16 +22,16 @@ struct RoundCase {
 
 struct BenchResult {
   std::string name;
-  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
+  double ns_per_item = 0;  ///< median over the rounds of the calling thread's processor time
 };
 
-/// The time of the case with this name; 0 if there is none.
+/// Returns the time of the case with this name, or 0 if it is missing.
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
-/// The ratio of two times.
+/// Returns the ratio of the times `slow` and `fast`.
 double faster(const std::vector<BenchResult>& results, const std::string& slow, const std::string& fast);
 
-/// Runs every case once per round, so that disturbances affect all alike, after one warm-up round. Processor
-/// time of the calling thread, medians. Throws base::Cancelled.
+/// Runs every case once per round, after one warm-up round, so that disturbances affect all cases alike.
+/// Times are medians of the calling thread's processor time. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
@@ -44,26 +44,26 @@ struct Table {
 };
 void print(const std::string& title, const Table& table);
 
-/// Times with their ratios to the first one and to that of "copy".
+/// Returns the times with their ratios to the first time and to the time of "copy".
 Table times_table(const std::vector<BenchResult>& results, const std::string& unit = "ns");
 
-/// "4.3e-16".
+/// Returns a text like "4.3e-16".
 std::string error_text(double error);
-/// "76 %", with a no-break space.
+/// Returns a text like "76 %" with a no-break space.
 std::string percent(double value);
 
 nlohmann::json to_json(const std::vector<BenchResult>& results);
-/// Atomic. Throws base::Error. Does nothing for an empty path.
+/// Writes the file atomically. Does nothing for an empty path. Throws base::Error.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
-/// "AMD EPYC 9654"; empty if the system does not report it.
+/// Returns a name like "AMD EPYC 9654"; empty if the system does not report it.
 std::string processor_name();
 
 /// The checked limits of one run, in order.
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints whether `measured` is at least, or at most, `bar`.
+  /// Prints whether `measured` is at least, or at most, `bar`, and adds a row.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 

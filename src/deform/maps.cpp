@@ -70,9 +70,9 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 
 namespace {
 
-constexpr std::size_t portion = 64;  // elements per portion; its planes fit the first-level cache
+constexpr std::size_t portion = 64;  // elements split at once; their numbers fit the first-level cache
 
-/// N numbers per element of a portion, one plane per number.
+/// N numbers for each element of a portion. at[i] has the number i of all elements.
 template <int N>
 struct Planes {
   alignas(64) double at[N][portion + 8];
@@ -81,7 +81,7 @@ struct Planes {
   sym3::View<const double, N> view() const { return {at[0], portion + 8}; }
 };
 
-// The symmetric part of R^T M.
+// Computes the symmetric part of R^T M.
 void stretches(const Planes<9>& r, const Planes<9>& m, std::size_t count, Planes<6>& out) {
   const auto entry = [&](int i, int j, std::size_t n) {
     return r.at[i][n] * m.at[j][n] + r.at[3 + i][n] * m.at[3 + j][n] + r.at[6 + i][n] * m.at[6 + j][n];
@@ -132,7 +132,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Result for a matrix that is not finite, which Eigen does not process.
+// The result for a matrix that is not finite; Eigen cannot decompose it.
 Polar not_a_number() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Polar result;
@@ -182,7 +182,7 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// Splits by singular values. True if one was below the floor.
+// Splits the map by singular values. Returns true if it raised a value or the map is not finite.
 bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =

@@ -1,5 +1,5 @@
-// Mean value coordinates in vector registers, one lane a point: included by bind_kernel.cpp for each
-// instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
+// Mean value coordinates in vector registers, one point per lane. bind_kernel.cpp includes this file once per
+// instruction set. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
 #undef VIETE_DEFORM_MEAN_VALUE_KERNEL_INL_H
@@ -19,24 +19,21 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
-// For a triangle with unit directions u_0, u_1, u_2 from p to its corners (numbers modulo 3):
-//
+// Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners (numbers modulo 3):
 //     c_i = u_i+1 x u_i+2                        |c_i| the sine of the angle a_i between them
 //     m   = sum of (a_i / |c_i|) c_i / 2         the integral of the unit vectors over the spherical triangle
 //     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
-//
 // The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
-// of a corner is the sum of the s_i of its triangles over its distance from p (Ju, Schaefer, Warren 2005).
-//
-// c_i, a_i / (2 |c_i|) and |c_i|^2 depend only on the edge, except for the sign of c_i, which is opposite in
-// the other triangle: they are computed once per edge, and all u_i once per corner.
+// of a corner is the sum of the s_i of its triangles, divided by its distance from p (Ju, Schaefer, Warren
+// 2005). The two triangles of an edge have the same c_i, except for its sign, and the same a_i / (2 |c_i|)
+// and |c_i|^2. Therefore these are computed once per edge, and u_i once per corner.
 
-constexpr double in_plane = 1e-8;  // sine of the angle below which p may count as lying in a triangle's plane
-constexpr double vanishing = 1e-9;  // relative to the sum of absolute weights
+constexpr double in_plane = 1e-8;   // p may be in a triangle's plane if the sine of the angle is less
+constexpr double vanishing = 1e-9;  // below this part of the sum of absolute weights, a sum counts as 0
 constexpr double pi = 3.14159265358979323846;
 
-// x^-1/2 to one or two ulp, x from 1e-38 to 1e38: two third-order steps from the hardware estimate, in a
-// third of the time of a square root and a division.
+// Returns 1 / sqrt(x) to two ulp, for x from 1e-38 to 1e38. Two third-order steps from the hardware estimate
+// take a third of the time of a square root and a division.
 static HWY_INLINE ViewV inverse_root(ViewV x) {
   const ViewTag d;
   const hn::Rebind<float, ViewTag> narrow;
@@ -49,8 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// acos(c) / sqrt(1 - c^2) for c from 0 to 1, to 4e-17 before rounding: interpolated at Chebyshev points, as a
-// polynomial in 1 - c.
+// Returns acos(c) / sqrt(1 - c^2), c from 0 to 1, to 4e-17 before rounding, interpolated at Chebyshev points.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -77,11 +73,10 @@ static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   return lanes::horner(d, powers, hn::Sub(hn::Set(d, 1.0), cosine));
 }
 
-// The view of the cage from eight points: arrays of [bind_lanes] each.
+// The cage as seen from eight points. Each number is an array of bind_lanes values.
 struct Seen {
   double* directions;  // [corner][x y z, inverse distance]
-  double* edges;       // [edge][x y z of the cross product of its directions, half its angle over its sine,
-                       // squared sine]
+  double* edges;       // [edge][cross product of the directions x y z, angle / (2 sine), squared sine]
 };
 constexpr std::size_t corner_size = 4 * bind_lanes, edge_size = 5 * bind_lanes;
 
@@ -110,8 +105,7 @@ static void see_corners(const MeanValueJob& job, std::size_t lane, const Seen& s
   }
 }
 
-// Angles above 90 degrees are pi minus those of the opposite direction: angle / sine = pi / sine -
-// ratio(-cosine).
+// For angles above 90 degrees, angle / sine = pi / sine - angle_over_sine(-cosine).
 static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& seen) {
   const ViewTag d;
   for (std::size_t e = 0; e < job.edge_count; ++e) {
@@ -133,8 +127,8 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Splits the triangle's mean vector along the directions to its corners, as mean_value_weights() does for p
-// off its plane. Returns a mask of the lanes in which p lies, or may lie, in the plane.
+// Splits the triangle's mean vector along the directions to its corners, as mean_value_weights() does if p is
+// not in the triangle's plane. Returns the lanes in which p is, or may be, in the plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

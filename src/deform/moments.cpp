@@ -18,7 +18,7 @@ Vec3 vector_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// K^-1 x.
+// Returns K^-1 x.
 Vec3 solve(const MomentMatrix& k, const Vec3& x) {
   const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(k.data());
   const Eigen::Vector3d y = matrix.partialPivLu().solve(Eigen::Vector3d(x[0], x[1], x[2]));
@@ -31,7 +31,7 @@ void add_moment(double v, const Vec3& a, const Vec3& b, MomentMatrix& m) {
   }
 }
 
-// Means of one vertex; rest lengths in l.
+// The means of one vertex. Rest lengths are multiples of l.
 struct Means {
   double weight = 0;                   // sum of v
   Vec3 rest{0, 0, 0}, posed{0, 0, 0};  // m, m'
@@ -53,7 +53,7 @@ Means means(std::span<const double> weights, const double* table) {
   return m;
 }
 
-// B / l and K / l^2.
+// posed is B / l, rest is K / l^2.
 struct Moments {
   MomentMatrix posed{}, rest{};
 };
@@ -72,7 +72,7 @@ Moments moments(std::span<const double> weights, const double* table, const Mean
   return sum;
 }
 
-// M o.
+// Returns M o.
 Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
   if (form == RowForm::affine_moments) return times(moments.posed, solve(moments.rest, (1 / length) * o));
   const auto [rotation, stretch] = sym3::polar(moments.posed);

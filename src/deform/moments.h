@@ -1,6 +1,6 @@
-// Moving least squares: at every vertex the map that best fits the motion of the cage's points. S. Schaefer,
-// T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006; in space Y. Zhu, S. Gortler: 3D
-// Deformation Using Moving Least Squares, 2007.
+// Moving least squares: every vertex gets the map that best fits the motion of the cage's points. S.
+// Schaefer, T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006. In 3D: Y. Zhu, S.
+// Gortler: 3D Deformation Using Moving Least Squares, 2007.
 #pragma once
 
 #include <cstddef>
@@ -11,38 +11,37 @@
 
 namespace viete::deform {
 
-/// A vertex x has weights w (sum 1) of points p that are moved to p'. With v the weights that are positive,
-/// and m and m' their means of p and p',
+/// The cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. With
+/// v = max(w, 0), and with m and m' the means of p and p' weighted by v,
 ///
 ///     x' = M (x - sum w p) + sum w p',
-///     B = sum v (p' - m')(p - m)^T + l^2 sum v A,    K = sum v (p - m)(p - m)^T + l^2 sum v I,
+///     B = sum v (p' - m')(p - m)^T + l^2 sum v A,    K = sum v (p - m)(p - m)^T + l^2 sum v I.
 ///
-/// `affine`: M = B K^-1; `rigid`: M = R, the rotation nearest to B, of B = R S; `similar`: M = R tr S / tr K.
+/// M is B K^-1 for `affine`. With B = R S (polar), M is R for `rigid` and R tr S / tr K for `similar`.
 ///
-/// The paper has only the first terms. They vanish if one point has all the weight, and are rank-deficient if
-/// the weighted points lie in a plane: M would be undetermined. Therefore every point also contributes the
-/// map A of its patch (patch_maps.h), like a cloud of points of radius l, 10 % of the cage's edges. K is then
-/// never singular, and everything that the paper's maps reproduce is still reproduced: `affine` follows
-/// affine poses of the cage exactly (similarities if the cage is flat), the others similarities.
+/// The paper has only the first terms of B and K. They vanish if one point has all the weight, and have a
+/// lower rank if the weighted points lie in a plane; M would be undetermined. Therefore every point also adds
+/// the map A of its patch (patch_maps.h), like a cloud of points of radius l. l is 10 % of the cage's edges.
+/// Then K is never singular. `affine` still follows affine poses of the cage exactly (similarities if the
+/// cage is flat); `rigid` and `similar` follow similarities.
 ///
-/// Negative (biharmonic) weights affect only the means of x': in K they could cancel others.
-///
-/// Computes positions of the vertices [begin, end), all links at once, in double, each independently.
-/// Displacements are scaled by the shares. The form of the rows must be one of moments.
+/// Negative (biharmonic) weights affect only the sums of w p and w p': in K they could cancel others.
+/// Computes the positions of the vertices [begin, end) in double, each independently. The shares scale the
+/// displacements. The form of the rows must be one of moments.
 void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions);
 
-/// Per-vertex rest data of the fused frame. It sums B' = sum v p' (p - n)^T + l^2 sum v A about a fixed point
-/// n next to m, which avoids cancellation; the remainder from rounding n, B' - B = m' s^T with s = sum v (p -
-/// n), is so small that sum w p' can replace m'.
+/// Rest data of one vertex for the fused frame. The frame sums B' = sum v p' (p - n)^T + l^2 sum v A about a
+/// fixed point n next to m. This avoids cancellation. Rounding of n leaves B' - B = m' s^T, where
+/// s = sum v (p - n) is so small that sum w p' can replace m'.
 struct RestMoment {
   Vec3 dual;     ///< K^-1 (x - sum w p), times l
   double scale;  ///< l / tr K, times the unit of the frame's positions
 };
 
-/// moments: sum v ((p - p0)(p - n)^T + l^2 I) by rows, for any p0, summed like the frame: rounded in the
-/// second factor likewise, and therefore not quite symmetric; sum: s; weight: sum v; shift: n - p0; offset: x
-/// - sum w p. All lengths in l, including the frame's unit. 0 without weights; such a vertex stays.
+/// All lengths, the frame's unit too, are multiples of l. moments: sum v ((p - p0)(p - n)^T + l^2 I) by rows,
+/// for any p0; the second factor is rounded as in the frame, so the matrix is not quite symmetric. sum: s.
+/// weight: sum v. shift: n - p0. offset: x - sum w p. If the weight is 0, returns 0: the vertex stays.
 RestMoment rest_moment(const sym3::Mat3<double>& moments, const Vec3& sum, double weight, const Vec3& shift,
                        const Vec3& offset, double unit);
 

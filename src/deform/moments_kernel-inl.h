@@ -1,8 +1,7 @@
-// Moving least squares in vector registers: from weights and rows of moments to positions; included by
-// frame_kernel.cpp for each instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
-//
-// Sums are formed in float about a point near each vertex's mean of points, which avoids cancellation; maps
-// are computed from them in double, since nearly flat or collinear points lose digits.
+// Moving least squares in vector registers: computes positions from weights and rows of moments.
+// frame_kernel.cpp includes this file once per instruction set. (No #pragma once: see sym3/exp-inl.h.)
+// Sums are formed in float relative to a point near each vertex's mean point, which avoids cancellation. Maps
+// are computed from the sums in double, because nearly flat or collinear points lose digits.
 #if defined(VIETE_DEFORM_MOMENTS_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
 #undef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
@@ -17,10 +16,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-// B' by rows, and p'*.
+// The nine entries of B' by rows, then sum w p'.
 inline constexpr std::size_t moment_sums = 12;
 
-// Adds the moments of one vector of lanes.
+// Adds the moments of the vertices in one vector register.
 template <bool Listed, class V>
 static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)[moment_sums]) {
   const Tag d;
@@ -48,7 +47,7 @@ static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)
   }
 }
 
-// sums [tile][moment_sums][lane].
+// Writes sums[tile][moment_sums][lane].
 static void sum_moments(const TileRun& run, float* sums) {
   const Tag d;
   using V = hn::Vec<Tag>;
@@ -64,7 +63,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// Input of a vertex's map; `dual` and `scale` as in RestMoment, and the rotation nearest to b if needed.
+// The input of a vertex's map. dual and scale: see RestMoment. rotation: the nearest to b, only if needed.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -79,7 +78,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// Each form of map M, applied to the offset o.
+// One functor for each form of the map M. It returns M o for the offset o.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>
@@ -110,7 +109,7 @@ struct SimilarFit {
   }
 };
 
-// The rotation nearest to m in lanes where the fast result is not certain, one lane after the other.
+// Recomputes the rotation nearest to m, lane by lane, in lanes where the fast result is not certain.
 template <class D, class V>
 static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<D> certain,
                                          lanes::Nine<V>& r) {
@@ -121,12 +120,12 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
   r = {out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8]};
 }
 
-// Vectors of doubles fitted at once, to hide the latency of divisions.
+// The number of vectors of doubles fitted at once, which hides the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
 // The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
-// line, S has two small stretches and cof S two large ones; with a = |M| / |cof M| the sum determines R well.
-// (M = 0, for example without weights, gives I.)
+// line, S has two small stretches, and cof S two large ones. With a = |M| / |cof M|, the sum determines R
+// well. M = 0 gives I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);
@@ -151,7 +150,7 @@ static HWY_INLINE void find_rotations(D d, FitInput<V> (&in)[fits_at_once]) {
   }
 }
 
-// Lines of floats of one tile as vectors of doubles, starting at a lane.
+// Reads and writes lines of floats of one tile as vectors of doubles, starting at `lane`.
 struct TileLanes {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
@@ -170,7 +169,7 @@ struct TileLanes {
   }
 };
 
-// B from B' and its correction.
+// Returns B = B' - center sum^T.
 template <class V>
 static HWY_INLINE lanes::Nine<V> about_mean(const TileLanes& at, const float* sums,
                                             const lanes::Three<V>& center, const lanes::Three<V>& sum) {
@@ -180,7 +179,7 @@ static HWY_INLINE lanes::Nine<V> about_mean(const TileLanes& at, const float* su
           less(6, center.z, sum.x), less(7, center.z, sum.y), less(8, center.z, sum.z)};
 }
 
-// Positions of one tile as lines x, y, z.
+// Writes the positions of one tile as lines x, y, z.
 template <class Fit>
 static HWY_INLINE void fit_tile(const float* sums, const float* rest, const float* offsets, float* moved) {
   const TileLanes::D d;

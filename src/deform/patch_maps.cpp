@@ -27,7 +27,7 @@ struct Spread {
     k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
     k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
   }
-  // Ratio of the points' least to largest singular value.
+  // Returns the least singular value of the points divided by the largest.
   double ratio() const {
     const auto squares = sym3::eigenvalues(k);
     return squares[2] > 0 ? std::sqrt(std::max(squares[0], 0.0) / squares[2]) : 0;
@@ -35,7 +35,7 @@ struct Spread {
   double largest() const { return sym3::eigenvalues(k)[2]; }
 };
 
-// By cofactors: the condition number is that of the spread, squared.
+// Inverts m by cofactors.
 Symmetric inverse(const Symmetric& m) {
   const Symmetric c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
@@ -47,8 +47,8 @@ void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) 
   if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-// Vertices of the cage are neighbours if they share a polygon (for more than 16 corners, an edge of it), or a
-// place.
+// Vertices of the cage are neighbours if they share a polygon or a position. In a polygon with more than 16
+// corners, only the two vertices of an edge are neighbours.
 mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   const mesh::Surface& surface = cage.surface;
   const mesh::Surface welded = mesh::welded(surface);
@@ -73,7 +73,7 @@ std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, st
   const auto weight = [](const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); };
   const mesh::Adjacency around = neighbours_of_vertices(cage);
   std::vector<VertexPatches::Patch> patches(positions.size());
-  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch that took the vertex
+  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch that got the vertex
   for (std::uint32_t center = 0; center < positions.size(); ++center) {
     if (cage.unused[center]) continue;
     const auto from_center = [&](std::uint32_t v) { return scale * (positions[v] - positions[center]); };
@@ -117,7 +117,7 @@ VertexPatches::VertexPatches(const Cage& cage, double size)
   patches_ = make_patches(cage, size, rest_normals_);
 }
 
-// The summed area vector around a vertex, scaled to the square root of its length; 0 if areas cancel.
+// Returns the sum of the area vectors around a vertex, scaled to the root of its length; 0 if areas cancel.
 Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at) const {
   Vec3 sum{0, 0, 0};
   double total = 0;
@@ -130,7 +130,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
   return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-// Near rest, uses the displacements of the vertices: exactly I if none moved.
+// Near rest, adds the displacements of the vertices to I, so that the map is exactly I if no vertex moved.
 void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
                             std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
   const auto& rest = cage_.surface.positions;

@@ -11,37 +11,36 @@
 
 namespace viete::deform {
 
-/// A patch is the least-squares fit about a vertex c of the cage,
+/// The map M of a cage vertex at c is the least-squares fit to the vertices p of its patch, which move to p':
 ///
-///     M = (sum w (p' - c') (p - c)^T) K^-1 = sum (p' - c') g^T,    K = sum w (p - c) (p - c)^T,  g = w K^-1
-///     (p - c),
-///
-/// over the vertices p that share a polygon with c, then over further rings, until they spread in all
-/// directions: until the least singular value of their sqrt(w) (p - c) is at least a tenth of the largest. w
-/// = 1 / (e^2 + |p - c|^2) keeps the fit local, e being 3 % of `size`, the size of the cage. Usually one ring
-/// suffices. A patch is limited to 256 vertices and to its part of the cage.
+///     M = (sum w (p' - c') (p - c)^T) K^-1 = sum (p' - c') g^T,
+///     K = sum w (p - c) (p - c)^T,    g = w K^-1 (p - c).
+/// A patch starts with the vertices that share a polygon with c. It grows by rings until its vertices spread
+/// in all directions: the least singular value of all sqrt(w) (p - c) must be at least a tenth of the
+/// largest. Usually one ring suffices. A patch stops growing at 256 vertices and at the end of its part. The
+/// weight w = 1 / (e^2 + |p - c|^2) keeps the fit local; e is 3 % of `size`, the size of the cage.
 ///
 /// Every patch reproduces any affine pose of the whole cage. A patch that is flat to a thousandth of its size
-/// uses the normal as third direction, as in face_maps(), and then reproduces similarities. The map is the
-/// identity for a vertex of no polygon.
+/// uses the normal as third direction, as face_maps() does, and reproduces only similarities. A vertex
+/// without polygons gets the identity.
 class VertexPatches {
 public:
-  /// The cage must outlive it.
+  /// The cage must outlive this object.
   VertexPatches(const Cage& cage, double size);
 
-  /// A vertex that the patch depends on, and g.
+  /// A vertex of a patch, and its g.
   struct Member {
     std::uint32_t vertex;
     Vec3 dual;
   };
   struct Patch {
-    std::vector<Member> members;  ///< empty for a vertex of no polygon
+    std::vector<Member> members;  ///< empty for a vertex without polygons
     Vec3 normal_dual{0, 0, 0};    ///< g of the normal; 0 if the vertices determine all directions
   };
   std::span<const Member> members(std::size_t patch) const { return patches_[patch].members; }
 
-  /// Updates only these patches. Exactly I for a patch with no moved vertex. maps.size(): one per vertex of
-  /// the cage, posed likewise.
+  /// Changes only the maps of the patches in `which`. Patches without moved vertices get exactly I. maps and
+  /// posed have one entry per vertex of the cage.
   void compute(std::span<const mesh::Point> posed, const Vec3& origin, std::span<const std::uint32_t> which,
                std::span<AffineMap> maps) const;
 
@@ -50,7 +49,7 @@ private:
 
   const Cage& cage_;
   mesh::Adjacency triangles_;       // triangles around each vertex
-  std::vector<Vec3> rest_normals_;  // length: the size of the adjacent triangles
+  std::vector<Vec3> rest_normals_;  // normal() of each vertex at rest
   std::vector<Patch> patches_;
 };
 

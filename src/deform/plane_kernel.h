@@ -1,4 +1,4 @@
-// Small matrices of a block of triangles, plane by plane, in vector code. Internal.
+// Vector code for small matrices of a block of triangles. A plane has one entry of all matrices.
 #pragma once
 
 #include <cstddef>
@@ -7,13 +7,12 @@
 
 namespace viete::deform {
 
-/// Numbers per plane, one per triangle, and the distance between planes: one cache line more, so that planes
-/// are not 4096 bytes apart. All numbers are computed, including padding.
+/// A plane has one number per triangle. Planes are one cache line longer than that, so that no two planes are
+/// 4096 bytes apart. The functions compute all plane_size numbers, including padding.
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// Triangles that are adjacent in memory and summed separately, independent of the register width, so that
-/// all machines add in the same order.
+/// The number of adjacent triangles that are summed separately, so that all computers add in the same order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -21,28 +20,27 @@ struct ScaledRows {
   double factor;
 };
 
-/// General matrices have nine planes by rows, symmetric ones six as Sym3, vectors three. The first four
-/// functions round products and sums separately and give the same bits on every machine; the others give the
-/// same bits on every machine with fused multiply-add.
+/// General matrices have nine planes by rows, symmetric matrices six in the order of Sym3, and vectors three.
+/// The first four functions round products and sums separately and give the same bits on every computer. The
+/// others give the same bits on every computer with fused multiply-add.
 struct PlaneKernel {
-  /// sums += factor_k rows_k, in order, n numbers each.
+  /// Adds factor_k rows_k to sums, in the order of k. Rows have n numbers.
   void (*add_rows)(const ScaledRows* rows, std::size_t count, std::size_t n, double* sums);
-  /// product = m s, s symmetric.
+  /// product = m s, where s is symmetric.
   void (*times_symmetric)(const Plane* m, const Plane* s, Plane* product);
   /// pulls_k = weight_k (m - I) side_k, for three sides.
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
-  /// m = sum over three sides of weight_k posed_k side_k^T.
+  /// m = the sum over three sides of weight_k posed_k side_k^T.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// m = r exp(Y) s, s = exp(X), for logs X and Y; r is one matrix by rows, or null. Prefetches the twelve
-  /// planes of `next`.
+  /// s = exp(X) and m = r exp(Y) s for logs X and Y. r is a matrix by rows; null means I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
-  /// Images of two directions u and v under the maps exp(Y) exp(X) of weighted sums of logs, and their
-  /// derivatives by the weights. group [number][group_size]: u, v, then for each of `count` logs X in the
-  /// axes u, v, u x v, and Y. changes [log, last the map itself][3 of u, 3 of v][plane_stride]; only the
-  /// first group_size are written.
+  /// Computes the images of two directions u and v under exp(Y) exp(X), and their derivatives by the weights.
+  /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log, X
+  /// in the axes u, v, u x v and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives, then
+  /// the images as last entry. Writes only the first group_size numbers of each plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
-  /// sums [map][column][3][group_size] += the sums over groups of `count` maps applied to columns of such
-  /// directions: columns [n][2][plane_size].
+  /// Applies the first two columns of `count` maps to columns[n][2][plane_size]. Adds the results, summed
+  /// over groups, to sums[map][column][3][group_size].
   void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n,
                        double* sums);
 };

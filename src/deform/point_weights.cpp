@@ -11,11 +11,9 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double least_near =
-    1.0 / 512;  // in diagonals of the cage: float coordinates have the size of a leaf
+constexpr double least_near = 1.0 / 512;  // in diagonals of the cage: about the size of a leaf
 
-// v minus its component along the unit vector, normalised, orthogonal to the last bits; 0 if only rounding
-// errors remain.
+// Returns v without its part along the unit vector, normalised; 0 if only rounding errors remain.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
   const Vec3 across = v - dot(v, unit) * unit;
   if (!(largest_abs(across) > 1e-14 * largest_abs(v))) return {0, 0, 0};
@@ -32,8 +30,7 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// For an edge from (x, y) in the triangle's coordinates: the affine functions along it and to its left, and
-// its length.
+// Sets the affine functions along an edge from (x, y) and to its left, and its length.
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
   length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;
@@ -43,7 +40,7 @@ void set_edge(double x, double y, double dx, double dy, double* along, double* i
   std::copy_n(to_inward, 3, inward);
 }
 
-// Axes with x along the longest edge, from a to b, and z along the normal.
+// Returns the triangle in its own axes: x along the longest edge from a to b, z along the normal.
 DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   DistanceTriangle<double> t{};
   const double size = largest_abs(b - a);
@@ -65,7 +62,7 @@ DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c
   return t;
 }
 
-// The corner where the longest edge begins: the origin.
+// Returns the corner where the longest edge begins. It is the origin.
 int first_corner(const std::array<Vec3, 3>& p) {
   const double ab = norm(p[1] - p[0]), bc = norm(p[2] - p[1]), ca = norm(p[0] - p[2]);
   return ab >= bc ? (ab >= ca ? 0 : 2) : (bc >= ca ? 1 : 2);
@@ -155,9 +152,9 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 
 namespace {
 
-constexpr double in_plane = 1e-8;  // sine of the angle below which p may count as lying in a triangle's plane
-constexpr double negligible = 1e-14;  // relative to a mean vector, off that plane
-constexpr double vanishing = 1e-9;    // relative to the sum of absolute weights
+constexpr double in_plane = 1e-8;     // p may be in a triangle's plane if the sine of the angle is less
+constexpr double negligible = 1e-14;  // a smaller part of a mean vector off that plane counts as 0
+constexpr double vanishing = 1e-9;    // below this part of the sum of absolute weights, a sum counts as 0
 
 // A triangle seen from p: directions to its corners, and for each corner the cross product of the other two.
 struct View {
@@ -181,8 +178,8 @@ View view_of(const mesh::Point& p, const Cage& cage, const mesh::Triangle& t) {
   return view;
 }
 
-// Integral of the unit vectors over the spherical triangle: half the sum of its edges' angles times their
-// normals. Both triangles of an edge get the same bits with opposite signs.
+// Returns the integral of the unit vectors over the spherical triangle: half the sum of its edges' angles
+// times their normals. Both triangles of an edge get the same bits with opposite signs.
 Vec3 mean_vector(const View& v) {
   Vec3 m{0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -193,14 +190,14 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// The corner with the widest opposite edge as seen from p.
+// Returns the corner whose opposite edge looks widest from p.
 int widest(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Coefficients of m along u[0], u[1], u[2]. Seen edge-on from outside the three are nearly dependent, and m
-// lies in their plane up to a second-order term; the two most independent ones are used then, to avoid noise.
+// Returns the coefficients of m along u[0], u[1], u[2]. If the triangle is seen edge-on, the three directions
+// are nearly dependent, and m is almost in their plane. Then only the two most independent ones are used.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

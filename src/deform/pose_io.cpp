@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? "" : text.substr(begin);
 }
 
-// Parses a line `viete turns: part 0: x y z`; false for any other text.
+// Parses a line `viete turns: part 0: x y z`. Returns false for any other text.
 bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
   std::istringstream in{std::string(trimmed(line).substr(turns_mark.size()))};
   in.imbue(std::locale::classic());
@@ -48,8 +48,8 @@ std::vector<Vec3> read_turns(const std::vector<std::string>& comments, const Cag
     if (read_turn(comment, turns)) {
       any = true;
     } else {
-      warnings.push_back(
-          file + ": this line of rotations does not fit the cage and was skipped: " + comment.substr(0, 80));
+      warnings.push_back(file + ": the rotations in this line do not fit the cage and are ignored: " +
+                         comment.substr(0, 80));
     }
   }
   return any ? turns : std::vector<Vec3>{};
@@ -71,8 +71,7 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used");
 }
 
-// The STL reader welds loose triangles and numbers vertices by their first use in the faces. This is the
-// cage's order only if the faces match.
+// The STL reader numbers vertices by first use in the faces: the cage's order only if the faces are the same.
 void refuse_permuted(const formats::ReadResult& read, const Cage& cage, const std::string& file) {
   const formats::Format* format = formats::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;

@@ -8,7 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// Radians between the mean of a part's logs and its turns, up to which logs represent the turns.
+// If turns differ by more radians than this from the mean of a part's logs, logs cannot represent them.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {
@@ -21,7 +21,7 @@ LogSpace logs_of(const Cage& cage) {
 
 PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)), logs_(logs_of(*cage_)) {}
 
-// Extracts whole turns that the logs of a part cannot represent; its logs become those without them.
+// Moves whole turns that the logs of a part cannot represent from the logs to the result.
 std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
                                          const LogReport& report, std::vector<MapLog>& logs) const {
   std::vector<Vec3> wholes(report.turns.size()), rotations;

@@ -1,4 +1,4 @@
-// Poses of a cage as vectors, and back, with the whole turns of each part.
+// Converts poses of a cage to vectors and back, including the whole turns of each part.
 #pragma once
 
 #include <memory>
@@ -11,23 +11,23 @@
 
 namespace viete::deform {
 
-/// Converts poses of one cage to vectors and back. Uses the cage's triangles for any kind of bound elements.
-/// The whole turns of a vector are those that its logs cannot represent: turns about another axis than that
-/// of the part's rotation, see choose_branches(). Constant after construction: thread-safe.
+/// Converts poses of one cage to vectors and back. It uses the cage's triangles, even if a binding uses other
+/// elements. The whole turns of a vector are the turns that its logs cannot represent: those about another
+/// axis than the part's rotation, see choose_branches(). Constant after construction, so thread-safe.
 class PoseSpace {
 public:
   /// Throws base::Error: see LogSpace.
   explicit PoseSpace(std::shared_ptr<const Cage> cage);
 
   const Cage& cage() const { return *cage_; }
-  /// Sums, and the anchors of a moving pose.
+  /// The log space, for sums of vectors and the anchors of a moving pose.
   const LogSpace& logs() const { return logs_; }
-  /// Takes the whole turns of the pose or, if it has none, those nearest to `turns_before`, the turns of the
-  /// preceding pose (missing: 0). Throws base::Error unless the pose has one position per vertex.
+  /// Uses the turns of the pose. If it has no turns, uses those nearest to `turns_before`, the turns of the
+  /// preceding pose; missing entries are 0. Throws base::Error if the number of positions is wrong.
   LogVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
-  /// The pose of a sum of vectors.
+  /// Returns the pose of a sum of vectors.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;
-  /// The linear sum: every vertex moves on a straight line.
+  /// Returns the linear sum, in which every vertex moves on a straight line.
   Pose straight(std::span<const LogTerm> terms) const;
 
 private:

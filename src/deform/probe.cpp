@@ -13,33 +13,31 @@ namespace viete::deform {
 namespace {
 
 constexpr FalloffEntry falloffs[] = {
-    {{"smooth", "Smooth", "Smooth falloff from the probe to the radius"}, Falloff::smooth},
-    {{"round", "Round", "Round falloff, strong almost up to the radius"}, Falloff::round},
-    {{"linear", "Linear", "Linear falloff to the radius"}, Falloff::linear},
-    {{"sharp", "Sharp", "Sharp falloff, strong only close to the probe"}, Falloff::sharp},
-    {{"even", "Even", "Constant up to the radius, zero beyond"}, Falloff::even},
-    {{"endless", "Endless", "Unlimited falloff, one half at the radius"}, Falloff::endless},
+    {{"smooth", "Smooth", "Decreases smoothly to zero at the radius"}, Falloff::smooth},
+    {{"round", "Round", "Strong almost up to the radius, then decreases to zero"}, Falloff::round},
+    {{"linear", "Linear", "Decreases linearly to zero at the radius"}, Falloff::linear},
+    {{"sharp", "Sharp", "Strong only close to the probe, zero at the radius"}, Falloff::sharp},
+    {{"even", "Even", "Constant up to the radius, zero beyond it"}, Falloff::even},
+    {{"endless", "Endless", "Acts at every distance, with half strength at the radius"}, Falloff::endless},
     {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
-    {{"added", "Added",
-      "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
+    {{"added", "Added", "Adds the effects of all probes. Two probes moved together act twice as strongly"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Normalises weights where their sum exceeds 1, so two probes moved together act like one"},
+      "Scales the weights down where their sum exceeds 1, so two probes moved together act like one"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},
+      "Scales the weights to a sum of 1 near any probe. Probes at rest keep their surroundings at rest"},
      ProbeMix::whole},
-    {{"softmax", "Nearest",
-      "Takes the softmax of the weights within reach of any probe. The nearest probe dominates"},
+    {{"softmax", "Nearest", "The nearest probe has most of the effect (softmax of the weights)"},
      ProbeMix::softmax},
 };
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Divides the weights by their sum; unless `always`, only if the sum is above 1.
+// Divides the weights by their sum. If `always` is false, only divides if the sum is above 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;
@@ -80,7 +78,7 @@ sym3::Mat3<double> linear_part(const ProbePose& pose) {
   return times(sym3::exp_rotation(pose.turn), full(sym3::exp(pose.stretch)));
 }
 
-// In small steps, so that the branch of the log follows long turns.
+// Rotates in small steps, so that the log continues on the right branch for long turns.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians) {
   constexpr double largest_step = 1.5;
   ProbePose result = pose;
@@ -123,7 +121,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
   share_out(weights, &ProbeWeights::pivot, true);
 }
 
-// A reflection F maps R to F R F: the rotation axis is reflected and its direction reversed.
+// A reflection F converts R to F R F: it reflects the rotation axis and reverses the rotation.
 Probe mirrored(const Probe& probe, int axis, double at) {
   const auto a = static_cast<std::size_t>(axis);
   Probe result = probe;

@@ -13,7 +13,7 @@
 
 namespace viete::deform {
 
-/// Weight of a probe's motion at a vertex by its rest distance in radii.
+/// How the weight of a probe's motion depends on the rest distance from the probe.
 enum class Falloff { smooth, round, linear, sharp, even, endless, none };
 
 /// How the weights of several probes at a vertex are combined.
@@ -30,7 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Weight at a distance in radii: 1 at 0, decreasing, 0 from 1 on unless the falloff is endless.
+/// Returns the weight at a distance in radii: 1 at 0, then decreasing. From 1 on, only `endless` is above 0.
 double weight_at(Falloff falloff, double radii);
 
 /// The range of one part of a probe's motion.
@@ -41,7 +41,7 @@ struct Influence {
   friend bool operator==(const Influence&, const Influence&) = default;
 };
 
-/// The probe's motion from rest: y = place + exp(Y) exp(X) (x - place) + move. All 0: identity.
+/// The probe's motion from rest: y = place + exp(Y) exp(X) (x - place) + move. All 0: no motion.
 struct ProbePose {
   Vec3 turn{0, 0, 0};            ///< Y as a rotation vector, any number of turns
   sym3::Sym3<double> stretch{};  ///< X = log S
@@ -50,14 +50,14 @@ struct ProbePose {
   friend bool operator==(const ProbePose&, const ProbePose&) = default;
 };
 
-/// The pose rotated further about the probe's place by any angle in radians; axis must have length 1 and may
-/// differ from that of the pose's own turn.
+/// Returns the pose, rotated further about the probe's place. Any angle is allowed. The axis must have length
+/// 1 and may differ from the axis of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
-/// The pose scaled along the file's axes. Factors below least_factor are raised to it, so the result neither
-/// mirrors nor collapses.
+/// Returns the pose scaled along the file's axes. Smaller factors become least_factor, so that the result
+/// neither mirrors nor collapses.
 inline constexpr double least_factor = 1e-3;
 ProbePose scaled(const ProbePose& pose, const Vec3& factors);
-/// exp(Y) exp(X), by rows.
+/// Returns exp(Y) exp(X) by rows.
 sym3::Mat3<double> linear_part(const ProbePose& pose);
 
 /// A constraint that moves a vertex of the shape to the probe's position, see ExamplePosing.
@@ -71,9 +71,9 @@ struct Pin {
 struct Probe {
   mesh::Point place{0, 0, 0};  ///< at rest
   Influence turn{}, stretch{}, move{};
-  bool locked = false;  ///< keeps its effect, but cannot be edited
+  bool locked = false;  ///< if true, the probe keeps its effect but cannot be edited
   ProbePose pose{};
-  std::optional<Pin> pin{};  ///< if set, the probe has no other effect and lies at the vertex
+  std::optional<Pin> pin{};  ///< if set, the probe is at the pin's vertex and has no other effect
 
   friend bool operator==(const Probe&, const Probe&) = default;
 };
@@ -89,18 +89,18 @@ struct Probes {
 /// The weights of one probe at a vertex.
 struct ProbeWeights {
   double turn = 0, stretch = 0, move = 0;
-  double pivot = 0;  ///< weight of its place in the pivot of the vertex
+  double pivot = 0;  ///< weight of the probe's place in the vertex's pivot
 };
 
-/// Weights of all probes at a rest position; pins get 0. Turn, stretch and move are mixed separately:
-/// `partial` divides them by their sum if that is above 1; `added` leaves them; `whole` divides by the sum if
-/// it is above 0; `softmax` uses e^(b w) - 1, b = softmax_sharpness, over their sum, so that the nearest
-/// probe dominates. Pivots are the larger of turn and stretch, normalised to sum 1. weights.size() ==
-/// probes.all.size().
+/// Computes the weights of all probes at a rest position; pins get 0. Turn, stretch and move are combined
+/// separately. `added` leaves the weights unchanged. `partial` divides them by their sum if it is above 1,
+/// `whole` if it is above 0. `softmax` replaces each weight b by e^(s b) - 1, with s = softmax_sharpness, and
+/// divides by the sum. The nearest probe then dominates. Pivots are the larger of turn and stretch, divided
+/// by their sum. weights has one entry per probe.
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 
-/// The probe and its motion mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) equals `at`.
+/// Returns the probe and its motion mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) is `at`.
 Probe mirrored(const Probe& probe, int axis, double at);
 
 }  // namespace viete::deform

@@ -19,7 +19,7 @@ bool same_weights(const Probes& a, const Probes& b) {
          });
 }
 
-// Sums at a moving vertex, without the log of the stretch.
+// The weighted sums of the probes' motions at a vertex, without the log of the stretch.
 struct ProbeSum {
   std::size_t vertex;
   Vec3 turn{0, 0, 0}, move{0, 0, 0}, pivot{0, 0, 0};
@@ -52,7 +52,7 @@ void ProbeLayer::weigh() {
   });
 }
 
-// Skips probes at rest, so that many of them with large radii take no memory.
+// Stores nothing if all near probes are at rest, so that many such probes with large radii need no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
   std::vector<ProbeWeights> weights(probes_.all.size());
   bool moves = false;
@@ -166,7 +166,7 @@ void write(const Vec3& v, double scale, float* row) {
   for (std::size_t i = 0; i < 3; ++i) row[i] = static_cast<float>(scale * v[i]);
 }
 
-// Rows of RowForm::logs, lengths in units.
+// Writes rows of RowForm::logs. Lengths are multiples of unit.
 void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* rows) {
   constexpr std::size_t columns = log_shape.columns, turn = 6, center = log_shape.center;
   const auto& x = pose.stretch;
@@ -177,7 +177,7 @@ void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* ro
   write(place, 1 / unit, rows + pivot_row * columns + center);
 }
 
-// x - p, [3][lane], of one tile.
+// Computes x - p of one tile as [3][lane].
 void subtract_pivots(const float* weights, std::span<const float> table, const float* positions,
                      float* offsets) {
   constexpr std::size_t columns = log_shape.columns;

@@ -1,5 +1,5 @@
-// Normals by the one-ring of each vertex, in vector registers: included by frame_kernel.cpp for each
-// instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
+// Normals from the triangles around each vertex, in vector registers. frame_kernel.cpp includes this file
+// once per instruction set. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_DEFORM_RING_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_RING_KERNEL_INL_H
 #undef VIETE_DEFORM_RING_KERNEL_INL_H
@@ -17,10 +17,10 @@ namespace viete::deform::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside this range count as none
+constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside this range count as 0
 
-// Points as four lanes x y z x: rotated left by one lane they are y z x y, as a cross product needs. A
-// register holds as many points as fit, each in a block of its own.
+// A point has four lanes x y z x. Rotated left by one lane they are y z x y, as a cross product needs. A
+// register has as many points as fit, each in its own block of lanes.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -62,7 +62,7 @@ static HWY_INLINE void store_vertices(OnePoint d, const Points& position, const 
   store(d, position, vertices[*order].position), store(d, normal, vertices[*order].normal);
 }
 
-// Inverse lengths of 4 areas z x y 0; 0 without area.
+// Returns 1 / length of 4 area vectors with lanes z x y 0, or 0 without area.
 static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
   float inverse[4];
   for (int k = 0; k < 4; ++k) {
@@ -95,7 +95,7 @@ template <class D>
 static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
-// Each load fills all blocks; later ones preserve the first blocks.
+// Each load fills all blocks, but keeps the blocks that earlier loads have filled.
 template <std::size_t floats, class D, class Index>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
   auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
@@ -130,7 +130,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
   return hn::Mul(a, hn::Set(d, s));
 }
 
-// Stores pairs of blocks, position and normal, as vertices.
+// Stores vertices from pairs of blocks with a position and a normal.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 2) {
@@ -153,7 +153,7 @@ static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals,
   }
 }
 
-// Lane k of a block: the sum of the lanes of that block of s[k].
+// Lane k of each block becomes the sum of the lanes of the same block of s[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   const hn::RepartitionToWide<D> pairs;
@@ -174,7 +174,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Inverse lengths of 4 registers of areas z x y 0: lane k of a block for area k; 0 without area.
+// Returns 1 / length of area vectors with lanes z x y 0, in lane k of a block for areas[k]; 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
   const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
@@ -196,7 +196,7 @@ static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
 
 #endif
 
-// A sum of cross products, lanes z x y 0, in two chains to hide latency.
+// A sum of cross products with lanes z x y 0, in two chains to hide latency.
 template <class V>
 struct Areas {
   V plus, minus_part;
@@ -207,9 +207,9 @@ struct Areas {
   }
 };
 
-// Twice the area vectors around `self`. Two consecutive triangles form a quadrilateral, whose area is that of
-// the cross product of its diagonals: half as many products as triangles. Neighbours are `stride` numbers
-// apart, each in units of `floats` floats; open rings have an odd number of them.
+// Returns twice the sum of the area vectors around `self`. Two consecutive triangles form a quadrilateral;
+// twice its area vector is the cross product of its diagonals, so half as many products suffice. Neighbours
+// are `stride` numbers apart, each in units of `floats` floats. Open rings have an odd number of neighbours.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -251,7 +251,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Areas for the register of slots from s on; advances `neighbours`.
+// Returns the areas for the register of slots that starts at s. Advances `neighbours`.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -262,8 +262,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// Copies ghosts from the positions of other leaves, and prefetches those of the next leaf. True if a bit
-// changed.
+// Copies ghosts from other leaves and prefetches the next leaf's ghosts. Returns true if a bit changed.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
@@ -289,7 +288,7 @@ static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&o
   for (std::size_t k = 0; k < 4; ++k) out[k] = load(d, from + 4 * k * points(d));
 }
 
-// Stores 4 registers of slots from s on to vertices[order[0]], ...
+// Stores 4 registers of slots, starting at s, to vertices[order[0]], vertices[order[1]] and so on.
 static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
                                        const float* inverse_length, const std::uint32_t* order,
                                        FrameVertex* vertices) {
@@ -305,8 +304,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// All slots of a block, from `begin` on, finish each step before the next, which hides the latency of roots
-// and quotients.
+// All slots of a block finish each step before the next one, which hides the latency of roots and quotients.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

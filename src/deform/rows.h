@@ -1,45 +1,44 @@
-// A pose as rows of numbers to be summed, one row per handle, and the vertices of a frame. Shared with vector
-// code: no functions here (see sym3/fallback.h).
+// A pose as rows of numbers, one row per handle, and the vertices of a frame. Shared with vector code, so
+// there are no functions here (see sym3/fallback.h).
 #pragma once
 
 #include <cstddef>
 
 namespace viete::deform {
 
-/// The contents of a row, and how sums of rows become positions. x is the vertex at rest relative to the
-/// middle of the rest cage, o = x - sum w c its offset from the weighted mean of the handles' rest centres;
-/// positions are relative to the pose's origin.
+/// The contents of a row, and how a weighted sum of rows becomes a position. x is the vertex at rest,
+/// relative to the middle of the rest cage. o = x - sum w c is its offset from the weighted mean of the
+/// handles' rest centres c. Positions are relative to the pose's origin.
 enum class RowForm {
   logs,             ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) exp(X) o + c'
   maps,             ///< D = M - I by rows, d = D (-c) + c' - c:               x + D x + d
   positions,        ///< position p':                                          o + p'
-  affine_moments,   ///< p / l, l A by rows, p', see moments.h:            M o + p'*, M fitted
-  similar_moments,  ///< the same, M a rotation and a scale
-  rigid_moments,    ///< the same, M a rotation
+  affine_moments,   ///< p / l, l A by rows, p', see moments.h:                M o + sum w p', M fitted
+  similar_moments,  ///< as affine_moments, but M is a rotation and a scale
+  rigid_moments,    ///< as affine_moments, but M is a rotation
 };
 struct RowShape {
   std::size_t columns;
-  std::size_t first_length;  ///< columns from here on are lengths; those before are dimensionless
-  /// Number of leading columns whose mean is subtracted from the rows and added to the sums. This avoids
-  /// compression errors of the mean, since exact weights sum to one.
+  std::size_t first_length;  ///< index of the first column with lengths; earlier columns have no unit
+  /// Number of leading columns whose mean is subtracted from the rows and added to the sums again. Since
+  /// exact weights sum to 1, this only removes the compression error of the mean.
   std::size_t with_mean;
-  /// First of the three columns with the handles' centres; `columns` if there are none. See Shares in
-  /// binding.h.
+  /// First of the three columns with the handles' centres, or `columns`. See Shares in binding.h.
   std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9, 9};  // offsets complete what the centres do not reproduce
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // offsets correct the error of the centres
 inline constexpr RowShape map_shape{12, 9, 12, 12};
 inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};
 inline constexpr std::size_t most_columns = 15;
 inline constexpr std::size_t row_forms = 6;
 
-/// One vertex of a frame, as a graphics card takes it.
+/// One vertex of a frame, in the layout for the graphics card.
 struct alignas(32) FrameVertex {
   float position[3];  ///< relative to the frame's origin
   float unused0;
-  float normal[3];  ///< unit length; (0, 0, 1) where there is no area
+  float normal[3];  ///< unit length; (0, 0, 1) if the adjacent triangles have no area
   float unused1;
 };
 

@@ -13,16 +13,17 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2 with d the distance to the element"},
+    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
                  Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 within the radius, 0 beyond it"}, Weights::cut_off},
+    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 at the distance d up to the radius, then 0"},
+                 Weights::cut_off},
     WeightsEntry{{"harmonic", "Harmonic",
-                  "harmonic along the model's surface, 1 at the vertex nearest to the element"},
+                  "harmonic functions on the model's surface, 1 at the vertex nearest to the cage element"},
                  Weights::harmonic,
                  true},
     WeightsEntry{
         {"biharmonic", "Biharmonic",
-         "biharmonic along the model's surface, smoother than harmonic; negative values are set to 0"},
+         "biharmonic functions on the model's surface, smoother than harmonic; negative values become 0"},
         Weights::biharmonic,
         true},
     WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
@@ -30,16 +31,18 @@ constexpr std::array weights_table = {
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space", "sums logarithms of rotation and stretch about the blended centre"},
-               Blend::srl},
     BlendEntry{
-        {"mls-affine", "Least squares (MLS)", "affine map fitted by least squares"}, Blend::mls_affine, true},
+        {"srl", "Log space", "sums the logarithms of rotations and stretches around the blended centre"},
+        Blend::srl},
+    BlendEntry{{"mls-affine", "Least squares (MLS)", "fits an affine map by least squares"},
+               Blend::mls_affine,
+               true},
+    BlendEntry{{"mls-similarity", "Least squares, similarity",
+                "fits a rotation and a uniform scale by least squares"},
+               Blend::mls_similarity,
+               true},
     BlendEntry{
-        {"mls-similarity", "Least squares, similarity", "rotation and uniform scale fitted by least squares"},
-        Blend::mls_similarity,
-        true},
-    BlendEntry{
-        {"mls-rigid", "Least squares, rigid", "rotation fitted by least squares"}, Blend::mls_rigid, true},
+        {"mls-rigid", "Least squares, rigid", "fits a rotation by least squares"}, Blend::mls_rigid, true},
     BlendEntry{{"linear", "Linear (LBS)", "weighted mean of the maps"}, Blend::linear},
 };
 
@@ -72,9 +75,9 @@ const BlendEntry& entry(Blend blend) {
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
-    return "mean value coordinates move points and need the blend linear";
+    return "mean value weights need the linear blend";
   if (scheme.stitched() && !scheme.has_maps())
-    return "cage vertices give no maps that triangles could follow, so stitching is not possible";
+    return "these weights or this blend use the cage's vertices, but stitching needs its triangles";
   return std::nullopt;
 }
 
@@ -103,7 +106,7 @@ namespace {
 
 constexpr std::array ways_table = {
     WayEntry{
-        {"smooth", "Smooth", "weights along the surface, maps blended in log space: best for most models"},
+        {"smooth", "Smooth", "best for most models: weights along the surface, maps blended in log space"},
         Way::smooth,
         Scheme{.weighting = {Elements::face, Weights::biharmonic}}},
     WayEntry{
@@ -111,17 +114,18 @@ constexpr std::array ways_table = {
         Way::paper,
         Scheme{}},
     WayEntry{{"mean-value", "Mean value",
-              "mean value coordinates: exact for affine poses, loses volume where parts rotate"},
+              "mean value coordinates: exact for affine poses, but rotated parts lose volume"},
              Way::mean_value,
              Scheme{.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear}},
-    WayEntry{{"rigid", "Rigid", "rigid least squares: rotates without stretching, keeps sizes of details"},
-             Way::rigid,
-             Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
+    WayEntry{
+        {"rigid", "Rigid", "rigid least squares: rotates without stretching, so details keep their size"},
+        Way::rigid,
+        Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
     WayEntry{{"arap", "As rigid as possible",
-              "global as-rigid-as-possible solve: preserves details best, slower frames"},
+              "solves for the most rigid surface: preserves details best, but frames are slower"},
              Way::arap,
              Scheme{.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1}},
-    WayEntry{{"local", "Local", "weights end at a radius: vertices out of reach stay at rest"},
+    WayEntry{{"local", "Local", "weights end at a radius: vertices beyond it stay at rest"},
              Way::local,
              Scheme{.weighting = {Elements::face, Weights::cut_off}}},
 };
@@ -163,7 +167,7 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
   if (const auto reason = conflict(s))
     throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
-                      "omit one of them to have it chosen automatically");
+                      "omit one of them; it is then chosen automatically");
   s.weighting.elements = elements_of(s.weighting.weights, s.blend);
   if (s.has_maps()) s.iterations = preferred.iterations;
   return s;
@@ -175,13 +179,13 @@ using Need = NumberEntry::Need;
 constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
                           "these weights have no radius", "omit it, or choose weights cutoff"},
     has_maps{[](const Scheme&s) { return s.has_maps(); },
-             "this deformer does not use rotation or stretch of the cage",
+             "this deformer ignores the cage's rotation and stretch",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it needs a stitched model",
-                "omit it, or stitch the model"};
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "this setting needs stitching",
+                "omit it, or turn stitching on"};
 
 constexpr std::array numbers_table = {
-    NumberEntry{{"radius", "Radius", "Distance where weights end, in percent of the cage's size"},
+    NumberEntry{{"radius", "Radius", "Distance at which weights end, in percent of the cage's size"},
                 [](Scheme& s) -> double& { return s.weighting.radius; },
                 &AskedScheme::radius,
                 has_radius,
@@ -193,14 +197,14 @@ constexpr std::array numbers_table = {
                 has_maps,
                 0,
                 2},
-    NumberEntry{{"stretch", "Stretch",
-                 "Scale the logarithm of the blended stretch: 0 % ignores the stretch, 100 % is normal"},
-                [](Scheme& s) -> double& { return s.amounts.stretch; },
-                &AskedScheme::stretch,
-                has_maps,
-                0,
-                2},
-    NumberEntry{{"pins", "Pins",
+    NumberEntry{
+        {"stretch", "Stretch", "Scale the blended stretch in log space: 0 % ignores it, 100 % is normal"},
+        [](Scheme& s) -> double& { return s.amounts.stretch; },
+        &AskedScheme::stretch,
+        has_maps,
+        0,
+        2},
+    NumberEntry{{"pins", "Attach",
                  "Stitching: attach vertices within this distance of the cage, in percent of its size"},
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,

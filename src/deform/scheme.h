@@ -1,4 +1,4 @@
-// Schemes: how a model is deformed (weights and blend), their names, and how a user's choices become one.
+// Schemes: the weights and the blend that deform a model, their names, and how users' choices are combined.
 #pragma once
 
 #include <optional>
@@ -12,28 +12,27 @@
 namespace viete::deform {
 
 /// The handles of the cage: its triangles, each with an affine map, or its vertices, which only translate.
-/// Follows from weights and blend, see elements_of().
+/// Weights and blend determine the kind, see elements_of().
 enum class Elements { face, point };
-/// "faces" or "vertices".
+/// Returns "faces" or "vertices".
 std::string_view name(Elements elements);
 
-/// Weights of the handles at a vertex. (Smooth weights with bounds, such as bounded biharmonic weights, would
-/// need a solver for quadratic programs with bounds and 10^5 or more unknowns; Debian 12 packages no suitable
-/// one.)
+/// The weights of the handles at a vertex. (Smooth weights with bounds, such as bounded biharmonic weights,
+/// would need a solver for quadratic programs with 10^5 or more unknowns. Debian 12 has no such package.)
 enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 
-/// The quantities that are summed, and how sums become a position.
+/// The quantities that are summed with the weights, and how the sums become a position.
 enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
 
-/// How a frame is computed: staged, link by link in double; fused, in one pass over the weights in float; or
-/// stitched, by a solve for positions. Chosen by the program, see Deformer.
+/// How a frame is computed. staged: link by link in double. fused: in one pass over the weights in float.
+/// stitched: by solving for the positions. The program chooses the engine, see Deformer.
 enum class EngineKind { staged, fused, stitched };
 
 /// The fields common to all tables of choices.
 struct ChoiceEntry {
-  std::string_view name;      ///< the name in command line and sessions
+  std::string_view name;      ///< on the command line and in sessions
   std::string_view label;     ///< in the window: "Faces"
-  std::string_view sentence;  ///< description
+  std::string_view sentence;  ///< short description for tooltips and help
 };
 
 struct WeightsEntry : ChoiceEntry {
@@ -51,10 +50,10 @@ std::span<const BlendEntry> all_blends();
 const WeightsEntry& entry(Weights weights);
 const BlendEntry& entry(Blend blend);
 
-/// The elements of this combination.
+/// Returns the kind of elements for these weights and this blend.
 Elements elements_of(Weights weights, Blend blend);
 
-/// The value with this name in a table.
+/// Returns the value with this name in a table, or nullopt.
 template <class Entry>
 auto find_by_name(std::span<const Entry> table, std::string_view name)
     -> std::optional<decltype(Entry::value)> {
@@ -64,18 +63,17 @@ auto find_by_name(std::span<const Entry> table, std::string_view name)
   return std::nullopt;
 }
 
-/// More iterations change almost nothing.
+/// Limit of Scheme::iterations. More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
 
 /// All settings that the weights of a binding depend on; the blend is not one of them.
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
-  double radius = 0.25;  ///< of cut-off weights, in sizes of the cage
+  double radius = 0.25;  ///< the radius of cut-off weights, in sizes of the cage
 
   double used_radius() const { return partial() ? radius : 0; }
-  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1; the rest of its
-  /// share stays at rest, see Shares in binding.h.
+  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1, see Shares.
   bool partial() const { return weights == Weights::cut_off; }
   /// True if negative weights are set to 0 and the others rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
@@ -85,8 +83,8 @@ struct Weighting {
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 none, 1 unchanged, 2 doubled. Centres are not
-/// affected.
+/// Factors of each map's rotation and stretch in log space: 0 removes it, 2 doubles it. Centres do not
+/// change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -96,23 +94,23 @@ struct Amounts {
 
 /// Additional constraints of a stitched model, see stitch().
 struct Holding {
-  double radius = 0;  ///< in sizes of the cage
+  double radius = 0;  ///< vertices within this distance are attached to the cage; in sizes of the cage
   double weight = 0;  ///< pull of every vertex towards its blended position
 
   friend bool operator==(const Holding&, const Holding&) = default;
 };
 
-/// Member defaults are the published scheme; the program's default is default_scheme().
+/// The defaults of the members are the published scheme. default_scheme() is the program's default.
 struct Scheme {
   Weighting weighting;
   Blend blend = Blend::srl;
-  Amounts amounts{};  ///< for elements with maps; otherwise unused
-  /// Number of solves of a stitched model, see Stitcher; 0: not stitched.
+  Amounts amounts{};  ///< ignored if elements only translate
+  /// Number of solves of a stitched model, see Stitcher. 0: the model is not stitched.
   int iterations = 0;
   Holding holding{};  ///< for stitched models
 
   bool stitched() const { return iterations > 0; }
-  /// True if a frame takes an exponential per vertex.
+  /// True if a frame needs an exponential per vertex.
   bool exponential() const { return blend == Blend::srl; }
   /// True if elements rotate and stretch; false if they only translate.
   bool has_maps() const { return weighting.elements == Elements::face; }
@@ -127,10 +125,10 @@ inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
-/// Why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
+/// Returns why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// A choice of weights, blend, both or neither; an empty member allows any value.
+/// A choice of weights, of a blend, of both, or no choice. A member without a value allows any value.
 struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
@@ -140,11 +138,10 @@ struct PartialChoice {
 /// True if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
-/// All compatible pairs of weights and blend, in the order of the tables; numbers as in a default Weighting,
-/// not stitched.
+/// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
 std::vector<Scheme> valid_schemes();
 
-/// "inverse, srl": as the command line names them.
+/// Returns the names of weights and blend as on the command line: "inverse, srl".
 std::string text(const Scheme& scheme);
 
 enum class Way { smooth, paper, mean_value, rigid, arap, local };
@@ -157,13 +154,13 @@ struct WayEntry : ChoiceEntry {
 std::span<const WayEntry> all_ways();
 const WayEntry& entry(Way way);
 
-/// The scheme of a deformer, with the amounts of `now`.
+/// Returns the scheme of a deformer, with the amounts of `now`.
 Scheme scheme_of(Way way, const Scheme& now = {});
-/// The deformer of a scheme, for any amounts, radius, iterations and holding. Nullopt if none matches.
+/// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer: Way::smooth, which has the lowest energy over the poses of many models and is never
-/// among the worst (the manual has the table). Models without triangles get weights that need no surface.
+/// The default deformer is Way::smooth. It has the lowest energy over the poses of many models and is never
+/// among the worst (see the manual). Models without triangles get weights that need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {
@@ -173,13 +170,11 @@ inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
 
-/// The scheme that agrees with all choices and takes as much as possible of `preferred`: its radius, its
-/// amounts, and its stitching if compatible. Throws base::Error with the reason if the choices are
-/// incompatible.
+/// Returns a scheme with these choices. It keeps as much as possible of `preferred`: the radius, the amounts,
+/// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 
-/// The scheme after a user picks this deformer, weights or blend; keeps the other choices of `now` if
-/// compatible.
+/// Returns the scheme after a user picks this deformer, weights or blend. Keeps compatible choices of `now`.
 inline Scheme chosen(Way way, const Scheme& now) {
   return scheme_of(way, now);
 }
@@ -198,9 +193,9 @@ struct AskedScheme {
   bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
-/// A setting that is a fraction. People see and type it in percent, libraries as it is.
+/// A setting that is a fraction. Users see and type it in percent; libraries use the fraction.
 struct NumberEntry : ChoiceEntry {
-  /// The condition for a scheme to use it, and the error otherwise.
+  /// The condition under which a scheme uses the setting, and the error if it is not met.
   struct Need {
     bool (*met)(const Scheme& scheme);
     std::string_view problem, advice;
@@ -210,24 +205,23 @@ struct NumberEntry : ChoiceEntry {
   Need need;
   double least = 0, largest = 1;
 
-  /// Percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
+  /// The value in percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
   double percent(Scheme scheme) const;
 };
-/// A fraction as "25 %".
+/// Returns a fraction as "25 %".
 std::string text_of_percent(double fraction);
-/// "radius", "turn", "stretch", "pins" and "hold".
+/// The settings "radius", "turn", "stretch", "pins" and "hold".
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Open choices keep their value of `now` if compatible with the others. Throws base::Error for incompatible
-/// choices, for numbers that the scheme does not use, and for stitching of elements that only translate.
-///
-/// A radius selects cut-off weights, unless other weights were chosen explicitly: by name here, or earlier
-/// (`chosen`), for example in a session.
+/// Changes `now` by the choices in `asked`. Other choices keep their value if it is compatible. Throws
+/// base::Error for incompatible choices, for numbers that the scheme does not use, and if elements that only
+/// translate should be stitched. A radius selects cut-off weights, unless other weights were chosen by name
+/// here or earlier (`chosen`), for example in a session.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
-/// Stitched schemes use the stitched engine. The fused engine runs method `fast` and schemes without an
-/// exponential; the staged engine runs all other methods, and `fast` too if `same_path`.
+/// Returns the engine. Stitched schemes use the stitched engine. The fused engine runs method `fast` and
+/// schemes without an exponential. The staged engine runs all other methods, and `fast` if `same_path`.
 EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
 
 }  // namespace viete::deform

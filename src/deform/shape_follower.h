@@ -1,5 +1,4 @@
-// Displacements of a shape that follow a cage whose elements only translate, since their rows hold no
-// rotation.
+// Rotates the displacements of a shape with the cage, for cages whose rows have no rotations.
 #pragma once
 
 #include <memory>
@@ -12,12 +11,12 @@
 
 namespace viete::deform {
 
-/// Displacements v of a shape, moved along with the cage: v' = v + share sum w (M - I) v, M being the maps of
-/// the patches around the cage's vertices and w the weights of the points. For an affine motion of the cage,
-/// v' is its linear part applied to v. Not thread-safe.
+/// Moves each displacement v of a shape with the cage: v' = v + share sum w (M - I) v. M are the maps of the
+/// patches around the cage's vertices, w the weights of the vertex. For an affine motion of the cage, v' is
+/// the linear part of the motion applied to v. Not thread-safe.
 class ShapeFollower {
 public:
-  /// True if rows are positions; other forms have maps of their own.
+  /// True if the scheme's rows are positions. All other rows have maps.
   static bool is_for(const Scheme& scheme) {
     return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
   }
@@ -26,17 +25,17 @@ public:
       : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
-  /// For all vertices of a binding, masked; by its tiles if it has them.
+  /// Moves the displacements of all vertices, scaled by the mask. Uses the binding's tiles if it has some.
   std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                  base::WorkerPool& pool);
-  /// For the vertices of a block with weights and without ways. Thread-safe between poses.
+  /// Moves the displacements of the vertices of a block without own displacements. Thread-safe between poses.
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:
   std::vector<Vec3> followed(std::span<const double> sums, std::span<const Vec3> ways) const;
 
   CageState state_;
-  std::unique_ptr<FusedEngine> blender_;  // of the tiles
+  std::unique_ptr<FusedEngine> blender_;  // for a binding with tiles
   Mask mask_;
   std::vector<double> sums_;
   std::vector<Vec3> followed_;

@@ -18,10 +18,10 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// Relative to the mean map's largest singular value: if the two smallest sum to less, no rotation is nearest.
+// The least (s0 + s1) / s2 at which the mean map, with singular values s0, s1, s2, has a nearest rotation.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
-// Radians from a neighbour's log at which a rotation becomes doubtful, and is fully replaced.
+// Differences from a neighbour's log, in radians, at which a rotation becomes doubtful and is fully replaced.
 constexpr double doubted = 0.3, given_up = 1;
 
 Mat transposed(const Mat& m) {
@@ -42,17 +42,17 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// The rotation nearest to the mean of the maps, given their area-weighted sum.
+// Returns the rotation nearest to the mean map, from the area-weighted sum of maps; 0 if none is nearest.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
-  const auto singular = sym3::eigenvalues(stretch);  // ascending, the sign of the determinant in the first
+  const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant
   if (!(singular[0] + singular[1] > tells_turn * singular[2])) return {0, 0, 0};
   return sym3::log_rotation(rotation);
 }
 
 }  // namespace
 
-// Triangles that flip against all their neighbours, or collapse, take the logs of their neighbours.
+// Finds triangles that collapse or flip against all their neighbours, and gives them the neighbours' logs.
 class ShapeSpace::Folds {
 public:
   Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)
@@ -141,7 +141,7 @@ void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt
   }
 }
 
-// Logs of the rotations relative to the whole rotation.
+// Returns the logs of the rotations relative to the whole rotation.
 std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> rotations,
                                        const LogVector* before, base::WorkerPool& pool) const {
   const Mat back = transposed(sym3::exp_rotation(whole));
@@ -160,7 +160,7 @@ std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> r
   return logs;
 }
 
-// Splits of the maps to a shape, and the area-weighted sum of the maps.
+// Returns the splits of the maps to a shape, and in `sum` the area-weighted sum of the maps.
 std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                                         Mat& sum) const {
   const std::size_t count = triangles_.corners.size();
@@ -183,7 +183,7 @@ std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, 
   return splits;
 }
 
-// Returns which triangles collapsed; replaces their splits by the raised ones.
+// Replaces the splits of collapsed triangles by raised ones. Returns a flag for each triangle.
 std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions,
                                             std::vector<MapSplit>& splits) const {
   const double mean = mean_stretch(triangles_.flat, splits);

@@ -1,5 +1,4 @@
-// Shapes of a model as vectors, by the logs of the triangles of any triangle mesh. In-between shapes rotate
-// instead of collapsing as linear interpolation would.
+// Shapes of a model as vectors of its triangles' logs, so that in-between shapes rotate and do not collapse.
 #pragma once
 
 #include <cstdint>
@@ -19,27 +18,27 @@ namespace viete::deform {
 
 /// How well the logs represent a shape.
 struct ShapeReport {
-  std::size_t flat = 0;    ///< triangles without area at rest: they follow their corners
-  std::size_t folded = 0;  ///< triangles that collapse or flip against all neighbours: use neighbours' logs
-  /// Pairs of neighbours whose logs differ by more than half a turn: interpolation is ambiguous there.
+  std::size_t flat = 0;    ///< triangles without area at rest, which follow their corners
+  std::size_t folded = 0;  ///< triangles that collapse or flip against all neighbours and use their logs
+  /// Pairs of neighbours whose logs differ by more than half a turn. Interpolation is ambiguous there.
   std::size_t torn = 0;
 };
 
-/// Converts shapes of one model (positions of its vertices) to vectors. The rotation of the area-weighted
-/// mean map is the vector's whole turn; logs represent the remainder (S. Kaji et al., Mathematical analysis
-/// on affine maps for 2D shape interpolation, 2012, for maps in log space; R. W. Sumner et al., Mesh-based
-/// inverse kinematics, 2005, for maps of triangles). Constant after construction: thread-safe.
+/// Converts shapes of one model, given as vertex positions, to vectors. The whole turn of a vector is the
+/// rotation of the area-weighted mean map; the logs represent the remaining rotations. Maps in log space: S.
+/// Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012. Maps of triangles: R.
+/// W. Sumner et al., Mesh-based inverse kinematics, 2005. Constant after construction, so thread-safe.
 class ShapeSpace {
 public:
-  /// Throws base::Error if no triangle has area, see LogSpace; base::Cancelled.
+  /// Throws base::Error if no triangle has area, see LogSpace, and base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-  /// Sums, shapes, and anchors of moving shapes.
+  /// The log space, for sums, shapes and the anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Branches are coherent over the mesh and continue those of the preceding shape, if given, triangle by
-  /// triangle. Throws base::Error unless there is one finite position per vertex. The same bits for any
-  /// number of threads.
+  /// Converts a shape to a vector with coherent branches of the logs. If `before`, the vector of the
+  /// preceding shape, is given, each triangle continues its branch. Throws base::Error unless there is one
+  /// finite position per vertex. The result does not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 
@@ -48,7 +47,7 @@ private:
   struct Triangles {
     std::vector<mesh::Triangle> corners;
     std::vector<RestBasis> bases;
-    std::vector<double> areas;  ///< in squares of the diagonal
+    std::vector<double> areas;  ///< relative to the squared diagonal
     std::vector<std::uint8_t> flat;
     WeightedPairs neighbours;  ///< neighbours of flat triangles are joined
   };

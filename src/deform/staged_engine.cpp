@@ -16,7 +16,7 @@ namespace viete::deform {
 
 namespace {
 
-// Rows x columns of the product weights * table, with the sums in registers.
+// Computes Rows x Columns entries of the product weights * table, with the sums in registers.
 template <std::size_t Rows, std::size_t Columns>
 void product(const double* weights, const double* table, std::size_t handles, double (&sums)[Rows][Columns]) {
   double s[Rows][Columns] = {};
@@ -184,7 +184,7 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
   const VertexBlock block{*binding_, shares_, ways_};
   times_ = {};
   if (has_moments(rows.form)) {
-    // Sums and maps of each vertex together, since some sums depend on others.
+    // One link computes both the sums and the map of a vertex, since some sums depend on others.
     run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
       place_by_moments(block, rows, begin, end, positions_);
     });

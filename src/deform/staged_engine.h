@@ -1,4 +1,4 @@
-// The chain link by link, in double, so that each link can be timed and compared.
+// Computes frames link by link, in double, so that each link can be timed and compared.
 #pragma once
 
 #include <cstddef>
@@ -14,33 +14,32 @@
 
 namespace viete::deform {
 
-/// Vertices [begin, end) of sums = weights * rows, [vertex][column], multiplied by their shares, with the
-/// centres completed; sums must have its final size. Each sum adds the handles in order: the same bits for
-/// any division into ranges.
+/// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales them by the shares
+/// and completes the centres. sums must have its final size. Any division into ranges gives the same bits.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// The part of blend() after the products.
+/// Does the part of blend() after the products.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
-/// Logs of the stretches of vertices [begin, end), from sums of RowForm::logs; link 4 exponentiates them.
+/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for link 4.
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Positions of vertices [begin, end), from sums of any form except moments. For logs x' = origin + (exp(Y)
-/// exp(X) o + c'), stretches being exp(X). Forms and symbols: RowForm.
+/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs they are
+/// origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). See RowForm for forms and symbols.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Links 4 and 5 for all vertices, from their sums. Returns the error of place_vertices() if `error` is true.
+/// Runs links 4 and 5 for all vertices, from their sums. If `error`, returns the error of place_vertices().
 double place_sums(const VertexBlock& block, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
-/// Runs the links from the blend on for all vertices; positions has one per vertex. `sums`, unless empty,
-/// receives the result of blend(). Returns the largest relative difference (Frobenius norm) between the
-/// method's exponentials and those of method `fast`, which is exact to 1e-15; infinity for NaN, 0 for `fast`
-/// and without exponentials.
+/// Runs all links after the rows for all vertices. positions has one entry per vertex. If `sums` is not
+/// empty, it receives the result of blend(). Returns the largest relative difference (Frobenius norm) between
+/// the method's exponentials and those of method `fast`, which is exact to 1e-15: infinity for NaN, 0 for
+/// `fast` and without exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 
@@ -68,7 +67,7 @@ private:
   Shares shares_;
   std::span<const Vec3> ways_;                        // displacements of the shape
   std::vector<double> sums_;                          // [vertex][column], for forms without moments
-  std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms that have them
+  std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms with stretches
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;
 };

@@ -30,11 +30,11 @@ std::vector<std::size_t> vertices_of(const Entries& entries) {
 
 }  // namespace
 
-// The maps of a block of triangles, as M = rotation stretch if the form has them separately, else as M = M I;
-// stored as [entry][triangle], so that vector code runs along the triangles.
+// The maps M of a block of triangles as M = rotation stretch, or as rotation = M and stretch = I. Stored as
+// [entry][triangle], so that vector code runs along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
-  static constexpr std::size_t ahead = 12;  // triangles: prefetch distance of rows
+  static constexpr std::size_t ahead = 12;  // prefetch distance of rows, in triangles
   static constexpr std::size_t used = 9;    // columns of a map's linear part
   using Plane = double[stride];
 
@@ -78,7 +78,7 @@ struct Stitcher::Maps {
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
   }
-  // Splits maps into rotation and stretch, if needed.
+  // Splits the maps into rotations and stretches.
   void split(std::size_t count) {
     const sym3::MatView<double> maps(rotations[0], stride);
     sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
@@ -90,14 +90,14 @@ struct Stitcher::Maps {
     if (apart) split(count);
   }
 
-  // out = stretch in, for all triangles; out and in are x y z. The same for rotations.
+  // Multiplies the vectors `in` of all triangles, stored as x y z, by their stretches.
   void stretch(const Plane* in, Plane* out, std::size_t count) const {
     multiply<0, 1, 2, 1, 3, 4, 2, 4, 5>(stretches, in, out, count);
   }
   void rotate(const Plane* in, Plane* out, std::size_t count) const {
     multiply<0, 1, 2, 3, 4, 5, 6, 7, 8>(rotations, in, out, count);
   }
-  template <int... plane>  // of each entry, by rows
+  template <int... plane>  // index in m of each matrix entry, by rows
   static void multiply(const Plane* m, const Plane* in, Plane* out, std::size_t count) {
     constexpr int k[] = {plane...};
     for (std::size_t i = 0; i < count; ++i) {
@@ -160,7 +160,7 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   }
 }
 
-// Targets of the pins: the vertex moved by the handle alone.
+// Computes the targets of the pins: the positions to which the handle alone moves the vertices.
 void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   const std::size_t columns = rows.columns(), n = pin_targets_.size();
   std::vector<double> sums(n * columns);
@@ -204,8 +204,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// R = the rotation nearest to sum_i x'_i (S g_i)^T maximises tr R^T sum_i x'_i (S g_i)^T, the only term of
-// the triangle's energy that depends on R.
+// R is the rotation nearest to sum_i x'_i (S g_i)^T. It maximises tr R^T sum_i x'_i (S g_i)^T, the only term
+// of the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;

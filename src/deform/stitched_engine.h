@@ -1,4 +1,4 @@
-// The frame of a stitched model: the positions whose triangles follow the blended maps most closely.
+// Frames of a stitched model: the positions whose triangles follow the blended maps most closely.
 #pragma once
 
 #include <array>
@@ -15,31 +15,30 @@
 
 namespace viete::deform {
 
-/// The buffers of stitched frames. Not thread-safe; the same bits for any number of threads.
+/// Computes stitched frames. Not thread-safe. Results do not depend on the number of threads.
 class Stitcher {
 public:
-  /// The form must be logs or maps. stitching and pool must outlive this.
+  /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Applies to the next poses; one share per vertex, empty: all 1. Targets of pins scale with their
-  /// vertices' shares.
+  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' motions.
   void set_shares(const Shares& shares);
-  /// Applies to the next poses; one displacement per vertex: see Engine::set_shape(). Gradients use the
-  /// shape's edges with the cotangents at rest.
+  /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
+  /// the shape's edges with the cotangents at rest.
   void set_shape(std::span<const Vec3> ways);
-  /// Computes one pose. sums are the blended rows with shares applied, [vertex][column]; held has, for each
-  /// hold, the vertex's blended position relative to the rows' origin. The map of a triangle is that of the
+  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. held has, for each
+  /// hold, the vertex's blended position relative to the rows' origin. A triangle's map is computed from the
   /// mean of its corners' sums.
   ///
-  /// iterations, 1 or more: number of solves. Before each solve except the first, the rotations R_t are
-  /// replaced by those that fit the positions best, with unchanged stretches S_t (O. Sorkine, M. Alexa,
-  /// As-rigid-as-possible surface modeling, 2007), so that the energy never increases.
+  /// iterations, 1 or more, is the number of solves. Before each later solve, the rotations R_t are replaced
+  /// by the rotations that fit the positions best; the stretches S_t do not change (O. Sorkine, M. Alexa,
+  /// As-rigid-as-possible surface modeling, 2007). The energy never increases.
   void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
            int iterations);
 
   /// Positions relative to the rows' origin.
   std::span<const Vec3> positions() const { return positions_; }
-  /// Times of the last frame in milliseconds of wall time: maps and their loads, and solving.
+  /// Wall times of the last frame in milliseconds: for the maps and their loads, and for solving.
   double loads_ms() const { return loads_ms_; }
   double solve_ms() const { return solve_ms_; }
 
@@ -55,10 +54,10 @@ private:
   const Stitching& stitching_;
   RowForm form_;
   base::WorkerPool& pool_;
-  std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty: those at rest
+  std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty without a shape
   std::vector<Vec3> loads_;                            // M g of each corner of each triangle
   std::vector<std::array<Vec3, 2>> stretched_;         // S g, if rotations are refitted
-  Shares pin_shares_;                                  // of the pins' vertices
+  Shares pin_shares_;                                  // of the pinned vertices
   std::vector<Vec3> pin_ways_;
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
@@ -66,13 +65,13 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// Sums are formed in float by the fused engine, compressed or during a drag; all later steps are in double:
-/// maps of triangles, solving, positions. No pose needs a factorisation. Agrees with deform_exactly() to the
-/// error of the sums: 1e-6 of the diagonal, or that of the fused engine with compressed weights.
+/// The fused engine computes the sums in float. All later steps are in double: maps of triangles, solving,
+/// positions. No pose needs a factorisation. The result agrees with deform_exactly() up to the error of the
+/// sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// binding and stitching must not be null and must belong to one model, cage and kind of elements. form:
-  /// logs or maps; iterations: 1 or more.
+  /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form
+  /// must be logs or maps, and iterations 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -83,7 +82,7 @@ public:
   /// Positions of the last frame, in double, relative to its rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// Blended positions of these vertices in the last frame, before stitching; relative to its rows' origin.
+  /// The blended positions of these vertices in the last frame before stitching, relative to its origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

@@ -24,10 +24,10 @@ namespace viete::deform {
 namespace {
 
 constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
-constexpr double found_pins = 0.5;  // share of the time
+constexpr double found_pins = 0.5;  // part of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
-constexpr double indistinguishable = 1e-9;  // distances, in diagonals
+constexpr double indistinguishable = 1e-9;  // smaller differences of distances count as 0; in diagonals
 
 class StitchMaker {
 public:
@@ -90,8 +90,8 @@ private:
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
 
-  // The nearest triangle among those that are not thin; none: the number of triangles. Ties, up to rounding,
-  // go to the triangle with the nearest centre.
+  // Returns the nearest triangle that is not thin, or the number of triangles if all are thin. Ties, up to
+  // rounding, go to the triangle with the nearest centre.
   std::size_t nearest_triangle(const mesh::Point& point) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& p = model_.positions;
@@ -103,7 +103,7 @@ private:
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
-        const double farthest = least + slack + side;  // all corners of nearer triangles lie within
+        const double farthest = least + slack + side;  // corners of nearer triangles are within it
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
         const double distance =
             std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);
@@ -135,7 +135,7 @@ private:
   void hold_the_rest() {
     const std::size_t n = model_.positions.size();
     mesh::UnionFind parts(n);
-    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // by vertex; by part number
+    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // one per vertex; one per part
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
       const auto& [a, b, c] = model_.triangles[t];
@@ -174,7 +174,7 @@ private:
     Leaves leaves = make_leaves(p, std::vector<std::uint32_t>(p.size(), 0));
     const std::vector<std::uint32_t> places = slots_of(leaves);
     s.order = std::move(leaves.order);
-    s.order.resize(p.size());  // without padding
+    s.order.resize(p.size());  // removes the padding
     s.triangles = mesh::proper_triangles(model_);
     const auto first_place = [&](const mesh::Triangle& t) {
       return std::min({places[t[0]], places[t[1]], places[t[2]]});
@@ -231,8 +231,7 @@ private:
 
 }  // namespace
 
-// Area times the gradients of the hat functions of the first two corners: rows of the triangle's stiffness
-// matrix times its corners.
+// Computes rows of the triangle's stiffness matrix times its corners.
 std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }

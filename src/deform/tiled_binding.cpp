@@ -16,8 +16,8 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t fewest_handles = 32;  // for compression
-constexpr double worth_factoring = 0.7;     // relative to the multiply-adds without it, as it loses precision
+constexpr std::size_t fewest_handles = 32;  // with fewer handles, weights are not compressed
+constexpr double worth_factoring = 0.7;     // factors must need less than this part of the multiply-adds
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -51,7 +51,7 @@ struct LeafList {
   base::AlignedVector<float> rows;  // [tile][place in the list][lane]
 };
 
-/// Multiply-adds of a frame relative to those of a dense one.
+/// The multiply-adds of a frame, relative to a frame with dense weights.
 struct Costs {
   double factors = 1, lists = 1;
 };
@@ -114,7 +114,7 @@ private:
     });
   }
 
-  // Weights of all vertices: [sixteen handles][vertex][handle of these].
+  // Computes the weights of all vertices: [group of sixteen handles][vertex][handle of the group].
   void solve_surface_weights() {
     constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
@@ -147,7 +147,7 @@ private:
                   std::span(b_.sample).subspan(s * b_.handles, b_.handles));
   }
 
-  // As Weigher::weigh_tiles(), for the vertices of a leaf.
+  // Does the work of Weigher::weigh_tiles() for the vertices of a leaf.
   void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
@@ -173,8 +173,8 @@ private:
     }
   }
 
-  // Weights of a leaf as floats; rows must have its final size, w receives sums and shares. Returns the
-  // number of vertices without mean value coordinates.
+  // Writes the weights of a leaf to rows, and sums and shares to w. rows must have its final size. Returns
+  // the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
     if (proxy_ || !surface_weights_.empty()) {
@@ -212,7 +212,7 @@ private:
     b_.failed = failed;
   }
 
-  // Handles that only translate blend only positions: a quarter of the work, for which factors do not pay.
+  // Handles that only translate need a quarter of the work, so factors do not pay for them.
   bool worth_sampling(double tolerance) const {
     return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);
@@ -234,7 +234,7 @@ private:
     return result;
   }
 
-  // Estimated from up to eight leaves.
+  // Estimates the costs from up to eight leaves.
   Costs sampled_shares(double tolerance) const {
     const std::size_t count = std::min<std::size_t>(8, b_.leaves.count());
     std::atomic<std::size_t> factors{0}, lists{0}, dense{0};
@@ -256,7 +256,7 @@ private:
     return {static_cast<double>(factors) / all, static_cast<double>(lists) / all};
   }
 
-  // Handles with weight in the leaf.
+  // Returns the handles with weight in the leaf.
   std::vector<std::uint32_t> handles_in(std::size_t leaf, const base::AlignedVector<float>& rows) const {
     std::vector<std::uint32_t> handles;
     for (std::uint32_t j = 0; j < b_.handles; ++j) {
@@ -326,7 +326,7 @@ private:
     }
   }
 
-  // Offsets for the factored weights, so that a cage at rest reproduces the model at rest.
+  // Sets the offsets for factored weights, so that a cage at rest reproduces the model at rest.
   void set_factored_offsets(std::size_t leaf, const LeafResult& r, const LeafWeights& w) {
     const std::size_t begin = b_.leaves.begin(leaf), rank = r.factors.pivots.size();
     for (std::size_t s = 0; s < slots(leaf); ++s) {
@@ -355,9 +355,9 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   TiledBinding b_;
-  base::AlignedVector<float> surface_weights_;  // all vertices, for weights along the surface
+  base::AlignedVector<float> surface_weights_;  // of all vertices, for weights along the surface
   std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
-  double solved_ = 0;                           // their share of the work
+  double solved_ = 0;                           // part of the work for solving these weights
 };
 
 }  // namespace

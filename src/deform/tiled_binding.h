@@ -14,34 +14,33 @@
 
 namespace viete::deform {
 
-/// Error bound of compression: the largest Euclidean distance of a vertex's weights from their approximation.
-/// Positions change by 0.1 to 2 times that, in diagonals of the cage.
+/// Error bound of compression: the largest Euclidean distance between a vertex's weights and their
+/// approximation. Positions change by 0.1 to 2 times this bound, in diagonals of the cage.
 inline constexpr double usual_tolerance = 3e-5;
 
-/// Number of vertices whose exact weights are compared with the approximation.
+/// The number of vertices whose exact weights are compared with the approximation.
 inline constexpr std::size_t error_sample = 512;
-/// At most `limit` of this many vertices, spread evenly.
+/// Returns at most `limit` of this many vertices, evenly spread.
 std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit);
 
-/// Storage of weights.
+/// How weights are stored.
 enum class Storage {
-  dense,    ///< every handle at every vertex
+  dense,    ///< weights of every handle at every vertex
   factors,  ///< compressed, see LeafFactors
   lists,    ///< only handles with weight in the leaf; lossless
 };
 
-/// The weights of a leaf as factors of the weights of some of its vertices, its pivots: logs of the pivots
-/// are blended first, and those of the other vertices from them. (Block low rank by row interpolative
-/// decomposition.)
+/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. The pivots' logs
+/// are blended first, then the other logs from them. (Block low rank by row interpolative decomposition.)
 struct LeafFactors {
   std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
-  std::uint32_t pivots = 0;  ///< index of its first row in TiledBinding::skeleton
-  bool dense = false;        ///< factors are the weights themselves; rank is the number of handles
+  std::uint32_t pivots = 0;  ///< index of the first pivot's row in TiledBinding::skeleton
+  bool dense = false;        ///< true: factors are the weights, and rank is the number of handles
 };
 
-/// Arrays are per slot of the leaves. Weights and offsets are those of Binding in float, which adds an error
-/// of about 1e-7 of the cage's diagonal to the sums.
+/// A binding for the fused frame. Arrays have one entry per slot of the leaves. Weights and offsets are those
+/// of Binding in float, which adds an error of about 1e-7 of the cage's diagonal to the sums.
 struct TiledBinding {
   Weighting weighting;
   std::size_t handles = 0;
@@ -50,63 +49,60 @@ struct TiledBinding {
   std::size_t failed = 0;  ///< vertices without mean value coordinates
   double unit = 1;         ///< a power of two near the cage's diagonal; the unit of stored lengths
   double tolerance = 0;    ///< tolerance of the compression; 0: not compressed
-  /// Only for weights along the surface: weights of error_sample vertices in double, see spread_vertices(),
-  /// rows sum to 1. (Other weights can be recomputed at any point.)
+  /// Weights of error_sample vertices in double, see spread_vertices(); rows sum to 1. Only for weights along
+  /// the surface, because other weights can be recomputed at any point.
   std::vector<double> sample;
   base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
   base::AlignedVector<float> shares;   ///< [slot]; empty unless weights are partial (see Weighting)
-  /// [tile][handle][lane]; with lists [tile][place in the list][lane]; empty if compressed
+  /// [tile][handle][lane], or with lists [tile][place in the list][lane]; empty if compressed
   base::AlignedVector<float> weights;
-  std::vector<std::size_t> list_starts;  ///< in `listed`, one more than leaves; empty without lists
+  std::vector<std::size_t> list_starts;  ///< start of each leaf in `listed`, and the end; empty without lists
   std::vector<std::uint32_t> listed;     ///< handles with weight in a leaf, ascending, leaf by leaf
   std::vector<LeafFactors> factored;     ///< one per leaf; empty if not compressed
   base::AlignedVector<float> factors;
-  base::AlignedVector<float>
-      skeleton;  ///< the pivots' weights, [tile][handle][lane], an even number of tiles
+  base::AlignedVector<float> skeleton;  ///< pivots' weights [tile][handle][lane]; an even number of tiles
 
   bool compressed() const { return !factored.empty(); }
   bool has_lists() const { return !list_starts.empty(); }
   Storage storage() const {
     return compressed() ? Storage::factors : has_lists() ? Storage::lists : Storage::dense;
   }
-  /// Requires lists.
+  /// The handles in a leaf's list. There must be lists.
   std::span<const std::uint32_t> list(std::size_t leaf) const {
     return std::span(listed).subspan(list_starts[leaf], list_starts[leaf + 1] - list_starts[leaf]);
   }
-  /// Offset of the weights of a leaf. Must not be compressed.
+  /// The index of the first weight of a leaf. The weights must not be compressed.
   std::size_t first_weight(std::size_t leaf) const {
     return has_lists() ? leaf_slots * list_starts[leaf] : leaves.begin(leaf) * handles;
   }
-  /// Total number of weights with lists.
+  /// The total number of weights. There must be lists.
   std::size_t listed_weights() const;
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
-  /// The stored weights of the vertex in a slot, including compression errors. row.size() == handles.
+  /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
   std::size_t bytes() const;        ///< size of weights or factors, read once per frame
   std::size_t dense_bytes() const;  ///< size without compression
   struct Sizes {
     std::size_t factors, skeleton;
   };
-  /// Sets the offsets of factors and pivots from rank and dense of every leaf. Returns the required sizes.
+  /// Sets the indices `first` and `pivots` of every leaf from rank and dense. Returns the required sizes.
   Sizes lay_out_factors();
 };
 
-/// In the order of the model; empty where weights are not partial.
+/// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// All parts of a binding except its weights: leaves, rings, unit, rest, and space for offsets. Throws
-/// base::Error if the model has no vertices.
+/// Returns a binding with all parts but its weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// True if compression is worth trying for these sizes. (Never for handles that only translate.)
+/// True if compression may be worth its cost for these sizes. (It never is for handles that only move.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Computes weights leaf by leaf, in parallel; a full matrix of doubles never exists and, if compressed, no
-/// full matrix of floats. Weights with a radius are stored as lists. Others are compressed by `tolerance` (0:
-/// never) if a sample of leaves predicts cheaper frames. `storage` overrides both. The same bits for any
-/// number of threads. Throws base::Cancelled; throws base::Error if free memory is insufficient or the model
-/// has no vertices.
+/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles or, if compressed, of floats.
+/// Weights with a radius are stored as lists. Others are compressed with `tolerance` (0: never) if a sample
+/// of leaves predicts cheaper frames. `storage` overrides both. Results do not depend on the number of
+/// threads. Throws base::Error if free memory is insufficient or the model has no vertices; base::Cancelled.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

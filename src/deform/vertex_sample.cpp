@@ -17,7 +17,7 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
   const Binding part = BoundVertices(weigher, binding, mask).part(std::array{vertex});
   const double share = part.shares.empty() ? 1 : part.shares[0];
   VertexSum sum;
-  // Stretches without logs, and moments, come without a rotation.
+  // Only rows of logs have rotation vectors.
   sum.has_logs = rows.form == RowForm::logs;
   for (std::uint32_t j = 0; j < part.handles; ++j) {
     if (part.weights[j] == 0) continue;
@@ -41,7 +41,7 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
 
 namespace {
 
-// All members but weights and offsets.
+// Returns a binding of the points with all members except weights and offsets.
 Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> points) {
   Binding b;
   b.weighting = weigher.weighting();
@@ -90,7 +90,7 @@ BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, con
 
 namespace {
 
-// The points weighed in space or, along the surface, by the weights row(i).
+// Binds points. Computes weights in space; takes weights along the surface from row(i).
 template <class Row>
 Binding weighed_part(const Weigher& weigher, std::span<const mesh::Point> points, const Row& row) {
   if (!entry(weigher.weighting().weights).on_surface) return bind_part(weigher, points).binding;
@@ -115,7 +115,7 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
 
 namespace {
 
-// Moves positions by probes at the places of the frame.
+// Moves positions by the probes, at the probes' places in the frame.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

@@ -15,7 +15,7 @@ namespace viete::deform {
 
 namespace {
 
-// Arrays of arrays in the form of the kernels.
+// Returns the numbers of arrays of arrays as the kernels need them.
 template <class Arrays>
 auto numbers(const Arrays& arrays) {
   using Array = typename Arrays::value_type;
@@ -65,7 +65,7 @@ void Weigher::add_triangles() {
   }
 }
 
-// Leaves out elements without area: their two sides cancel. Points on them are not processed in vector code.
+// Skips elements without area, because their two sides cancel. Vector code does not process points on them.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];
@@ -87,7 +87,7 @@ void Weigher::add_views() {
     const mesh::Edge& edge = table.edges[e];
     for (const auto& [triangle, forward] : table.of(e)) {
       MeanValueTriangle& view = views_[triangle];
-      int i = 0;  // the opposite corner
+      int i = 0;  // the corner opposite the edge
       while (view.corner[i] == edge[0] || view.corner[i] == edge[1]) ++i;
       view.edge[i] = static_cast<std::uint32_t>(edges_.size());
       view.sign[i] = forward ? 1 : -1;
@@ -116,7 +116,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
       return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:
-    case Weights::biharmonic: break;  // per vertex, not per point
+    case Weights::biharmonic: break;  // these weights exist only at vertices
   }
   return 0;
 }
@@ -154,7 +154,7 @@ double Weigher::cut() const {
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
-  base::AlignedVector<double> scratch(scratch_size());  // unaligned it takes a tenth longer
+  base::AlignedVector<double> scratch(scratch_size());  // unaligned data takes a tenth longer
   const bool in_float = weighting_.weights != Weights::mean_value;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);

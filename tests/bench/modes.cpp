@@ -18,7 +18,7 @@ namespace {
 const deform::Cage cage = deform::make_cage(box({1, 1, 1}, {4, 5, 6}));
 const std::vector<mesh::Point> model = test::moved(test::sphere(1), 0.5, 5).positions;
 
-// The affine map that takes three corners of the box and a fourth to their posed positions.
+// Applies the affine map that takes four corners of the box to their posed positions.
 std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   const auto& p = pose.positions;
   std::vector<mesh::Point> moved;
@@ -29,7 +29,7 @@ std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   return moved;
 }
 
-// Moves everything by the mean motion of the box's vertices.
+// Moves all vertices by the mean motion of the box's vertices.
 std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
   mesh::Point mean{0, 0, 0};
   for (std::size_t v = 0; v < 8; ++v) mean = mean + 0.125 * (pose.positions[v] - cage.surface.positions[v]);
@@ -59,7 +59,7 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
 }
 
 TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
-  // One of eight vertices moves by a tenth of the diagonal, and the whole model by an eighth of that.
+  // One of eight vertices moves by a tenth of the diagonal, so the whole model moves by an eighth of that.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
   const Deform near_alone = [](const deform::Pose& pose) {
     auto moved = model;
@@ -85,7 +85,7 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage moves along x: 0.5 further from the first point, sideways to the second.
+  // The cage moves along x: 0.5 away from the first point, and sideways for the second point.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
@@ -105,7 +105,7 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   posed[5][2] = NAN;
   CHECK(std::isnan(torn(pairs, rest, posed)));
   CHECK(near_pairs(mesh::from_triangles(rest, {{0, 1, 2}})).empty());
-  // A crack of 0.0005: its edges are joined only by a long way around.
+  // Only a long path joins both sides of a crack of width 0.0005.
   const std::vector<mesh::Point> cracked = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0.0005, 0, 0}};
   CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
 }
@@ -131,7 +131,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // and Way::arap
+  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // plus Way::arap
   for (deform::Scheme scheme : deform::valid_schemes()) {
     scheme.weighting.radius = deform::number("radius").largest;
     const auto found =
@@ -139,7 +139,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     REQUIRE_MESSAGE(found != compared.modes.end(), deform::text(scheme));
     INFO(deform::text(scheme));
     CHECK(found->problem.empty());
-    CHECK(found->deviations[0] < exactly);  // a minimum requirement for every scheme
+    CHECK(found->deviations[0] < exactly);
     CHECK(std::isfinite(found->leak));
     REQUIRE(found->qualities.size() == 2);
     const ShapeQuality &rest = found->qualities[0], &posed = found->qualities[1];
@@ -147,7 +147,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
-    // Rotations alone cause little distortion.
+    // A deformer that only rotates causes less distortion.
     CHECK(posed.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);

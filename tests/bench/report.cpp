@@ -28,7 +28,7 @@ using namespace viete::bench;
 
 namespace {
 
-/// Figures for a ball in a box, with minimal sizes.
+/// Returns figures of a ball in a box, with minimal sizes.
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
@@ -56,7 +56,7 @@ TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
   const std::string page = report_page(figures, made);
   CHECK(test::xml_problem(page) == "");
   CHECK(test::outside_of(page) == "");
-  const std::string above = page.substr(0, page.find("<footer"));  // there errors have shares of NaN
+  const std::string above = page.substr(0, page.find("<footer"));  // the footer contains NaN
   std::smatch number;
   CHECK_FALSE(std::regex_search(above, number, std::regex("[^a-z]-?(nan|inf)[^a-z]")));
   const auto json = report_json(figures, made);
@@ -111,7 +111,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-// The cells of each row, without bold marks.
+// Returns the cells of each row, without bold marks.
 std::vector<Cells> rows_of(const char* file) {
   std::ifstream in(test::source_dir() / file);
   REQUIRE(in);
@@ -132,7 +132,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Errors are written with two digits and times mostly with three: the omitted digits are within the noise.
+// Errors have two digits, and times mostly three. The omitted digits are within the noise.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {
@@ -181,7 +181,7 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 
 }  // namespace
 
-// Median and worst value over the dragon's poses, relative to mean value coordinates.
+// Returns median and worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {
   for (const auto& result : report["ways"]["results"]) {
     if (result["way"] != way) continue;

@@ -1,4 +1,3 @@
-// Independent checks of cages around models of every kind.
 #include <doctest/doctest.h>
 
 #include "cages/judge.h"
@@ -19,7 +18,7 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
     FAIL_CHECK(complaint);
 }
 
-// Wishes; each model uses one, numbered models use successive ones.
+// Each model uses one of these wishes. Numbered models use successive wishes.
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},

@@ -109,7 +109,6 @@ void pause_for(double seconds) {
   std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
 }
 
-// Makes a cage in another thread.
 struct Work {
   base::Progress progress;
   std::atomic<bool> ended{false}, cancelled{false};
@@ -142,7 +141,7 @@ TEST_CASE("cage_making_can_be_cancelled_quickly") {
       work.progress.cancel();
       const double asked = work.progress.done();
       while (!work.ended) pause_for(1e-4);
-      CHECK(work.progress.done() < asked + 0.1);  // measured in work, because time depends on the machine
+      CHECK(work.progress.done() < asked + 0.1);  // progress counts work, not time
       cancelled = work.cancelled;
     }
     CHECK(cancelled);

@@ -69,5 +69,5 @@ TEST_CASE("triangle_is_clear_if_all_samples_keep_the_margin") {
   const auto above = [](double z) { return mesh::Corners{{{-1.2, -1.2, z}, {1.2, -1.2, z}, {0, 1.4, z}}}; };
   CHECK(field.is_clear(above(1.3), 0.2));
   CHECK_FALSE(field.is_clear(above(1.3), 0.4));
-  CHECK_FALSE(field.is_clear(above(0.9), 0.01));  // its corners are clear, its centre is not
+  CHECK_FALSE(field.is_clear(above(0.9), 0.01));  // the corners are clear, but the centre is not
 }

@@ -1,4 +1,4 @@
-// All maps of a cage's elements.
+// Computes all maps of a cage.
 #pragma once
 
 #include <cstdint>

@@ -18,7 +18,7 @@ Edges path(std::uint32_t nodes) {
 }  // namespace
 
 TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
-  // The last is beyond the limit of exact centres.
+  // The last length is beyond the limit of exact centres.
   for (const auto& [length, centre] : {std::pair{7u, 3u}, {8u, 3u}, {20001u, 10000u}}) {
     const GraphParts parts = graph_parts(length, path(length), std::vector<std::uint8_t>(length, 0));
     CHECK(parts.centers == std::vector{centre});
@@ -119,7 +119,7 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
 
 namespace {
 
-// A bend about x, linear from one end of the tube to the other, followed by a rotation about z.
+// Rotations for a tube that is bent about x, with angles linear along the tube, and then rotated about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)
@@ -146,7 +146,6 @@ TEST_CASE("whole_turns_about_another_axis_are_kept_and_logs_are_coherent") {
       }
     }
   }
-  // Continues through full turns.
   std::vector<Vec3> turns{{0, 0, 360 * degree}};
   for (int a = 0; a <= 720; a += 10) turns = branches_of(cage, bent(cage, 20, a), turns).turns;
   CHECK(norm(turns[0] - Vec3{0, 0, 3 * 360 * degree}) < 1e-6);

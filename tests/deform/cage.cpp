@@ -58,11 +58,11 @@ TEST_CASE("a_cage_with_a_fin_is_refused_and_the_edge_named") {
 }
 
 TEST_CASE("elements_without_area_are_named_and_do_not_cut_the_cage_into_parts") {
-  // A box whose edge 1-3 carries a triangle without area: its two neighbours are joined past it.
+  // A triangle without area lies on edge 1-3 of a box. The two triangles at this edge stay neighbours.
   auto p = box().positions;
   p.push_back(0.5 * (p[1] + p[3]));
   auto t = box().triangles;
-  t[10] = {1, 8, 7};  // was 1 3 7
+  t[10] = {1, 8, 7};  // 1 3 7 before
   t.push_back({8, 3, 7});
   t.push_back({1, 3, 8});
   const Cage cage = make_cage(from_triangles(p, t));
@@ -98,7 +98,7 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// All row forms, independent of weights.
+// Returns all row forms.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
   for (const Scheme& s : valid_schemes()) {
@@ -119,7 +119,7 @@ TEST_CASE("rows_at_rest_are_identities") {
     CHECK(rows.count() == handle_count(*cage, elements));
     CHECK(rows.columns() == shape(rows.form).columns);
     const auto centers = handle_centers(*cage, elements);
-    if (has_moments(rows.form)) continue;  // they hold points, which are not 0
+    if (has_moments(rows.form)) continue;  // rows of moments contain points, which are not 0
     for (std::size_t h = 0; h < rows.count(); ++h) {
       const auto row = rows.values.subspan(h * rows.columns(), rows.columns());
       for (std::size_t c = 0; c < rows.columns(); ++c) {

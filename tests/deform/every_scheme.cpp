@@ -1,4 +1,3 @@
-// Properties that every scheme must have.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -17,8 +16,7 @@ mesh::Surface cage_of_a_part() {
   return tube(9, 7, 0.4, 2.2);
 }
 
-// Largest difference of the engines in the same pose, in diagonals of the cage at rest or posed, whichever is
-// larger.
+// Returns the largest difference of the engines in one pose, in diagonals of the larger of both cages.
 double difference(Frames& f, const Pose& pose) {
   f.fused.deform(pose, sym3::Method::fast);
   const double unit = std::max(f.staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
@@ -28,7 +26,7 @@ double difference(Frames& f, const Pose& pose) {
 }  // namespace
 
 TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
-  const int every = rounds(3, 1);  // stride over the pairs of an angle and a scale, shifted per scheme
+  const int every = rounds(3, 1);  // tests every third pair of an angle and a scale
   const double angles[] = {0, 1e-9, 90, 179.999, 180, 270}, scales[] = {1e-3, 1, 1e3};
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
@@ -78,7 +76,7 @@ TEST_CASE("moved_poses_and_twists_beyond_180_degrees_agree_as_do_mirrored_and_co
     const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + way; });
     CHECK(largest_distance(b.staged.deform(b.staged.pose(moved)), there) < 1e-12);
     CHECK(difference(b, b.staged.pose(flat)) < 2e-5);
-    // The rotation nearest to a mirrored map is not unique if it mirrors equally in several directions.
+    // If a map mirrors equally in several directions, its nearest rotation is not unique.
     if (scheme.blend != Blend::mls_similarity && scheme.blend != Blend::mls_rigid)
       CHECK(difference(b, b.staged.pose(mirror)) < 2e-5);
     CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
@@ -90,7 +88,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
     if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // One end passes 180 degrees ahead of the other; or both together pass 360 and 540.
+    // One end of the tube passes 180 degrees ahead of the other, or both ends pass 360 and 540 degrees.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
       std::vector<Vec3> turns;
@@ -141,10 +139,10 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     const auto exported =
         deform_exactly(b.staged.model, b.staged.cage, scheme, pose, sym3::Method::fast, b.staged.pool);
     CHECK(largest_distance(exported.positions, other) < 1e-12 * b.staged.cage->diagonal);
-    CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);  // as in the pose
+    CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (scheme.blend != Blend::srl) continue;
-    // Relative to the blended centre, each vertex rotates by half the angle and its stretch is squared.
+    // About the blended centre, each vertex rotates by half the angle, and its stretch is squared.
     const auto centers = with(0, 0);  // c' + o
     for (std::size_t i = 0; i < other.size(); ++i) {
       const Vec3 o = b.staged.binding->offsets[i];
@@ -156,7 +154,7 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
 
 namespace {
 
-// Without symmetry, so that no result depends on the choice between equals.
+// Removes the symmetry, so that no result depends on a choice between equal candidates.
 mesh::Surface shaken(const mesh::Surface& surface, double by) {
   Random random(11);
   return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });

@@ -17,7 +17,6 @@ namespace {
 
 constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// `count` points without faces.
 mesh::Surface cloud(std::size_t count) {
   Random random(7);
   mesh::Surface surface;
@@ -25,7 +24,7 @@ mesh::Surface cloud(std::size_t count) {
   return surface;
 }
 
-// Eigenvalues of its stretch are well separated, so that every method is exact.
+// Its stretch has well separated eigenvalues, so that every method is exact.
 Vec3 bent_and_stretched(const Vec3& p) {
   return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
 }
@@ -40,7 +39,7 @@ double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
   return largest_distance(exact.positions, b.deform(pose, method)) / b.cage->diagonal;
 }
 
-// A value of /proc/self/status, in bytes; nothing if it is not available.
+// Reads a value of /proc/self/status in bytes.
 std::optional<double> memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
@@ -68,7 +67,7 @@ TEST_CASE("block_by_block_equals_the_staged_frame_for_every_method_and_weighting
   }
 }
 
-// A cage of 12 elements has blocks of 4096 vertices, one of 7200 has blocks of 16; there are eight lanes.
+// Blocks have 4096 vertices for a cage of 12 elements and 16 vertices for 7200 elements. There are 8 lanes.
 TEST_CASE("vertex_counts_at_block_and_lane_limits_are_exact") {
   for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
     CAPTURE(n);
@@ -97,7 +96,7 @@ TEST_CASE("each_pose_has_the_same_bits_alone_and_in_sequence") {
   using Kept = ExactDeformer::Weights;
   for (const bool stitched : {false, true}) {
     for (const Weighting weighting : {faces, mean_values}) {
-      if (stitched && weighting == mean_values) continue;  // only moves points
+      if (stitched && weighting == mean_values) continue;  // these weights cannot be stitched
       const Bound b(stitched ? tube(8, 14, 0.9, 3) : cloud(700), tube(9, 12, 1.4, 4), weighting);
       Scheme scheme{weighting, Blend::srl};
       if (stitched) scheme.iterations = 2;

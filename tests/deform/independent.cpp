@@ -49,13 +49,13 @@ Vector centroid(const Corners& t) {
   return plus({0, 0, 0}, plus(t[0], plus(t[1], t[2])), Quad(1) / 3);
 }
 
-// u, v and N / sqrt|N|.
+// Returns u, v and N / sqrt|N|.
 Corners frame(const Corners& t) {
   const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = cross(u, v);
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
 }
 
-// [u' v' n'] [u v n]^-1.
+// Returns [u' v' n'] [u v n]^-1.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
   const auto columns = [](const Corners& c) {
     return Matrix{c[0][0], c[1][0], c[2][0], c[0][1], c[1][1], c[2][1], c[0][2], c[1][2], c[2][2]};
@@ -63,17 +63,17 @@ Matrix affine_map(const Corners& rest, const Corners& posed) {
   return quad_product(columns(posed), quad_inverse(columns(rest)));
 }
 
-// M^T M, the square of the stretch.
+// Returns M^T M, the square of the stretch.
 QuadSym squared_stretch(const Matrix& m) {
   const auto entry = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-// From the unit quaternion, whose largest component is computed by a root and the others from it.
+// Uses the unit quaternion: its largest component is computed by a root, the others from it.
 Vector log_of_rotation(const Matrix& r) {
   const Quad trace = r[0] + r[4] + r[8];
   const std::array<Quad, 4> squares = {1 + trace, 1 + 2 * r[0] - trace, 1 + 2 * r[4] - trace,
-                                       1 + 2 * r[8] - trace};  // four times those of w x y z
+                                       1 + 2 * r[8] - trace};  // four times the squares of w, x, y, z
   const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
   const Quad root = sqrtq(squares[largest]), wx = r[7] - r[5], wy = r[2] - r[6], wz = r[3] - r[1];
   const Quad xy = r[1] + r[3], xz = r[2] + r[6], yz = r[5] + r[7];
@@ -86,7 +86,7 @@ Vector log_of_rotation(const Matrix& r) {
   return sine > 0 ? plus({0, 0, 0}, v, 2 * atan2q(sine, w) / sine) : v;
 }
 
-// The branch of v that is nearest to the other log.
+// Returns the branch of v that is nearest to the other log.
 Vector nearest(const Vector& v, const Vector& other) {
   const Quad angle = length(v);
   if (angle == 0) return v;
@@ -96,7 +96,6 @@ Vector nearest(const Vector& v, const Vector& other) {
 
 constexpr Matrix identity = quad_identity;
 
-// The map of a cage element.
 struct Element {
   Vector rest_center, center, turn{};  // turn: the log of the rotation
   Matrix map = identity, rotation = identity;
@@ -115,7 +114,7 @@ Element element(const Matrix& m, const Vector& rest_center, const Vector& center
 
 using Lists = std::vector<std::vector<std::size_t>>;
 
-// For each member the others in its groups.
+// Returns for each member the other members of its groups.
 Lists beside(const Lists& groups, std::size_t members) {
   Lists result(members);
   for (const auto& group : groups) {
@@ -130,7 +129,7 @@ Lists beside(const Lists& groups, std::size_t members) {
 
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>>;
 
-// The sides of each edge: side 3 t + i runs from corner i of triangle t to the next.
+// Returns the sides of each edge. Side 3 t + i goes from corner i of triangle t to the next corner.
 Edges sides_of_edges(const mesh::Surface& cage) {
   Edges edges;
   for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side) {
@@ -150,7 +149,6 @@ Lists triangles_by_edge(const mesh::Surface& cage) {
   return groups;
 }
 
-// All maps of one kind, and their neighbours.
 struct Maps {
   std::vector<Element> elements;
   Lists around;
@@ -167,7 +165,7 @@ Maps face_maps(const mesh::Surface& cage, Points posed) {
   return maps;
 }
 
-// Twice the largest distance from the centre of area.
+// Returns twice the largest distance from the centre of area.
 Quad size_of(const mesh::Surface& cage) {
   Vector center{};
   Quad total = 0;
@@ -183,7 +181,7 @@ Quad size_of(const mesh::Surface& cage) {
   return 2 * farthest;
 }
 
-// Breadth-first from the first element, whose log is given; and the squared distances to `reference`, summed.
+// Follows logs breadth-first from the first element. Also sums the squared distances to `reference`.
 std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements, const Lists& around,
                                             const Vector& first, const Vector& reference) {
   std::vector<Vector> turns(elements.size());
@@ -248,7 +246,6 @@ void divide_by_sum(std::vector<Quad>& weights) {
   for (Quad& w : weights) w /= sum;
 }
 
-// Squared distances to all handles.
 std::vector<Quad> squared_distances(const Vector& p, const mesh::Surface& cage, deform::Elements elements) {
   std::vector<Quad> squares;
   const auto& x = cage.positions;
@@ -267,7 +264,7 @@ std::vector<Quad> inverse_distance(const std::vector<Quad>& squares) {
   return weights;
 }
 
-// The share of a point's motion is their sum, at most 1.
+// The sum of these weights is the share of the motion.
 std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   std::vector<Quad> weights;
   Quad sum = 0;
@@ -280,7 +277,7 @@ std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   return weights;
 }
 
-// Adds the contribution of one triangle, in the notation of the paper.
+// Adds the weights of one triangle, in the notation of the paper.
 void add_mean_values(const Vector& p, const mesh::Triangle& t, const mesh::Surface& cage,
                      std::vector<Quad>& weights) {
   Corners u = corners(t, cage.positions);
@@ -345,9 +342,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// By the normal equations: sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, each point with a cloud
-// around it that its own map moves; v are the positive weights, m and m' their means. Rotations of maps that
-// do not mirror: B (B^T B)^-1/2.
+// Solves sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T, where each point has a cloud that its map
+// moves. v are the positive weights, m and m' the means. If B does not mirror, its rotation is B (B^T
+// B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
@@ -374,7 +371,7 @@ Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const Indepe
 }
 
 double largest_step(const std::vector<Element>& elements, const Lists& around) {
-  Quad least = 3;  // trace of A^T B, 1 + 2 cos of the angle between them
+  Quad least = 3;  // trace of A^T B = 1 + 2 cos(angle between the rotations A and B)
   for (std::size_t j = 0; j < elements.size(); ++j) {
     for (const auto n : around[j]) {
       Quad trace = 0;
@@ -393,7 +390,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   return inverse_distance(squares);
 }
 
-// The identity about x completes the weights to sum 1.
+// The identity about x gets the weight that is missing to sum 1.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
   elements.push_back({x, x});

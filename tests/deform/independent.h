@@ -1,5 +1,4 @@
-// The deformation evaluated independently from its formulas, in quad precision; shares only the tables of
-// choices with src/deform.
+// Evaluates the deformation from its formulas in quad precision, without code of src/deform.
 #pragma once
 
 #include <array>
@@ -15,27 +14,25 @@ namespace viete::test {
 struct IndependentPose {
   std::vector<mesh::Point> positions;
   std::array<double, 3> turn{0, 0, 0};  ///< reference rotation vector of all logs
-  double moment_length = 0;             ///< radius of the clouds around points of fitted maps
-  // Given as input, since they have tests of their own:
+  double moment_length = 0;             ///< radius of the point clouds for fitted maps
+  // These have their own tests and are therefore inputs:
   std::span<const double> weights{};             ///< along the surface, one row per point
-  std::span<const deform::AffineMap> patches{};  ///< of the cage's vertices
+  std::span<const deform::AffineMap> patches{};  ///< one per vertex of the cage
 };
 
 struct IndependentFrame {
-  std::vector<mesh::Point> positions;  ///< positions of the points, rounded to double at the end
+  std::vector<mesh::Point> positions;  ///< of the points, rounded to double at the end
   double largest_step = 0;             ///< largest angle in radians between rotations of neighbouring maps
 };
 
-/// Points moved by a posed cage, from the papers. Maps: of triangles with a normal of length sqrt|N|.
-/// Weights: d^-2, (1 - d/r)^2, or mean value coordinates by spherical triangles (Ju, Schaefer, Warren,
-/// SIGGRAPH 2005, figure 4), completed to sum 1 by the identity about the point. Blends: exp(Y) exp(X) (x -
-/// sum w c) + sum w c', or the sum of maps. Moving least squares: the least-squares map of points to posed
-/// points, means removed, among all maps, similarities, or rotations; displacements are scaled by the sum of
-/// weights.
-///
-/// The cage must be one closed part of triangles with area at rest and posed, and points not on it. Logs
-/// follow their neighbours breadth-first, so the result is unique if largest_step is below a quarter turn.
-/// Ignores amounts and iterations of the scheme.
+/// Moves points by a posed cage, by the formulas of the papers. Maps are those of triangles with a normal of
+/// length sqrt|N|. Weights are d^-2, (1 - d/r)^2, or mean value coordinates by spherical triangles (Ju,
+/// Schaefer, Warren, SIGGRAPH 2005, figure 4). The identity about the point completes them to sum 1. Blends
+/// are exp(Y) exp(X) (x - sum w c) + sum w c', or the sum of maps. Moving least squares fits a general map, a
+/// similarity or a rotation to points about their means. The sum of weights scales displacements.
+/// The cage must be one closed part, its triangles must have area at rest and posed, and no point may be on
+/// it. Logs follow their neighbours, so the result is unique if largest_step is below a quarter turn. Ignores
+/// amounts and iterations of the scheme.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, const deform::Scheme& scheme);
 

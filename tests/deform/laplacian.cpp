@@ -38,7 +38,7 @@ double largest_difference(const SparseMatrix& a, const SparseMatrix& b) {
   return largest(as_sparse(a) - as_sparse(b));
 }
 
-// The plane grid of n x n squares over [0, 1]^2, with displaced vertices, cut along random diagonals.
+// Returns a grid of n x n squares over [0, 1]^2 with displaced vertices, cut along random diagonals.
 mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   Random place(1), cut(seed);
   std::vector<mesh::Point> p;
@@ -63,7 +63,7 @@ mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   return mesh::from_triangles(p, t);
 }
 
-// Triangles of random corners: edges of one to many triangles, needles, folds, repeated corners, duplicates.
+// Returns random triangles with shared edges, needles, folds, repeated corners and duplicates.
 mesh::Surface soup(unsigned seed, std::uint32_t vertices, std::size_t triangles) {
   Random random(seed);
   std::vector<mesh::Point> p;
@@ -130,8 +130,8 @@ TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions")
 
 TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {
   mesh::Surface s = tube(20, 9, 0.7, 5);
-  s.positions.push_back({9, 9, 9});                                    // in no triangle
-  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});  // nor these
+  s.positions.push_back({9, 9, 9});  // has no triangle
+  s.triangles.push_back({0, 0, 5}), s.triangles.push_back({3, 3, 3});
   const Sparse k = stiffness(s);
   REQUIRE(k.rows() == Eigen::Index(s.positions.size()));
   CHECK(largest(Sparse(k - Sparse(k.transpose()))) == 0);
@@ -168,7 +168,7 @@ TEST_CASE("a_triangle_that_is_one_point_adds_nothing") {
     CHECK(half_cotangents(p, p, p) == Vec3{0, 0, 0});
     CHECK(is_thin(p, p, p));
   }
-  const mesh::Point tiny{5e-324, 0, 0};  // the scale to size 1 would overflow
+  const mesh::Point tiny{5e-324, 0, 0};  // scaling it to size 1 would overflow
   CHECK(half_cotangents({0, 0, 0}, tiny, {0, 0, 0}) == Vec3{0, 0, 0});
 }
 
@@ -177,7 +177,7 @@ TEST_CASE("grounded_unknowns_equal_their_right_hand_sides") {
                                             {1, 1, 2}, {2, 1, 7}, {1, 2, 7}, {2, 2, 9}};
   const SparseMatrix matrix = sparse_matrix(4, entries);
   CHECK(matrix.size() == 4);
-  CHECK(matrix.values == std::vector<double>{4, 1, 1, 3, 7, 7, 9});  // duplicates added, column by column
+  CHECK(matrix.values == std::vector<double>{4, 1, 1, 3, 7, 7, 9});
   const SparseMatrix lower = grounded(matrix, {true, true, false, false});
   std::vector<std::array<double, 3>> found;
   for (std::uint32_t j = 0; j < 4; ++j)

@@ -21,7 +21,7 @@ Matrix diagonal(const Vec3& d) {
   return {d[0], 0, 0, 0, d[1], 0, 0, 0, d[2]};
 }
 
-// Its second triangle has no area.
+// The second triangle has no area.
 viete::mesh::Surface flat_element() {
   return viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
 }
@@ -81,7 +81,7 @@ TEST_CASE("elements_without_area_have_defined_maps") {
 
 namespace {
 
-// Rotations by up to 180 degrees times stretches between 0.5 and 2.
+// Returns rotations by up to 180 degrees times stretches between 0.5 and 2.
 std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
   std::vector<AffineMap> all(count);

@@ -1,4 +1,3 @@
-// Maps fitted to points.
 #include "deform/moments.h"
 
 #include <doctest/doctest.h>
@@ -20,7 +19,7 @@ mesh::Surface limb_cage() {
   return tube(6, 9, 0.5, 3.4);
 }
 
-// A square in an oblique plane.
+// Returns a square in an oblique plane.
 mesh::Surface sheet(std::uint32_t cells) {
   return mapped(grid(cells), [=](const Vec3& x) {
     const double u = 2 * x[0] / cells - 1, v = 2 * x[1] / cells - 1;
@@ -28,7 +27,7 @@ mesh::Surface sheet(std::uint32_t cells) {
   });
 }
 
-// Deviation of the fused frame from the mapped model, in diagonals of the posed cage.
+// Returns the distance of the fused frame from the mapped model, in diagonals of the posed cage.
 template <class Map>
 double fused_error(Frames& f, const Map& map) {
   const Pose pose = f.staged.pose(map);
@@ -93,7 +92,7 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
       }
     };
     Frames e(limb(), limb_cage(), scheme);
-    // A rotation preserves lengths, whichever of several is chosen.
+    // If several rotations are possible, each of them preserves lengths.
     const double size = mesh::bounds(e.staged.model.positions).diagonal(), limit = 2 * size + 10;
     check(e, e.staged.pose(dot), limit), check(e, e.staged.pose(line), limit);
     check(e, e.staged.pose(mirror), limit);
@@ -107,7 +106,7 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
   });
 }
 
-// If one cage point has all the weight, only its surroundings determine the rotation.
+// If one cage point has all the weight, only the patch around it determines the rotation.
 TEST_CASE("vertices_of_a_single_point_rotate_with_its_surroundings") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {

@@ -40,7 +40,7 @@ TEST_CASE("a_pose_is_read_back_with_every_bit_and_its_turns") {
 
 TEST_CASE("a_pose_in_stl_is_refused_unless_its_faces_are_the_cages") {
   const TemporaryFolder folder;
-  const Cage cage = make_cage(box());  // faces do not use the vertices in order
+  const Cage cage = make_cage(box());  // its faces do not use the vertices in order
   auto posed = box();
   for (auto& p : posed.positions) p[1] *= 2;
   viete::formats::write(folder / "pose.stl", posed);

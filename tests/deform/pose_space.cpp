@@ -21,7 +21,7 @@ struct Posed {
 
   const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
-  // A fraction of one pose, and interpolation between two.
+  // Returns a fraction of one pose. between() interpolates two poses.
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
@@ -52,7 +52,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     for (const double angle : {180.0, 179.999, 90.0, 20.0, -150.0}) {
       const Pose half = p.share(p.by(similarity(axis, angle * degree)), 0.5);
       const auto quarter = mapped(p.rest(), similarity(axis, angle * degree / 2));
-      // At 180 degrees a rotation to either side is valid.
+      // At 180 degrees, rotations in both directions are valid.
       const auto other = mapped(p.rest(), similarity(axis, -angle * degree / 2));
       const double error = p.error(half, quarter);
       CHECK((angle == 180 ? std::min(error, p.error(half, other)) : error) < 1e-12);
@@ -100,7 +100,7 @@ TEST_CASE("a_pose_without_whole_turns_takes_those_nearest_to_the_preceding_pose"
 
 TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
   const Posed p(tube(9, 8, 0.3, 4));
-  // The upper half rotates about y by 90 degrees, at the middle of the tube.
+  // The upper half of the tube rotates by 90 degrees about y.
   Pose pose{p.rest(), {}};
   const Affine turn = similarity({0, 1, 0}, 90 * degree);
   for (auto& x : pose.positions)
@@ -114,7 +114,7 @@ TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
     tip = norm(part.positions.back());
     least = std::min(least, tip);
   }
-  // On straight lines it would shrink to 1.41.
+  // Linear interpolation would shrink it to 1.41.
   CHECK(least > 1.9);
   const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
@@ -139,7 +139,7 @@ TEST_CASE("poses_far_from_rest_lose_only_rounding") {
   const LogVector a = p.space.vector(p.by({.shift = far}));
   const LogVector b = p.space.vector(p.by(similarity({0, 0, 1}, 120 * degree, 1, far)));
   CHECK(p.error(p.between(a, b, 0.5), mapped(p.rest(), similarity({0, 0, 1}, 60 * degree, 1, far))) < 1e-9);
-  CHECK_THROWS(p.space.vector({{{0, 0, 0}}, {}}));  // of another number of vertices
+  CHECK_THROWS(p.space.vector({{{0, 0, 0}}, {}}));  // wrong number of vertices
 }
 
 TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
@@ -154,7 +154,7 @@ TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);
         for (Vec3& x : expected) x = middle + turn(x - middle);
-        // The 2 % of a shaken cage that logs do not represent do not rotate between keys.
+        // Logs do not represent 2 % of a shaken cage. This part does not rotate between keys.
         const bool is_key = share == 0 || share == 1;
         CHECK(p.error(p.between(from, to, share), expected) < (is_key ? 1e-12 : 0.04));
       }

@@ -1,4 +1,3 @@
-// Properties of the deformer as a whole, on cages made in memory.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -13,7 +12,7 @@ mesh::Surface tube_model() {
   return tube(30, 12, 0.25, 1.9);
 }
 
-// A model partly outside of the cage, touching it.
+// The model is partly outside of the cage and touches it.
 mesh::Surface model_across() {
   return together(tube(12, 12, 0.3, 3), box({1, 1, 1}, {0.5, 0, 0}));
 }
@@ -65,7 +64,7 @@ TEST_CASE("similarity_poses_move_every_vertex_by_that_similarity") {
 }
 
 TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_maps_lose") {
-  // Two boxes, rotated by 80 degrees in opposite directions, with a thin tube between them.
+  // The cage is two boxes that rotate by 80 degrees in opposite directions; the model is a tube between them.
   auto cage = together(box({0.5, 0.5, 0.5}), box({0.5, 0.5, 0.5}));
   for (std::size_t v = 0; v < 16; ++v) cage.positions[v][2] += v < 8 ? 1.5 : -1.5;
   const auto turned = [](const Vec3& x) { return similarity({0, 0, 1}, (x[2] > 0 ? 80 : -80) * degree)(x); };
@@ -93,7 +92,7 @@ TEST_CASE("similarity_poses_hold_at_every_length_scale_and_far_from_the_origin")
   }
   const auto moved = [](const mesh::Surface& s) { return mapped(s, scaling(1, {1e7, -2e7, 3e7})); };
   Bound b(moved(tube_model()), moved(box()));
-  CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 2e-8);  // ulp of 3e7: 3.7e-9
+  CHECK(largest_distance(b.deform(rest_pose(*b.cage)), b.model.positions) < 2e-8);  // an ulp of 3e7 is 3.7e-9
   const auto shift = [](const Vec3& x) { return x + Vec3{0.5, 0.25, -0.5}; };
   CHECK(largest_distance(b.deform(b.pose(shift)), mapped(b.model.positions, shift)) < 2e-8);
 }

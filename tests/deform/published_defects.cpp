@@ -1,32 +1,22 @@
-// Defects found in published cage deformers, and the tests that would fail if this one had them:
+// Defects of published cage deformers with their numbers, and a test that finds each of them:
 //
-//  2 Translations are blended about the origin of the world. rotating_model_cage_and_pose_rotates_the_result;
-//    maps_fitted_to_points_are_exact_far_from_the_origin
-//  3 Distances to triangles depend on units. weights_are_the_same_at_every_length_scale_and_finite_everywhere
-//  4 Barycentric coordinates use a wrong axis. weights_match_their_definition_in_long_double
-//  5 Distances are infinite on one side of a face.
-//    weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane
-//  6 Weights on the cage are NaN.
-//  vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme 7 Moving least squares rotate
-//  about the origin. maps_fitted_to_points_are_exact_far_from_the_origin 8 The log of a whole turn has a
-//  wrong length.
-//    nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference
-//  9 Branches of rotations depend on earlier frames only.
-//    neighbours_turned_by_179_and_181_degrees_blend_to_180;
-//    logs_without_turns_do_not_depend_on_anything_before
-// 10 Mirroring and flat maps have no rotation. singular_and_mirroring_matrices_have_a_proper_rotation
-// 11 Uniform scaling stretches two directions only. every_scheme_keeps_rest_and_follows_similarities
-// 12 Means of rotations ignore weights that sum to less than 1.
-//    frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision
-// 14, 15 The log and the exponential lose digits where eigenvalues coincide. tests/sym3
-// 16 Rest is the pose of the first frame. a_frame_does_not_depend_on_the_frames_before
-// 17 Stitched surfaces: undetermined vertices, races, thresholds in units. stitching.cpp
-// 18 Harmonic weights leave [0, 1]. harmonic_weights_are_between_0_and_1_for_any_triangles
-// 19 Painting does not affect rotations.
-//    shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
-// 20 Memory of 16 bytes per pair.
-//    a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double;
-//    weights_of_all_vertices_are_never_in_memory_at_once
+//  2 Translations blended about the world's origin: rotating_model_cage_and_pose_rotates_the_result
+//  3 Distances depend on units: weights_are_the_same_at_every_length_scale_and_finite_everywhere
+//  4 Barycentric coordinates use a wrong axis: weights_match_their_definition_in_long_double
+//  5 Infinite distances: weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_plane
+//  6 NaN weights: vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
+//  7 Rotations about the world's origin: maps_fitted_to_points_are_exact_far_from_the_origin
+//  8 Whole turns: nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference
+//  9 Branches depend on earlier frames only: neighbours_turned_by_179_and_181_degrees_blend_to_180
+// 10 Mirroring maps have no rotation: singular_and_mirroring_matrices_have_a_proper_rotation
+// 11 Uniform scaling stretches two directions: every_scheme_keeps_rest_and_follows_similarities
+// 12 Sums below 1 are ignored: frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision
+// 14, 15 Log and exponential lose digits where eigenvalues coincide: tests/sym3
+// 16 Rest is the first frame's pose: a_frame_does_not_depend_on_the_frames_before
+// 17 Stitched surfaces have undetermined vertices, races, and thresholds with units: stitching.cpp
+// 18 Harmonic weights leave [0, 1]: harmonic_weights_are_between_0_and_1_for_any_triangles
+// 19 Masks: shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
+// 20 Memory: a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -37,7 +27,7 @@ using namespace viete::test;
 
 namespace {
 
-// The distinct weightings of all schemes.
+// Returns the different weightings of all schemes.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
   for (const Scheme& s : whole_schemes()) {
@@ -62,7 +52,7 @@ TEST_CASE("weights_exist_on_both_sides_of_every_face_and_do_not_jump_across_its_
   const auto surface = box({1, 1.1, 1.2});
   const Cage cage = make_cage(surface);
   Random random(6);
-  mesh::Surface points;  // in pairs, on both sides of a plane
+  mesh::Surface points;  // pairs of points on both sides of a plane
   for (int n = 0; n < 20; ++n) {
     for (const auto& [i, j, k] : surface.triangles) {
       const Vec3 &a = surface.positions[i], u = surface.positions[j] - a, v = surface.positions[k] - a;
@@ -87,7 +77,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
   const auto surface = box({1, 1.1, 1.2});
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
-  for (const auto& face : surface.triangles) {  // each split into six triangles about its centre
+  for (const auto& face : surface.triangles) {  // splits it into six triangles about its centre
     const auto first = static_cast<std::uint32_t>(p.size());
     for (int i = 0; i < 3; ++i) {
       const Vec3 &a = surface.positions[face[i]], &b = surface.positions[face[(i + 1) % 3]];
@@ -115,7 +105,7 @@ TEST_CASE("neighbours_turned_by_179_and_181_degrees_blend_to_180") {
     CAPTURE(text(scheme));
     Bound b(tube(5, 6, 0.3, 1.4), tube(5, 5, 0.5, 1.8), scheme.weighting, 1, scheme.blend);
     const double off = largest_distance(b.deform(b.pose(twist)), mapped(b.model.positions, half_a_turn));
-    CHECK(off < 1.5 * degree * 0.5);  // 0.6 if rotations blend to 0
+    CHECK(off < 1.5 * degree * 0.5);  // would be 0.6 if rotations blended to 0
   }
 }
 
@@ -123,11 +113,11 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
   const double pair = 2 * sizeof(double);
   for (const Weighting& weighting : all_weightings()) {
     CAPTURE(text({weighting}));
-    if (entry(weighting.weights).on_surface) continue;  // which need memory for solving
+    if (entry(weighting.weights).on_surface) continue;  // these weights need memory for solving
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }
-  // The size after binding includes a few empty slots.
+  // After binding, the size includes a few empty slots.
   const auto model = tube(51, 50, 0.3, 1.4);
   const Cage cage = make_cage(tube(12, 12, 0.5, 1.8));
   base::WorkerPool pool(2);

@@ -1,4 +1,3 @@
-// The same properties on real models, if their files are present.
 #include <doctest/doctest.h>
 
 #include "base/error.h"
@@ -17,7 +16,7 @@ constexpr const char* models[] = {"arm",       "armadillo-man", "bar",  "bunny",
                                   "dragon",    "fire-hydrant",  "hand", "horse",      "man-head",
                                   "nefertiti", "octopus",       "spot", "wire-sphere"};
 
-// Every `step`th vertex, to reduce the time for weights.
+// Returns every `step`th vertex, to reduce the time for weights.
 mesh::Surface thinned(const mesh::Surface& surface, std::size_t step) {
   mesh::Surface result;
   for (std::size_t i = 0; i < surface.positions.size(); i += step)
@@ -76,12 +75,12 @@ TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear" * doctest::test_sui
     std::vector<std::string> warnings;
     const Pose pose = read_pose(data / name / "pose_twist200.obj", *b.cage, warnings);
     CHECK(warnings.empty());
-    // Like the twists of the data set: linear from end to end of the cage, about its middle.
+    // The twist is like those of the data set: linear from end to end of the cage, about its middle.
     const auto ends = mesh::bounds(b.cage->surface.positions);
     const Twist twist{axis, ends.center(), ends.low[axis], ends.high[axis], -100 * degree, 100 * degree};
     const auto positions = b.deform(pose);
     CHECK(b.report().torn.empty());
-    // A wrong branch on cactus gave 4.2 and 0.083; sound poses stay below 1.6 and 0.08.
+    // A wrong branch on cactus gave 4.2 and 0.083. Correct poses stay below 1.6 and 0.08.
     CHECK(largest_edge_stretch(b.model, positions) <
           1.8 * largest_edge_stretch(b.cage->surface, pose.positions));
     CHECK(largest_distance(positions, mapped(b.model.positions, twist)) < 0.08 * b.cage->diagonal);

@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A model and shapes between rest and others.
+// A model, and shapes between rest and other shapes.
 struct Shapes {
   mesh::Surface rest;
   base::WorkerPool pool;
@@ -37,7 +37,7 @@ struct Shapes {
   }
 };
 
-// Centres each part.
+// Moves the centre of each part to the origin.
 Points centered(Points points, std::size_t part_size) {
   for (std::size_t first = 0; first < points.size(); first += part_size) {
     Vec3 mean{0, 0, 0};
@@ -48,13 +48,13 @@ Points centered(Points points, std::size_t part_size) {
   return points;
 }
 
-// The tube's rings rotated about its axis, z, by an angle that grows along it.
+// Returns the tube with its rings rotated about z, by an angle that grows along the tube.
 Points twisted(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   return mapped(tube.positions, Twist{2, {0, 0, 0}, box.low[2], box.high[2], 0, degrees * degree});
 }
 
-// Root mean square of the logs of edges relative to the geometric mean of both ends.
+// Returns the root mean square of log(edge length / geometric mean of both ends).
 double edge_error(const mesh::Surface& s, const Points& a, const Points& b, const Points& between) {
   double sum = 0;
   for (const auto& t : s.triangles) {
@@ -124,7 +124,7 @@ TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
-  // Moves a vertex through its neighbours to the other side.
+  // A vertex moves through its neighbours to the other side.
   const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
   const std::uint32_t moved = t[0];
   shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];
@@ -167,7 +167,7 @@ TEST_CASE("shapes_have_the_same_bits_on_any_number_of_threads") {
   for (const int threads : {1, 2, 3}) {
     Shapes s(limb, threads);
     Points shape = twisted(limb, 285);
-    shape[100] = shape[101];  // doubts
+    shape[100] = shape[101];
     const Points half = s.share(shape, 0.4);
     if (first.empty()) first = half;
     CHECK(half == first);
@@ -191,7 +191,7 @@ TEST_CASE("branches_continue_those_of_the_preceding_shape") {
 
 TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
   mesh::Surface surface = tube(9, 7, 0.3, 2);
-  surface.positions.push_back({7, 7, 7});  // belongs to no triangle
+  surface.positions.push_back({7, 7, 7});  // has no triangle
   Shapes s(surface);
   for (const Vec3& scale : {Vec3{1, 1, 0}, Vec3{-1, 1, 1}, Vec3{0, 0, 0}, Vec3{1, 1e-9, 1}}) {
     const Points shape =

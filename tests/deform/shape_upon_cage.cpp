@@ -1,4 +1,3 @@
-// Shapes deformed by a cage: every engine, and models without a shape.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -12,7 +11,7 @@ mesh::Surface shaped_model() {
   return tube(30, 20, 0.3, 3);
 }
 
-// Bent, thickened at one end, and moved.
+// Returns the model bent, thicker at one end, and moved.
 SharedShape bent(const mesh::Surface& model) {
   std::vector<mesh::Point> shape;
   for (const auto& p : model.positions) {

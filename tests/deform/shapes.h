@@ -1,4 +1,4 @@
-// Cages, models and poses made in memory, for the tests of the deformer.
+// Cages, models and poses for the tests of the deformer.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ using namespace deform;
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// Outward box of 12 triangles.
+/// A box of 12 triangles that face outward.
 inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 0, 0}) {
   std::vector<mesh::Point> p;
   for (int i = 0; i < 8; ++i) {
@@ -40,7 +40,7 @@ inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 
                                   {1, 7, 5}});
 }
 
-/// Closed tube along z from -length/2 to length/2: rings of `sides` vertices, then the two cap centres.
+/// A closed tube along z from -length/2 to length/2. Its vertices are rings of `sides`, then two cap centres.
 inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radius, double length) {
   std::vector<mesh::Point> p;
   for (std::uint32_t r = 0; r < rings; ++r) {
@@ -65,7 +65,7 @@ inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radiu
   return mesh::from_triangles(p, t);
 }
 
-/// n x n squares of side 1 in the plane z = 0.
+/// A grid of n x n squares of side 1 in the plane z = 0.
 inline mesh::Surface grid(std::uint32_t n) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -79,7 +79,7 @@ inline mesh::Surface grid(std::uint32_t n) {
   return mesh::from_triangles(p, t);
 }
 
-/// Both surfaces as one, not connected.
+/// Returns both surfaces as one surface, not connected.
 inline mesh::Surface together(const mesh::Surface& a, const mesh::Surface& b) {
   auto p = a.positions;
   p.insert(p.end(), b.positions.begin(), b.positions.end());
@@ -89,7 +89,7 @@ inline mesh::Surface together(const mesh::Surface& a, const mesh::Surface& b) {
   return mesh::from_triangles(p, t);
 }
 
-/// x -> linear x + shift.
+/// The map x -> linear x + shift.
 struct Affine {
   sym3::Mat3<double> linear{1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vec3 shift{0, 0, 0};
@@ -102,14 +102,14 @@ struct Affine {
   }
 };
 
-/// Rotation by `angle` radians about `axis`, scaled, then shifted.
+/// A rotation by `angle` radians about `axis`, then a scale, then a shift.
 inline Affine similarity(Vec3 axis, double angle, double scale = 1, const Vec3& shift = {0, 0, 0}) {
   Affine map{sym3::exp_rotation<double>((angle / norm(axis)) * axis), shift};
   for (double& x : map.linear) x *= scale;
   return map;
 }
 
-/// The shear of the data's pose_affine.
+/// The shear of pose_affine in the data.
 inline Affine shear() {
   return {{1.2, 0.3, -0.1, -0.2, 0.9, 0.25, 0.15, -0.35, 1.1}, {0.3, -0.2, 0.1}};
 }
@@ -127,12 +127,12 @@ mesh::Surface mapped(mesh::Surface surface, const Map& map) {
   return surface;
 }
 
-/// Scaled, then shifted.
+/// A scale, then a shift.
 inline Affine scaling(double scale, const Vec3& shift = {0, 0, 0}) {
   return {{scale, 0, 0, 0, scale, 0, 0, 0, scale}, shift};
 }
 
-/// Each triangle gets corners of its own.
+/// Gives each triangle its own corners.
 inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -144,8 +144,7 @@ inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   return mesh::from_triangles(p, t);
 }
 
-/// Twist about the coordinate axis `axis` through `center`: angle (radians) grows linearly from `low` to
-/// `high`.
+/// A twist about an axis through `center`. The angle in radians grows linearly from `low` to `high`.
 struct Twist {
   int axis;
   Vec3 center;
@@ -158,7 +157,7 @@ struct Twist {
   }
 };
 
-/// The largest ratio of a triangle edge's length to its length at rest; tears increase it.
+/// Returns the largest ratio of an edge's length to its length at rest. Tears increase the ratio.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {
   double largest = 0;
   for (const auto& t : rest.triangles) {

@@ -1,4 +1,4 @@
-// Vertices with a share of their motion, from partial weights and from a mask.
+// Vertices that make only a part of their motion, because of partial weights or a mask.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -12,7 +12,7 @@ mesh::Surface shared_model() {
   return tube(40, 24, 0.3, 3);
 }
 
-// Shares from 0 at one end to 1 at the other.
+// Returns shares from 0 at one end to 1 at the other.
 Mask ramp(const mesh::Surface& model) {
   std::vector<float> mask;
   for (const auto& p : model.positions)
@@ -117,7 +117,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     }
     CHECK(staying > 20);
     CHECK(partly > 20);
-    // A radius that reaches everything gives no shares, and a mask multiplies existing ones.
+    // With a radius beyond the whole cage there are no shares. A mask multiplies existing shares.
     f.set_mask(everywhere(0.5f));
     f.deform(f.staged.pose(shared_twist));
     scheme.weighting.radius = number("radius").largest;

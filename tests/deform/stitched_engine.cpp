@@ -85,7 +85,7 @@ TEST_CASE("stitched_frames_have_the_same_bits_on_any_number_of_threads_and_in_an
   CHECK(three.fused.positions() == first);
   one.deform(one.staged.pose(shear()));
   one.deform(pose);
-  CHECK(one.fused.positions() == first);  // no state remains from other poses
+  CHECK(one.fused.positions() == first);
 }
 
 TEST_CASE("vertices_with_holds_reach_their_blended_positions_in_stitched_frames") {
@@ -112,7 +112,7 @@ TEST_CASE("without_a_stitching_a_stitched_scheme_falls_back_to_blending_with_its
     CHECK(waiting.ran() == EngineKind::fused);
     f.deform(pose), blended.deform(pose);
     CHECK(waiting.positions() == blended.fused.positions());
-    // The error of a stitched frame is that of its blended vertices.
+    // The sampled error of a stitched frame is the error of its blended vertices.
     CHECK(f.fused.sampled_error() > 0);
     CHECK(std::abs(f.fused.sampled_error() - blended.fused.sampled_error()) < 3e-7);
   }

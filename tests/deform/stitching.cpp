@@ -27,7 +27,6 @@ std::vector<Scheme> all_stitched(int iterations = 1) {
   return all;
 }
 
-// A model in its cage.
 struct StitchScene {
   explicit StitchScene(const mesh::Surface& model_, const mesh::Surface& cage_surface = tube(9, 7, 0.8, 4.4))
       : model(model_), cage(std::make_shared<const Cage>(make_cage(cage_surface))) {}
@@ -67,8 +66,7 @@ Vec3 bent_pipe(const Vec3& x) {
   return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
 }
 
-// Energy of positions for the maps' linear parts, summed over triangles: an independent evaluation, by
-// gradients in the plane of each triangle, and by singular values for refitted rotations.
+// Returns the energy of positions for one map, by independent formulas: gradients in each triangle's plane.
 double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
                       const sym3::Mat3<double>& map) {
   double sum = 0;
@@ -87,8 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// x^T K x of the solved system. At its minimum over x the energy is c - x^T K x, and c does not depend on the
-// rotations.
+// Returns x^T K x. At the minimum over x, the energy is c - x^T K x, and c does not depend on the rotations.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;
@@ -129,7 +126,7 @@ TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
 }
 
 TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
-  // All triangles follow one map that the cage does not make: rows of the test's own.
+  // All triangles follow one map, which is not the cage's map. The test makes the rows itself.
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
@@ -150,7 +147,7 @@ TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
     return sum;
   };
   const double least = energy(solved);
-  CHECK(least > 1e-3);  // pins and maps contradict each other
+  CHECK(least > 1e-3);  // the pins contradict the maps
   Random random(5);
   for (int i = 0; i < 20; ++i) {
     std::vector<Vec3> way;
@@ -190,10 +187,10 @@ TEST_CASE("refitting_rotations_lowers_the_energy_each_time") {
 }
 
 TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangles") {
-  mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // the inner part is nearest to no handle
+  mesh::Surface model = together(pipe(), tube(6, 5, 0.1, 0.5));  // no handle is near the inner part
   for (int i = 0; i < 3; ++i) model.triangles.erase(model.triangles.begin() + 5 * i);
   const auto stray = std::uint32_t(model.positions.size());
-  model.positions.push_back({0.2, 0.1, 0.3});  // in no triangle
+  model.positions.push_back({0.2, 0.1, 0.3});  // has no triangle
   model.positions.push_back({0.3, 0.1, 0.3}), model.positions.push_back({0.4, 0.1, 0.3});
   model.positions.push_back({0.5, 0.1, 0.3});
   model.triangles.push_back({stray + 1, stray + 2, stray + 3});  // a separate line
@@ -213,7 +210,7 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
     CHECK(all_finite(posed));
     CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
   }
-  // Holds: the inner part by its blended positions, and vertices without a firm triangle.
+  // Holds are needed for the inner part, and for vertices without a triangle that is not thin.
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
   Scheme blended = stitched();
@@ -221,7 +218,7 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
   const auto by_blend = s.deform(s.pose(pipe_twist), blended), by_stitching = s.deform(s.pose(pipe_twist));
   CHECK(norm(by_blend[stray] - by_stitching[stray]) < 1e-14);
   bool held = false;
-  for (const auto& hold : stitching.holds) held |= hold.vertex == 40 * 16 + 2;  // the first of the inner part
+  for (const auto& hold : stitching.holds) held |= hold.vertex == 40 * 16 + 2;  // the inner part's first hold
   CHECK(held);
 }
 

@@ -1,4 +1,4 @@
-// Twists of a tube: the mesh must follow the cage through full turns without tears.
+// A twisted tube must follow the cage through full turns without tears.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -8,7 +8,7 @@ using namespace viete::test;
 
 namespace {
 
-// A tear separates neighbours by the size of the model: its edges stretch far more than those of the cage.
+// A tear separates neighbours by the model's size, so edges stretch far more than the cage's edges.
 constexpr double tear = 1.5;
 
 }  // namespace

@@ -10,7 +10,7 @@ using namespace viete::test;
 
 namespace {
 
-// Points inside, on and outside the cage, including near and on corners, edges and faces.
+// Returns points inside, on and outside the cage, also near and on corners, edges and faces.
 std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   Random random(17);
   std::vector<viete::mesh::Point> points;
@@ -27,7 +27,6 @@ std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   return points;
 }
 
-// Computed from their definition.
 void weights_of_one(const Cage& cage, const Weighting& weighting, const viete::mesh::Point& p,
                     std::span<double> weights) {
   switch (weighting.weights) {
@@ -46,7 +45,7 @@ const Weighting weightings[] = {faces,
                                 {Elements::face, Weights::cut_off, 0.6},
                                 {Elements::point, Weights::cut_off, 0.1}};
 
-// Calls use(point's number, its weights, its share, whether it has none) for points weighed eight at a time.
+// Weighs points eight at a time. Calls use(number, weights, share, true if there are no weights) for each.
 template <class Use>
 void for_points(const Weigher& weigher, std::span<const viete::mesh::Point> points, const Use& use) {
   std::vector<double> scratch(weigher.scratch_size()), weights(weigher.handles());
@@ -66,7 +65,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
   auto surface = tube(5, 7, 0.8, 2);
   surface = together(surface, viete::mesh::from_triangles(
                                   {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0.1}, {3, 1e-3, 0.1}, {3, 0, 2}},
-                                  {{0, 1, 2}, {3, 4, 5}}));  // one is a line, one a needle
+                                  {{0, 1, 2}, {3, 4, 5}}));  // a line and a needle
   const Cage cage = make_cage(surface);
   const auto points = points_around(cage);
   for (const auto& weighting : weightings) {
@@ -83,7 +82,7 @@ TEST_CASE("weights_of_eight_points_are_those_of_one_on_every_instruction_set") {
         CHECK(share == doctest::Approx(share_of_motion(total)).epsilon(1e-12));
       });
       CAPTURE(kernel.name);
-      CHECK(worst < 1e-6);  // at 1e-9 from an element a distance has seven digits
+      CHECK(worst < 1e-6);  // at a distance of 1e-9 from an element, seven digits are valid
     }
   }
 }
@@ -92,7 +91,7 @@ TEST_CASE("missing_mean_values_are_reported_per_lane") {
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   std::array<viete::mesh::Point, bind_lanes> points;
   points.fill({0.2, 0.2, 0.5});
-  points[3] = points[6] = {0.25, -1, 0};  // in its plane, outside of the triangle
+  points[3] = points[6] = {0.25, -1, 0};  // in the triangle's plane but outside of the triangle
   for (const auto& kernel : viete::sym3::kernels()) {
     const Weigher weigher(cage, mean_values, kernel);
     std::vector<double> scratch(weigher.scratch_size());
@@ -114,7 +113,7 @@ TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
     for (const auto& weighting : weightings) {
       const bool by_distance = weighting.weights != Weights::mean_value;
       auto points = points_around(make_cage(surface));
-      const double farthest = by_distance ? 1e25 : 10;  // mean values grow with the distance
+      const double farthest = by_distance ? 1e25 : 10;  // mean value weights grow with the distance
       for (double far = 10; far <= farthest; far *= 1e5) points.push_back({far, 0.5 * far, 1});
       points.resize((points.size() + 15) / 16 * 16, {0.1, 0.2, 0.3});
       for (auto& p : points) p = scale * p;
@@ -130,7 +129,7 @@ TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
         for_points(weigher, points, [&](std::size_t i, const auto& weights, double exact, bool lost) {
           CHECK(failed[i] == lost);
           CHECK(std::abs(shares[i] - exact) < 1e-5);
-          const double share = weighting.partial() ? exact : 1;  // near 0 weights lose digits
+          const double share = weighting.partial() ? exact : 1;  // weights near 0 lose digits
           Vec3 sum{0, 0, 0};
           for (std::size_t j = 0; j < weights.size(); ++j) {
             const double w = rows[i / 16 * 16 * weights.size() + j * 16 + i % 16];

@@ -1,4 +1,3 @@
-// Conversion of attributes to other formats.
 #include "formats/conversion.h"
 
 #include <doctest/doctest.h>
@@ -17,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 using Notes = std::vector<std::string>;
 
-// A square of two triangles with all attributes; the texture points of the second corner differ.
+// A square of two triangles with all attributes. The second corner has two different texture points.
 const std::string everything =
     "mtllib some.mtl\no thing\ng part\nusemtl red\n"
     "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
@@ -37,7 +36,7 @@ struct Converted : test::TemporaryFolder {
     return test::read_kept(everything, "obj", path());
   }();
 
-  // Rotates by 90 degrees about the x axis.
+  // Rotates the surface by 90 degrees about the x axis and writes it.
   Notes to(const std::string& name) {
     moved.clear();
     for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});
@@ -122,11 +121,10 @@ TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
 }
 
 TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
-  // A strip of two quads in the plane z = 0 with one normal for all, then bent up at x = 1.
+  // A strip of two quads in the plane z = 0 has one normal for all corners. Then it is bent at x = 1.
   const ReadResult flat = test::read_kept(
-      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\nf 2//1 3//1 "
-      "6//1 "
-      "5//1\n",
+      "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\n"
+      "f 2//1 3//1 6//1 5//1\n",
       "obj");
   std::vector<Point> posed = flat.surface.positions;
   posed[2][2] = posed[5][2] = 1;

@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A quad and a triangle; the faces do not start with the first vertex, and one vertex is unused.
+// A quad and a triangle. The faces do not start with the first vertex, and one vertex is unused.
 Surface odd_surface() {
   return test::read_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nv 5 5 5\nf 3 4 1 2\nf 5 4 3\n", "obj")
       .surface;

@@ -55,8 +55,8 @@ TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
     CHECK(r.surface.triangles == std::vector<Triangle>{{0, 1, 3}, {0, 3, 2}, {1, 4, 5}, {1, 5, 3}});
     REQUIRE(r.attributes);
     const Attributes& a = *r.attributes;
-    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v points upward here
-    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex across the seam
+    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v points upward
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex on the seam's other side
     CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
     REQUIRE(a.groups.size() == 1);
     CHECK(a.groups[0].object == "only");
@@ -72,8 +72,8 @@ TEST_CASE("nodes_place_their_meshes") {
       {{"children", {1}}, {"translation", {10, 0, 0}}},
       {{"mesh", 0}, {"rotation", {0, 0, 0.7071067811865476, 0.7071067811865476}}, {"scale", {-2, 1, 1}}}};
   const ReadResult r = read_parts(parts);
-  CHECK(norm(r.surface.positions[4] - Point{10, -4, 0}) < 1e-12);  // (2, 0, 0)
-  CHECK(r.surface.triangles[0] == Triangle{0, 3, 1});              // mirrored, so orientation is reversed
+  CHECK(norm(r.surface.positions[4] - Point{10, -4, 0}) < 1e-12);
+  CHECK(r.surface.triangles[0] == Triangle{0, 3, 1});  // the mirrored node reverses the orientation
   CHECK(norm(r.attributes->normals[0] - Vec3{0, 0, 1}) < 1e-12);
 }
 
@@ -133,8 +133,8 @@ TEST_CASE("deformed_gltf_differs_only_in_positions_and_normals") {
   const auto positions = floats_by_judge(folder / "b.glb", 0), normals = floats_by_judge(folder / "b.glb", 1);
   for (std::size_t i = 0; i < 8; ++i)
     CHECK(positions[3 * i + 2] == 0.25F * positions[3 * i] * positions[3 * i]);
-  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // left quad only
-  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // right quad: still split
+  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // only the left quad
+  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // only the right quad: still split
   CHECK(floats_by_judge(folder / "b.glb", 2) == floats_by_judge(folder / "a.glb", 2));
   const ReadResult again = read(folder / "b.glb");
   CHECK(again.surface.positions == posed);
@@ -183,7 +183,7 @@ TEST_CASE("shared_or_non_float_positions_get_new_accessors") {
   REQUIRE(again.surface.positions.size() == posed.size());
   for (std::size_t i = 0; i < posed.size(); ++i) CHECK(norm(again.surface.positions[i] - posed[i]) < 1e-6);
   const std::string out = test::file_bytes(folder / "b.glb");
-  CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation's accessor stays
+  CHECK(accessor_of(out, 0, "POSITION") != 0);  // the animation still uses accessor 0
   CHECK(floats_by_judge(folder / "b.glb", 0) == floats_by_judge(folder / "a.glb", 0));
 }
 
@@ -208,7 +208,7 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
   CHECK(notes.at(1) == "the buffer is in " + (folder / "out/b-2.bin").string());
   r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
-  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // replaced, and therefore removed
+  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // the new file replaces it
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
   r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);
@@ -306,7 +306,7 @@ TEST_CASE("unknown_chunks_and_second_buffers_are_kept") {
 
   GltfJson twice = GltfJson::parse(parts.beside("data.bin"));
   twice["buffers"].push_back(twice["buffers"][0]);
-  twice["bufferViews"][1]["buffer"] = 1;  // buffer of the normals
+  twice["bufferViews"][1]["buffer"] = 1;
   test::put_file(folder / "data.bin", parts.bytes);
   test::put_file(folder / "b.gltf", twice.dump());
   const ReadResult both = read(folder / "b.gltf");
@@ -326,7 +326,7 @@ TEST_CASE("gpu_instances_cause_a_warning_and_are_kept") {
   CHECK(holds(r.warnings[0], "EXT_mesh_gpu_instancing is not supported"));
   const test::TemporaryFolder folder;
   r.original->write_file(folder / "a.glb", r.surface, raised(r.surface, 1), {}, nullptr);
-  CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // used by the instances
+  CHECK(accessor_of(test::file_bytes(folder / "a.glb"), 0, "POSITION") != 0);  // instances use accessor 0
 }
 
 TEST_CASE("surface_beyond_float_range_is_not_written_as_glb") {

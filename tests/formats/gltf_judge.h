@@ -12,7 +12,7 @@
 
 namespace viete::test {
 
-/// Accessors by number.
+/// Reads accessors by number.
 class GltfJudge {
 public:
   explicit GltfJudge(const std::filesystem::path& path) {

@@ -23,7 +23,7 @@ struct MorphAnimation {
   bool normals = true;
 };
 
-/// One target per key, except for keys at rest.
+/// Writes one target per key, except for keys at rest.
 inline std::vector<std::string> write_morphs(const std::filesystem::path& path,
                                              const formats::Content& content,
                                              const formats::Original* original,

@@ -28,7 +28,7 @@ struct Wave {
   std::vector<std::vector<Point>> positions;
   test::MorphAnimation animation;
 
-  // Rest, up, down, rest.
+  // The keys are rest, up, down, rest.
   explicit Wave(const Surface& s) {
     for (const double by : {0.0, 0.5, -0.25, 0.0}) positions.push_back(bent(s, by));
     animation.name = "wave";
@@ -45,7 +45,7 @@ public:
     return model.meshes.at(mesh).primitives.at(i);
   }
 
-  // Positions of a primitive at a key as a player shows them: base attribute plus weighted targets.
+  // Returns a primitive's positions at a key as a player shows them: base attribute plus weighted targets.
   std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
                             std::size_t animation = 0) const {
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
@@ -55,7 +55,7 @@ public:
     return weighed(p, base, attribute, weights(node, key, animation));
   }
 
-  // The same at default weights.
+  // Returns the positions at default weights.
   std::vector<double> shown(std::size_t node, const char* attribute) const {
     const auto& n = model.nodes.at(node);
     const auto& mesh = model.meshes.at(static_cast<std::size_t>(n.mesh));
@@ -104,12 +104,12 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// The surface vertex of each of the file's eight vertices, see test::patch().
+// Returns the surface vertex for each of the file's eight vertices, see test::patch().
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
 
-// Two nodes of a mesh with a target of floats, one of few vertices, and one of normalised integers.
+// Two nodes of a mesh with three targets: floats, floats of few vertices, and normalised integers.
 GltfParts weighed_patch() {
   GltfParts p = test::patch();
   std::vector<float> lift, lean;
@@ -190,7 +190,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   check_near(read(folder / "b.glb").surface.positions, posed, 1e-5);
   CHECK(judge.model.nodes[1].weights == before.model.nodes[1].weights);
   const std::vector<Point> first(posed.begin(), posed.begin() + 6);
-  GltfParts plain = test::patch();  // the first node's shape without targets
+  GltfParts plain = test::patch();  // the shape of the first node without targets
   const auto shown = before.shown(0, "POSITION");
   const auto leaning = before.shown(0, "NORMAL");
   plain.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =
@@ -227,15 +227,15 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
     CHECK(judge.model.animations[0].name == "wave");
     CHECK(judge.floats(judge.model.animations[0].samplers.at(0).input) ==
           std::vector<float>{0, 0.5F, 1, 1.5F});
-    REQUIRE(judge.primitive(0, 0).targets.size() == 2);  // rest needs none
+    REQUIRE(judge.primitive(0, 0).targets.size() == 2);  // keys at rest need no target
     for (std::size_t key = 0; key < 4; ++key) {
       check_near(judge.shown(0, 0, "POSITION", key), of_patch(wave.positions[key]));
       const auto w = judge.weights(0, key);
       CHECK(w == std::vector<float>{key == 1 ? 1.0F : 0, key == 2 ? 1.0F : 0});
     }
     const auto normals = judge.shown(0, 0, "NORMAL", 1);
-    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // left quad only
-    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // right quad: still split
+    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // only the left quad
+    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // only the right quad: still split
     CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
     const ReadResult again = read(out);
     CHECK(again.surface.positions == r.surface.positions);
@@ -338,7 +338,7 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   check_near(clip->at_key(1), posed, 1e-5);
   const MorphJudge judge(folder / "b.glb");
   CHECK(judge.model.animations.at(0).channels.size() == 2);
-  CHECK(judge.weights(2, 0).empty());  // that node does not move
+  CHECK(judge.weights(2, 0).empty());  // this node does not move
 }
 
 TEST_CASE("models_of_other_formats_become_glb_with_targets") {

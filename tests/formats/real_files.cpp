@@ -1,4 +1,4 @@
-// Real files: recognised by their content, and written again.
+// Real files are recognised by their content, and written again.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -45,7 +45,7 @@ TEST_CASE("every_shared_file_is_recognised_and_round_trips" * doctest::test_suit
     }
     ++files;
     const Format* found = format_of_content(path, Beginning(path));
-    if (path.stem() != "obj_long_comment_line")  // longer than the beginning
+    if (path.stem() != "obj_long_comment_line")  // this line is longer than the part that is examined
       CHECK((found && found->name == format_of_description(read.format)->name));
     if (named->holds_morphs) continue;
     CHECK(test::written_again(read, read.surface.positions) == test::file_bytes(path));

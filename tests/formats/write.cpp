@@ -15,7 +15,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A cube of quads and a pentagon, with an unused vertex and coordinates that need all their digits.
+// A cube of quads and a pentagon, with an unused vertex, and coordinates that need all their digits.
 Surface awkward(double scale) {
   Surface s = test::cube();
   std::mt19937_64 random(13);
@@ -94,7 +94,7 @@ TEST_CASE("a_large_file_is_written_in_portions_and_can_be_stopped_between_them")
     TextWriter out(
         [&](std::string_view portion) {
           CHECK(portion.size() < 300'000);
-          CHECK(progress.done() > before);  // larger than the value reported for the previous portion
+          CHECK(progress.done() > before);
           before = progress.done();
           all += portion;
         },

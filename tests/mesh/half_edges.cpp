@@ -67,7 +67,7 @@ TEST_CASE("joined_sets_share_a_number") {
 }
 
 TEST_CASE("vertices_are_joined_by_paths_up_to_the_given_length") {
-  std::vector<Point> p;  // a strip of squares of side 1, and a triangle beside it
+  std::vector<Point> p;  // a strip of squares of side 1, and a separate triangle
   std::vector<Triangle> t;
   for (std::uint32_t i = 0; i < 10; ++i) {
     p.push_back({double(i), 0, 0}), p.push_back({double(i), 1, 0});

@@ -23,7 +23,7 @@ struct TreeCase : test::Random {
     const Point p = vector(1);
     return {p, p + vector(size), p + vector(size)};
   }
-  // Random ones, needles, segments and points.
+  // Returns random triangles, needles, segments and points.
   Surface mixed(std::size_t count) {
     std::vector<Point> points;
     std::vector<Triangle> triangles;

@@ -239,7 +239,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   for (const char* more : {" --iterations 2", " --pins 10", " --hold 100"})
     CHECK(deformed(std::string(" --stitched") + more) != stitched);
   f.refused(posed + " -o x.ply --blend srl --weights mean-value", 1,
-            "cannot be combined: mean value coordinates move points");
+            "cannot be combined: mean value weights need the blend");
   f.refused(posed + " -o x.ply --deformer mean-value --blend srl", 2, "excludes");
   CHECK_FALSE(fs::exists(f / "x.ply"));
 }

@@ -35,7 +35,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   const std::string command = "report --quick " + model.files + " -o " + quoted(folder);
   const auto outcome = run(command);
   REQUIRE_MESSAGE(outcome.code == 0, outcome.text);
-  CHECK(mentions(outcome, "index.html: the report"));
+  CHECK(mentions(outcome, "index.html and its numbers"));
   const std::string page = file_bytes(folder / "index.html");
   CHECK(xml_problem(page) == "");
   for (const char* part : {"Figure 3 of the paper", "tall", "viete report ", "$", "Deformers"})
