@@ -29,7 +29,7 @@ void sort_unique(std::vector<mesh::Edge>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// Breadth-first search of the part of `start`: visiting order and distances.
+// Breadth-first search from `start` through its connected part.
 struct Sweep {
   std::vector<std::uint32_t> order, distance, parent;
 
@@ -81,7 +81,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
   for (const auto& [i, j] : pairs) {
     if (skip[i] && skip[j]) clusters.join(i, j);
   }
-  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
+  std::vector<mesh::Edge> kept, rim;  // rim: pairs of a cluster of skipped elements and a neighbour of it
   for (const auto& [i, j] : pairs) {
     if (!skip[i] && !skip[j]) kept.push_back({i, j});
     if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
@@ -129,7 +129,7 @@ GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
 
 namespace {
 
-// N / sqrt|N|, N = u x v, formed at unit size to avoid over- and underflow; 0 without area.
+// Returns N / sqrt|N| for N = u x v, or 0 if N is 0. Scales u and v first to avoid overflow and underflow.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};
@@ -138,7 +138,7 @@ Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   return length > 0 ? (size / std::sqrt(length)) * area : Vec3{0, 0, 0};
 }
 
-// The corner between the two shorter edges: their cross product loses the fewest digits.
+// The corner between the two shorter edges, whose cross product has the smallest rounding error.
 int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
   int best = 0;
   double longest = -1;
@@ -184,7 +184,7 @@ Vec3 side_along(const Vec3& area) {
 
 namespace {
 
-constexpr double flat_shape = 1e-12;  // thickness to diagonal; below it the cage is a plane
+constexpr double flat_shape = 1e-12;  // a cage with a smaller ratio of thickness to diagonal is flat
 
 double largest_coordinate(const mesh::Surface& surface) {
   double largest = 0;
@@ -219,7 +219,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
-// Extent of the surface along the normal of its first triangle with an area, in diagonals of the cage.
+// Extent of the cage along the normal of its first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const auto& p = cage.surface.positions;
@@ -237,8 +237,7 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// A flat sheet has a boundary and deforms its surroundings; a squashed box has neither a boundary nor an
-// inside.
+// A flat sheet with a boundary is a valid cage. A flat closed surface is not: it has no inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
   throw base::Error("", "the cage is squashed flat: it encloses no volume",

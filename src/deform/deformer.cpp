@@ -111,7 +111,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   if (!layer_.moves()) carry_probes();
 }
 
-// Engines skip the layer while no probe moves, so that probes are carried here.
+// While no probe moves the model, engines skip the layer. Then the probes follow the model here.
 void Deformer::carry_probes() {
   layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
