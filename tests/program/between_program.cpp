@@ -169,7 +169,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
       {"between rest.obj a.obj -o m.obj", "this format stores a single frame; write numbered"},
       {"between rest.obj a.obj -o m.png", "unknown extension .png"},
       {"between rest.obj a.obj -o m.pc2 --at 1", "unknown extension .pc2"},
-      {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are fewer than the shapes"},
+      {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are too few for 3 shapes"},
       {"between rest.obj a.obj -o m.ply --at 1.5", "is beyond the last shape, which is at 1"}};
   for (const auto& [words, said] : cases) f.refused(words, 1, said);
   Points large = f.cube.positions;
