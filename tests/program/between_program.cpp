@@ -175,7 +175,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   Points large = f.cube.positions;
   for (auto& p : large) p = 1e12 * p;
   f.write("large.obj", large);
-  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is too large to be drawn");
+  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is too large to draw");
   CHECK_FALSE(fs::exists(f / "m.ply"));
 }
 
@@ -225,7 +225,7 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
                {"--pin 1=1,2,3 --freedom 2", 2, "--freedom"},
                {"--pin 999=1,2,3", 1, "vertex 999"},
                {"--pin 1=1,2,3 --pull 1=3,2,1", 1, "pinned twice"},
-               {"--pin 1=1e60,2,3 --pin 2=0,0,0", 1, "too large to be drawn"}};
+               {"--pin 1=1e60,2,3 --pin 2=0,0,0", 1, "too large to draw"}};
   for (const auto& c : cases) f.refused(std::string("pose rest.obj -o p.obj ") + c.pins, c.code, c.said);
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
   CHECK(!fs::exists(f / "p.obj"));
