@@ -22,8 +22,8 @@ void add_files(CLI::App& app, Inputs& inputs) {
   auto* model = add_file_option(app, "MODEL", inputs.model, formats::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
-  add_file_option(app, "--model", inputs.located.model, "Model to use instead of the session's");
-  add_file_option(app, "--cage", inputs.located.cage, "Cage to use instead of the session's");
+  add_file_option(app, "--model", inputs.located.model, "Model that replaces the model of the session");
+  add_file_option(app, "--cage", inputs.located.cage, "Cage that replaces the cage of the session");
   if (inputs.use == Use::animation) return;
   add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }

@@ -205,7 +205,7 @@ TEST_CASE("pose_finds_the_example_that_its_pins_are_of") {
   }
   const Outcome outcome = f.done("pose --examples a.obj --examples b.obj" + pins +
                                  " --restraint 0 -o p.obj --digits all rest.obj");
-  CHECK(mentions(outcome, "pins off by 0.00 %"));
+  CHECK(mentions(outcome, "largest distance of a pin to its target 0.00 %"));
   CHECK(mentions(outcome, "  b"));
   CHECK(distance(f.read("p.obj"), bent) < 1e-4);
   f.done("pose rest.obj --pin 0=5,5,5 --pull 7=9,9,9 -o q.ply");
