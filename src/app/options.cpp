@@ -33,6 +33,11 @@ std::string number_text(std::int64_t number) {
   return (number < 0 ? "-" : "") + base::with_thousands(static_cast<std::size_t>(std::abs(number)));
 }
 
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const std::string name = nearest(word, names);
+  return name.empty() ? "" : "; did you mean " + name + "?";
+}
+
 template <class Number>
 CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::string& what) {
   const std::string range = number_text(low) + " to " + number_text(high);
@@ -62,9 +67,7 @@ CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
   return option->option_text("WORD")->check([words](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    const std::string meant = nearest(text, words);
-    return "needs " + listed(words) + ", not " + text +
-           (meant.empty() ? "" : "; did you mean " + meant + "?");
+    return "needs " + listed(words) + ", not " + text + suggestion(text, words);
   });
 }
 
@@ -344,11 +347,6 @@ std::vector<std::string> option_names(const CLI::App& command) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
   }
   return names;
-}
-
-std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
-  const std::string name = nearest(word, names);
-  return name.empty() ? "" : "; did you mean " + name + "?";
 }
 
 // Rewrites messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but received

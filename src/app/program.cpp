@@ -20,13 +20,6 @@ constexpr const char* footer =
     "  1  a file could not be read or written, or the work failed (see stderr)\n"
     "  2  wrong command line";
 
-// In every version of CLI11, reports an invalid value before a missing value.
-void values_first([[maybe_unused]] CLI::App& app) {
-#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
-  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
-#endif
-}
-
 void note_kernel() {
   const char* kernel = std::getenv("VIETE_KERNEL");
   if (kernel && sym3::kernel_name() != kernel) {
@@ -45,7 +38,10 @@ int run(const Program& program, std::vector<std::string> arguments) {
   app.formatter(help_formatter());
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
-  values_first(app);  // the subcommands inherit this setting
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
+  // Reports invalid values before missing values, as older versions do. Subcommands inherit this setting.
+  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
+#endif
   Action action;
   program.add_commands(app, action);
   try {

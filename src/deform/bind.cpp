@@ -35,8 +35,8 @@ void allocate(Binding& binding) {
   }
 }
 
-// Writes the weights of the vertices [begin, end) and returns how many of them have no mean value
-// coordinates. Handle positions are relative to origin.
+// Writes the weights of the vertices [begin, end). Returns the number of vertices without mean value
+// coordinates. handles: rest positions relative to origin.
 std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
                       std::size_t end, Binding& b) {
   std::size_t failed = 0;
@@ -94,9 +94,9 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
-  // Terms: weights; rest, offset and the frame's sums, stretches, position, normal; triangles, adjacency.
+  // Bytes per vertex: weights, rest position, offset, results of a frame, triangles and adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // Terms: weights; rest, offset, position, vertex, neighbours; rest position in double.
+  // Bytes per vertex: weights, rest position, offset, position, vertex, neighbours, rest position in double.
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)

@@ -46,8 +46,7 @@ static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
   return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
 }
 
-// Squared distance to an edge in the triangle's plane. The point has the coordinates `along` the edge and
-// `beside` it.
+// Squared distance to an edge. The point has the coordinates `along` the edge and `beside` the edge.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
   const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
@@ -100,8 +99,7 @@ struct CutOffSum {
   V weights, near;  // near: not 0 if a distance is too small for float precision
 };
 
-// Writes the weight (1 - distance * cut)^2 to weights[i * stride] for each triangle i, or 0 beyond the
-// radius.
+// For each triangle i, writes (1 - distance * cut)^2, or 0 beyond the radius, to weights[i * stride].
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {
@@ -175,8 +173,8 @@ static void to_rows(const double* weights, const RowJob& job) {
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
 
-// Returns 1 / x with an error of at most two ulp: the hardware's estimate and one third-order step. Takes a
-// third of the time of a division.
+// Returns 1 / x with an error of at most two ulp, in a third of the time of a division: improves the estimate
+// of the processor by one third-order step.
 static HWY_INLINE RowV inverse(RowV x) {
   const RowTag d;
   const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));

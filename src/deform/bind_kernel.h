@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "deform/bind_jobs.h"
 #include "sym3/kernel.h"
@@ -15,8 +14,7 @@ struct BindKernel {
   /// Computes inverse distance weights of 16 points in floats, and their sums. If a point is too near to a
   /// triangle for an accurate distance, returns false and leaves the rows undefined.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Computes cut_off_weights() of eight points: weights [triangle][8 lanes], and return values in totals
-  /// [8 lanes].
+  /// Computes cut_off_weights() of eight points: weights [triangle][8 lanes], return values totals [8 lanes].
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// As inverse_distance_rows, for cut-off weights.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);

@@ -1,9 +1,5 @@
 #include "deform/binding.h"
 
-#include <atomic>
-#include <new>
-#include <stdexcept>
-
 #include "deform/cage_state.h"
 #include "deform/maps.h"
 

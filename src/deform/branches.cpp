@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -16,22 +15,23 @@ namespace {
 
 using Rotations = std::span<const sym3::Mat3<double>>;
 
-// A rotation by the angle theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k:
-// its branches. Logs are blended linearly, so neighbours need logs near each other. A spanning forest
-// connects the elements by the pairs with the smallest relative rotations. Every element uses the branch
-// nearest to its parent's log. For the root of each part, three branches are tried: the nearest to the
-// reference, and one turn more or less.
+// A rotation by the angle theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k.
+// These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
+// spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
+// the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
+// nearest to the reference, and one turn more or less.
 
 constexpr double turn = 2 * std::numbers::pi;
-// If the reference is half a turn away, two branches are equally near, and rounding would choose between them
-// at random. Distances that differ by less than this many radians (half a degree) count as equal.
+// If the reference is half a turn away, two branches are equally near, and rounding would choose one at
+// random. Two distances count as equal if their difference is smaller than this number of radians.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root may increase the distances between neighbours' logs by at most a tenth plus this
-// many radians. The radians are for rigid rotations, where all distances are rounding errors.
+// Another branch of the root may multiply the distances between neighbours' logs by at most `rougher` and add
+// at most `rougher_at_rest` radians. Rigid rotations need the latter: all their distances are rounding
+// errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
-// A distance of a log from the axis of a part's turns, in radians; larger than any rounding error.
+// A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
-// If neighbours' logs are this many times farther apart than without turns, they are not coherent.
+// Logs are not coherent if neighbours are this many times farther apart than they are without turns.
 constexpr double incoherent = 3;
 // Safety margin in radians for comparisons that must be true despite rounding.
 constexpr double to_spare = 1e-6;
@@ -118,11 +118,11 @@ bool stays(const Vec3& v, const Vec3& reference) {
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if every log stays principal, whatever the forest is. Two conditions: all neighbours prefer principal
-// logs, and the principal logs are nearer to all references and to the leader than other branches. Let r be
-// the length of the longest reference. The distance of a principal log v from the references is at most
-// |v| + r. Its other branches have a length of at least 2 pi - |v| and a distance of at least 2 pi - |v| - r.
-// That is more if |v| + r < pi.
+// True if every log stays principal, whatever the forest is. This needs two conditions. First, the principal
+// log of each element must be the nearest to its neighbours' principal logs. Second, it must be the nearest
+// to all references and to the leader. Let r be the length of the longest reference. The distance between a
+// principal log v and a reference is at most |v| + r. Another branch has a length of at least 2 pi - |v|, so
+// its distance is at least 2 pi - |v| - r. This distance is larger if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -144,7 +144,7 @@ std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
     sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
     ++counts[cage.parts[e]];
   }
-  sums.pop_back();  // the last sum is that of the elements without area
+  sums.pop_back();  // removes the sum of the elements without area
   for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
   return sums;
 }
@@ -247,8 +247,8 @@ std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// In each part, starts at the triangle with the smallest rotation and follows the spanning forest. Every
-// other triangle gets the branch nearest to its parent's log.
+// Follows a spanning forest from the triangle with the smallest rotation of each part. Every other triangle
+// gets the branch nearest to its parent's log.
 std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
                             std::span<const Vec3> start) {
   const auto forest = mesh::adjacency(start.size(), spanning_forest(neighbours.pairs, rotations));
@@ -269,7 +269,8 @@ std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations
   return logs;
 }
 
-// For each connected set of triangles whose logs differ: uses the logs `others` if they reduce the sum.
+// Compares `logs` with `others`. For each connected set of triangles with different logs, uses `others` if
+// they reduce the weighted sum of distances.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());

@@ -1,7 +1,6 @@
 // Consistent branches of the rotation logs: neighbouring elements get logs that are near each other.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -40,16 +39,16 @@ struct Branches {
   std::vector<Vec3> turns;
 };
 
-/// Chooses the branches of the elements' logs, from their principal logs. In each part of the cage, a minimum
-/// spanning forest of the relative angles starts at the root, and each log is the one nearest to its
-/// parent's. The branch of the root minimizes the root mean square distance of the part's logs to turns[part]
-/// (missing: 0), as long as neighbours stay as near. A single flipped map, even the root, therefore does not
-/// rotate the others. If two branches are equally near, the part uses the one nearer to the first part's mean
-/// log.
+/// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage, a spanning
+/// forest of the smallest relative angles starts at the root. Each log is the branch nearest to the parent's
+/// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part]
+/// (missing: 0), unless neighbours' logs become farther apart. Therefore, a single flipped map does not
+/// rotate the others. If two branches are equally near, the part uses the branch nearer to the first part's
+/// mean log.
 ///
-/// A log can only have whole turns about the axis of its rotation. If a part's turns are longer than half a
-/// turn and about another axis, Branches::turns keeps their whole turns. If the logs are then not coherent,
-/// the part gets the logs without turns. O(k log k) for k elements.
+/// A log can have whole turns only about the axis of its rotation. If a part's turns are longer than half a
+/// turn and have another axis, Branches::turns keeps their whole turns. If the logs are then not coherent,
+/// the part gets the logs without turns. Takes O(k log k) time for k elements.
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
@@ -60,11 +59,11 @@ struct WeightedPairs {
 };
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
-/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First follows the
-/// tree of the smallest relative rotations, from the triangle with the smallest rotation of each part. Each
-/// connected set of changed triangles keeps the result only if the sum decreases. Then tries the branches
-/// nearest to each triangle's neighbours. The sum never grows, and coherent logs stay bit for bit. Rotations
-/// near one or more whole turns have no clear axis, so no choice is coherent there. Thread-safe. O(n log n).
+/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First follows a
+/// tree of the smallest relative rotations, from the triangle with the smallest rotation of each part. If the
+/// sum decreases, each connected set of changed triangles keeps the result. Then tries the branches nearest
+/// to each triangle's neighbours. The sum never grows, and coherent logs stay bit for bit. Rotations near
+/// whole turns have no clear axis, so no choice is coherent there. Thread-safe. Takes O(n log n) time.
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 

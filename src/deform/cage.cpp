@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -81,7 +80,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
   for (const auto& [i, j] : pairs) {
     if (skip[i] && skip[j]) clusters.join(i, j);
   }
-  std::vector<mesh::Edge> kept, rim;  // rim: pairs of a cluster of skipped elements and a neighbour of it
+  std::vector<mesh::Edge> kept, rim;  // each pair of rim is a cluster of skipped elements and a neighbour
   for (const auto& [i, j] : pairs) {
     if (!skip[i] && !skip[j]) kept.push_back({i, j});
     if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
@@ -297,7 +296,7 @@ Cage no_cage(const mesh::Bounds& box) {
   cage.surface.positions = {box.low, box.high};
   cage.unused = {1, 1};
   cage.diagonal = box.diagonal();
-  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // a single point
+  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // the box is a single point
   cage.size = cage.diagonal;
   return cage;
 }

@@ -30,8 +30,8 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns x / sqrt|x| for an area vector x. The length of the result is the side of a square with this area.
-/// Returns 0 for 0; very small and very large vectors are safe.
+/// Returns x / sqrt|x| for an area vector x, or 0 for 0. The length of the result is the side of a square
+/// with this area.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -59,7 +59,7 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Thrown if three, five, ... triangles with area share an edge.
+/// Thrown if an edge has an odd number of triangles, at least three, all with area.
 struct FinError : base::Error {
   using base::Error::Error;
 };
@@ -75,8 +75,8 @@ Cage no_cage(const mesh::Bounds& box);
 /// The longest valid turn vector in a file, in radians.
 inline constexpr double largest_turn = 1e6;
 
-/// The posed positions, and for each part of the cage (see roots) a rotation vector in radians. The logs of a
-/// part's elements are chosen nearest to this vector. Missing or 0: the smallest rotation.
+/// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
+/// logs of a part's elements are chosen nearest to this vector. Missing or 0: the smallest rotation.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
@@ -90,16 +90,16 @@ struct DualGraph {
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges with three, five, ... triangles, all with area. A fin is attached there: both of its sides face
-  /// the outside.
+  /// Edges with an odd number of three or more triangles, all with area. A fin ends there: a surface whose
+  /// two sides both face the outside.
   std::vector<mesh::Edge> fins;
 };
 
 /// Vertices at the same position count as one vertex. See without_skipped().
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
 
-/// Removes the pairs of skipped elements and connects the neighbours of each cluster of skipped elements by a
-/// chain of pairs, so that they stay connected. Returns pairs i < j, sorted, each once.
+/// Removes all pairs with skipped elements. The neighbours of each cluster of skipped elements stay connected
+/// by a chain of new pairs. Returns pairs i < j, sorted, each pair once.
 std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
 
 struct GraphParts {
@@ -107,8 +107,8 @@ struct GraphParts {
   std::vector<std::uint32_t> of;  ///< one index into centers per element; centers.size() if it is skipped
 };
 /// The connected parts of a graph without skipped elements, in the order of their lowest elements. The centre
-/// of a part is the element of least eccentricity; if there are several, the lowest. In a part of more than
-/// 4,096 elements, it is the middle of a long path found by two searches, at a cost of O(edges).
+/// of a part is the lowest element of least eccentricity. In a part of more than 4,096 elements, the centre
+/// is the middle of a long path, which is found in linear time.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

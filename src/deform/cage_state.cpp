@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
 
-constexpr double cloud_radius = 0.1;  // in root mean squares of the cage's edges
+constexpr double cloud_radius = 0.1;  // relative to the root mean square of the edge lengths
 
 // The length l of moments.h.
 double moment_length(const Cage& cage) {
@@ -30,8 +30,7 @@ double moment_length(const Cage& cage) {
   return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
 }
 
-// rest_center is relative to the middle of the rest cage. For the identity, the first 9 entries are exactly
-// 0.
+// rest_center is relative to the middle of the rest cage. The first 9 entries of the identity's row are 0.
 void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
   for (int r = 0; r < 3; ++r) {
     double from_center = 0;

@@ -18,7 +18,7 @@
 
 namespace viete::deform {
 
-/// Throws base::Error if the number of vertices of a pose, read from `place`, differs from the cage's.
+/// Throws base::Error if a pose has another number of vertices than the cage. place: the source of the pose.
 void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
 
 /// The numbers from 0 to count - 1.
@@ -42,10 +42,9 @@ struct Rows {
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// The maps, logs and rows of a pose, which do not depend on the model. Not thread-safe.
-///
-/// During a drag, only the maps of elements with moved vertices are recomputed, and the origin stays. All
-/// other rows keep their bits, unless the log of their element changes its branch or its lower limit.
+/// The maps, logs and rows of a pose. They do not depend on the model. During a drag, only the maps of
+/// elements with moved vertices are computed again, and the origin stays. Other rows keep their bits, unless
+/// the log of their element changes its branch or its lower limit. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.

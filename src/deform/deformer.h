@@ -40,10 +40,11 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// True: if the blend uses exponentials, all methods run on the staged engine, so that they are comparable.
+  /// True: all methods use the staged engine if the blend has exponentials, so that their times are
+  /// comparable.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// The engine for the method; nullopt if the binding or the stitching that it needs is missing.
+  /// The engine for the method, or nullopt if its binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
   /// Until end_drag(), poses must differ from the last pose only in these cage vertices. The cost of a frame
   /// of the fused engine is then proportional to the number of moved handles.
@@ -78,7 +79,6 @@ private:
   void for_engines(const Act& act);
   void show_ways(std::span<const Vec3> ways);
   const Engine& last() const { return of(*ran_); }
-  void carry_probes();
 
   std::shared_ptr<const Cage> cage_;
   base::WorkerPool& pool_;

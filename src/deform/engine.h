@@ -2,7 +2,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "deform/binding.h"
 #include "deform/cage_state.h"

@@ -28,10 +28,10 @@ struct ExactModel {
   double exp_error = 0;                ///< largest error of all vertices, see place_vertices()
 };
 
-/// Deforms one model by any number of poses. Differs from the staged engine by at most 1e-12 of the cage's
-/// diagonal (see Weigher). Results do not depend on the number of threads or on earlier poses. Needs memory
-/// for the positions and about a megabyte per thread, or more if the cage has over 10,000 elements. Weights
-/// along the surface need memory for the weights of all vertices. Not thread-safe.
+/// Deforms one model by any number of poses. The results differ from the staged engine by at most 1e-12 of
+/// the cage's diagonal. They do not depend on the number of threads or on earlier poses. Needs memory for the
+/// positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along the
+/// surface also need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
   /// `kept`: keeps all weights for the next pose if they need less than a quarter of the free memory.

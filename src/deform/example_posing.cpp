@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -54,8 +53,8 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 
 }  // namespace
 
-// The pinned vertices in the blend of examples: their positions, one row each, without the translation of
-// their part, and the derivatives of the positions by the weights and the rotation.
+// The positions of the pinned vertices in the blend of examples, without the translations of their parts. The
+// derivatives of these positions by the weights and by the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
@@ -181,9 +180,10 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// Forces f at the pins move them by the distances d from their free positions to their targets. The equations
-// are (1 / c + Z) f + t = d and: the forces of each part sum to 0. Here c is the firmness, Z are the pins'
-// rows of columns_, and t is the translation of the part. Contradicting hard constraints give least squares.
+// The forces f at the pins move them by the distances d from their free positions to their targets:
+// (1 / c + Z) f + t = d. The forces of each part must sum to 0. Here c is the firmness, Z are the pins' rows
+// of columns_, and t is the translation of the part. If hard constraints contradict each other, the solution
+// is the least squares solution.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -244,7 +244,7 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
-  // Sums over all triangles: [example][pin][3]; one more entry at the end of `example` is the blend itself.
+  // Sums over all triangles: [example][pin][3]. The blend itself follows the last example.
   std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {

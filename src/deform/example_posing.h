@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -17,8 +16,7 @@ namespace viete::deform {
 /// A vertex that is pulled to a target position.
 struct PosingPin {
   std::uint32_t vertex;
-  /// Strength of the pull. 1 is about the stiffness between neighbouring vertices; infinity is a hard
-  /// constraint.
+  /// Strength of the pull: 1 is about the stiffness between neighbours, infinity is a hard constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
@@ -49,7 +47,7 @@ struct PosingSettings {
 /// Not thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
-  /// examples must be vectors of `space`, made without `before`. All arguments must outlive this object.
+  /// examples: results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
   /// Replaces the pins. Weights, rotation and positions stay. Each vertex may occur once. Takes some

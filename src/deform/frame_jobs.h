@@ -9,7 +9,7 @@
 
 namespace viete::deform {
 
-/// The number of vertices of a tile: one cache line of 64 bytes contains one number of each.
+/// The number of vertices of a tile. A cache line of 64 bytes contains one number for each vertex.
 template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 inline constexpr std::size_t lanes = tile_lanes<float>;
@@ -29,8 +29,7 @@ struct TileRun {
 /// The numbers n, s, dual and scale of RestMoment, with lengths in units of l (see moments.h).
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf, each as x y z x: first its slots, then its ghosts (copies of other leaves'
-/// slots).
+/// The positions of one leaf, each as x y z x. The slots come first, then the ghosts (slots of other leaves).
 struct RingRun {
   float* positions;                 ///< all positions of the model
   std::size_t first, slots, count;  ///< first position of the leaf; slots; slots plus ghosts
@@ -45,7 +44,7 @@ struct RingRun {
 
 /// Computes sums or positions from weights, for one row form.
 struct TileKernel {
-  std::size_t sums;  ///< number of sums per vertex: the columns of a row, or more for moment forms
+  std::size_t sums;  ///< the number of sums per vertex: the columns of a row, except for moment forms
   /// Writes the weighted sums of rows to sums [tile][sum][lane].
   void (*blend)(const TileRun& run, float* sums);
   /// Writes positions to out [slot] as x y z x. rest and offsets [tile][3][lane]: x and o of RowForm.

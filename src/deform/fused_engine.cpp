@@ -41,8 +41,8 @@ struct TileLines {
   }
 };
 
-// Fills moment rows so that the first three sums are sum v (p - near) and the fourth is sum v. Here v are
-// weights, p are the handles' rest centres, and near is the first entry of the slot's rest moments.
+// Fills moment rows so that the first three sums are sum v (p - near), and the fourth sum is sum v. Here v
+// are weights, p are the handles' rest centres, and `near` are the first three rest moments of the slot.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -164,7 +164,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// The same as apply_shares(), for one slot.
+// Does the same as apply_shares() for one slot.
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
@@ -213,9 +213,8 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
   knows_rest_ = true;
 }
 
-// Uses the blend kernel three times. The first two times improve the weighted mean of the handles' centres
-// (exact without negative weights) and compute its remaining error. The third time computes the moments about
-// a point of the leaf.
+// Uses the blend kernel three times: for the weighted mean of the handles' centres, for the remaining error
+// of this mean, and for the moments about a point of the leaf.
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
@@ -247,9 +246,9 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// Subtracting the mean of the rows makes rotations of the whole cage exact (see RowShape::with_mean). During
-// a drag the mean stays. For uncompressed weights, the mean is rounded to a multiple of 0.5. Edits rarely
-// change this value, so vertices without influence of the edit keep their bits.
+// Subtracting the mean of the rows makes rotations of the whole cage exact (see RowShape::with_mean). The
+// mean stays during a drag. For uncompressed weights, the mean is rounded to a multiple of 0.5. Edits rarely
+// change this value, so vertices that an edit does not influence keep their bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;

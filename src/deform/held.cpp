@@ -2,14 +2,13 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 
 namespace viete::deform {
 
 namespace {
 
-// Added to the squared motion of each vertex, relative to the largest. The weight of a resting vertex is
-// therefore 1e14 times the weight of the vertex that moves most.
+// Added to the squared motion of each vertex, relative to the largest one. A resting vertex therefore has
+// 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
 // If a map rotates and stretches less than this, its fixed point is too far away to matter.
 constexpr double least_motion = 1e-4;
@@ -24,7 +23,7 @@ Eigen::Vector3d eigen(const Vec3& v) {
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // inverse covariance of the positions
-  Eigen::Vector3d to_fixed_point{0, 0, 0};  // from the centre, times a factor 0..1 for the quality of the fit
+  Eigen::Vector3d to_fixed_point{0, 0, 0};  // vector from the centre; shorter if the map fits badly
 };
 
 double smooth_step(double from, double to, double x) {
@@ -64,7 +63,7 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
   const double explained = (slope * across.transpose()).trace();
   if (!(all > 0)) return fit;
   Eigen::JacobiSVD<Eigen::Matrix3d> svd(slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.info() != Eigen::Success) return fit;  // infinite or NaN input
+  if (svd.info() != Eigen::Success) return fit;  // the input is infinite or NaN
   for (int k = 0; k < 3; ++k) {
     const double s = svd.singularValues()[k];
     if (s > least_motion)

@@ -1,7 +1,6 @@
 // The anchor of each part of a moving shape. It determines the translation, which the triangles' logs do not.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,7 +9,6 @@
 
 namespace viete::deform {
 
-/// Connected parts of a mesh.
 struct HangingParts {
   mesh::Adjacency vertices;  ///< vertices of each connected part
   std::vector<bool> loose;   ///< true for a vertex without triangles, which belongs to no part
@@ -24,7 +22,8 @@ struct HangingParts {
 /// least, so a rotating part rotates about its axis.
 using Held = std::vector<double>;
 
-/// from: positions; ways: displacements; squares: their squared lengths, or sums of several squared lengths.
+/// from: positions. ways: displacements. squares: squared lengths of the displacements, or sums of several
+/// ones.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 

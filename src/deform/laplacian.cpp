@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
@@ -69,7 +67,7 @@ namespace {
 
 constexpr double least_excess = 1e-5;    // of two sides' length over the third side, in mean edge lengths
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
-constexpr std::size_t most_flips = 100;  // per half-edge; ends an endless loop
+constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
 
 // The area of a triangle with the side lengths a, b, c. W. Kahan, Miscalculating Area and Angles of a

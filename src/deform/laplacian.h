@@ -1,7 +1,6 @@
 // Cotangent and intrinsic Laplacians of a triangle mesh as sparse matrices.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -19,9 +18,9 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
 /// Half the cotangent h_k of the angle at each corner k. It is the weight of the opposite edge ij in the
 /// triangle's Dirichlet energy: 1/2 sum h_k |f_i - f_j|^2 = area / 2 |grad f|^2. Lengths may be from 1e-300
-/// to 1e300. The absolute values are at most 1 / (2 thin_triangle): the energy of a thin triangle is
-/// multiplied by its true area divided by its assumed area. If all corners coincide, all values are 0.
-/// Otherwise the energy is never negative, and positive for some f.
+/// to 1e300. The absolute values are at most 1 / (2 thin_triangle), which multiplies the energy of a thin
+/// triangle by (true area) / (assumed area). If all corners coincide, all values are 0. Otherwise the energy
+/// is never negative, and positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
 /// The matrix K with f^T K f = sum over triangles of area |grad f|^2, for every f that is linear on each

@@ -70,7 +70,7 @@ using Opposite = std::array<std::uint32_t, 2>;  // the edge of a triangle opposi
 // triangles has 61 neighbours; several fans have more.
 constexpr std::size_t most_valence = 60, most_neighbours = 63;
 
-// Orders the opposite edges around a vertex to fans of triangles.
+// Collects the opposite edges around a vertex and orders them into fans of triangles.
 class Fans {
 public:
   void add(const Opposite& edge) { edges_.push_back(edge); }
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  // The index of a slot among the leaf's positions. Adds a ghost if the slot of another leaf is new.
+  // The index of a slot among the leaf's positions. If the slot is in another leaf, adds a ghost once.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {

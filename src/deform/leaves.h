@@ -35,8 +35,8 @@ std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
 inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are processed together
-/// Neighbours are stored as offsets in floats divided by this number, a factor that processors can multiply
-/// within an address. A position has four floats, so neighbour i is stored as 2 i.
+/// A position has four floats, so neighbour i has the offset 4 i. It is stored as 4 i / index_floats, because
+/// processors can multiply by this number within an address.
 inline constexpr std::size_t index_floats = 2;
 inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the length of a closed group
 
@@ -50,8 +50,8 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the 
 /// repeat their first neighbour, and v is appended to all rings up to the same odd length.
 ///
 /// All positions are in one array, leaf after leaf: first the slots of the leaf, then its ghosts, which are
-/// copies of neighbours in other leaves. Leaf l has the positions [position_starts[l], position_starts[l +
-/// 1]), and its neighbour indices are relative to the first of them.
+/// copies of neighbours in other leaves. The positions of leaf l begin at position_starts[l], and its
+/// neighbour indices are relative to this start.
 struct Rings {
   std::vector<std::uint32_t> position_starts;  ///< one more than leaves
   /// For each ghost the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).

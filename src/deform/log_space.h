@@ -28,8 +28,8 @@ struct LogVector {
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
   std::vector<Vec3> turns;   ///< per part of a cage: its mean rotation vector; empty for other meshes
   std::vector<Vec3> wholes;  ///< per part: a rotation vector that is applied in addition to the logs
-  /// A triangle whose log is far from its neighbours' logs. `share` (0 to 1): how far its rotation is
-  /// replaced by the one that fits its neighbours.
+  /// A triangle whose log is far from its neighbours' logs. share: how far its rotation is moved to the
+  /// rotation that best fits the positions, from 0 to 1.
   struct Doubt {
     std::uint32_t triangle;
     double share;
@@ -72,7 +72,7 @@ public:
     std::vector<Vec3> pulls, right, ways, straight;
     std::vector<Vec3> wholes;                // whole turns of the sum, per part
     std::vector<sym3::Mat3<double>> turned;  // rotation matrices of wholes; empty if all wholes are 0
-    std::vector<double> doubts;              // per triangle: sum of Doubt::share
+    std::vector<double> doubts;              // per triangle: weighted sum of Doubt::share
     std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubts
     std::vector<std::uint32_t> doubted;      // places of the corners of doubtful triangles
     SparseCholesky::Workspace solve;
