@@ -26,11 +26,10 @@ struct MethodTimings {
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
 /// Times and errors of all compared methods for these matrices. Times are medians of CPU time. Errors are
-/// relative to a reference with 106 bits, and NaN if one of them is NaN.
+/// relative to a reference with 106 bits. The errors of a method are NaN if the error of one matrix is NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
-/// Restarts each measurement when its input changes, and stores the results in the workspace. Not
-/// thread-safe.
+/// Restarts measurements when their input changes, and stores the results in the workspace. Not thread-safe.
 class Analysis {
 public:
   /// probe: true to measure the methods. For program and state, see create_and_show_report().

@@ -170,7 +170,7 @@ void add_animate_command(CLI::App& app, Action& action) {
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)
       ->default_str("as in the session");
   auto* tolerance =
-      command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
+      command->add_option("--tolerance", o->tolerance, "Morph targets: largest error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");

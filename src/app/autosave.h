@@ -15,12 +15,11 @@ namespace viete::app {
 std::filesystem::path state_folder();
 
 /// Writes the whole session to a recovery file in the background, after each finished edit and each later
-/// change of settings. A frame waits at most a millisecond for this. Changes of the camera, the mouse
-/// settings and the current frame alone write nothing. The file is deleted when the edits are saved or
-/// undone. If another document is opened, the file is renamed, so that its edits stay recoverable. Recovered
-/// edits stay in their original file until the next edit. If a write fails, shows a message and tries again
-/// after the next edit. Edits survive a crash of the program once the write has finished, but perhaps not a
-/// power loss.
+/// change of settings. Changes of the camera, the mouse settings and the current frame alone write nothing. A
+/// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
+/// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
+/// original file until the next edit. If a write fails, shows a message and tries again after the next edit.
+/// After a crash of the program, all written edits can be restored; after a power loss, perhaps older ones.
 class Autosave {
 public:
   /// An empty folder disables autosave. The queue must outlive this object.
@@ -36,7 +35,7 @@ public:
   bool keep_now(workspace::Workspace& workspace);
   /// As keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);
-  /// Call when recovered edits without further edits are closed: the next start does not offer their file.
+  /// Call when a document with recovered edits is closed unchanged. The next start does not offer its file.
   void close_recovered(workspace::Workspace& workspace);
   /// The reason why the current edits could not be written.
   std::string problem() const;
@@ -47,7 +46,7 @@ private:
     unsigned long edits = 0, saved = 0;
     document::Revision method = 0;
     document::ViewOptions view;
-    bool unsaved = false;  // may also change with the current frame
+    bool unsaved = false;  // true if there are unsaved edits
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 

@@ -33,7 +33,8 @@ struct BetweenOptions {
   bool straight = false, linear = false, loop = false;
 };
 
-// Replaces a pattern by the files that match. The first of them is the model, the others are its shapes.
+// Replaces a pattern of numbered files by the matching files. The first file is the model, the others are
+// shapes.
 void expand_pattern(std::vector<std::filesystem::path>& files) {
   if (!base::NumberedName::is_pattern(files.front())) return;
   const base::NumberedName name(files.front());
@@ -155,7 +156,7 @@ void add_between_command(CLI::App& app, Action& action) {
   in_range(at, 0, most_frames)->excludes(frames);
   add_file_option(*command, "--rest", o->rest, "File of the rest shape")->default_str("the first shape");
   command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");
-  command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
+  command->add_flag("--linear", o->linear, "Interpolate at constant speed instead of smoothly");
   command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)->default_str("24");

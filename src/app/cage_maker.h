@@ -26,7 +26,7 @@ public:
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
   bool is_due(const workspace::Workspace& workspace) const;
-  /// Moves out the binding of the last finished cage.
+  /// Returns the binding of the last finished cage, and clears it.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -52,9 +52,9 @@ private:
   std::shared_ptr<Workshop> workshop_;
   std::optional<cages::Wish> asked_;  // the settings of the last job
   cages::Effort effort_ = cages::Effort::preview;
-  double asked_at_ = 0;  // wall seconds
+  double asked_at_ = 0;  // time of the last change of the settings, in wall seconds
   bool wants_full_ = false;
-  bool is_preview_ = false;  // the last finished cage differs from the cage of full quality
+  bool is_preview_ = false;  // true: the last finished cage is not of full quality
   Bound bound_;
 };
 

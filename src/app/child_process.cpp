@@ -71,7 +71,7 @@ std::vector<std::string> run_child(const std::vector<std::string>& words, base::
 
 std::string create_and_show_report(const fs::path& program, const fs::path& state, base::Progress& progress) {
   const fs::path folder = (state.empty() ? fs::temp_directory_path() : state) / "report";
-  std::error_code ignored;  // the report reports it
+  std::error_code ignored;  // run_child() reports a missing folder
   fs::create_directories(folder.parent_path(), ignored);
   run_child({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
   const fs::path page = folder / "index.html";

@@ -37,7 +37,7 @@ inline constexpr const char* report_text = "Measure speed and accuracy and write
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);
-  /// Converts the arguments of the command line to those of a command.
+  /// Converts the arguments of the command line to a command with its arguments.
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 

@@ -101,9 +101,9 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
     throw base::Error("standard output", "it cannot be written", "check the disk space");
 }
 
-// Reads poses until the input ends, and writes the deformed positions of each pose immediately. Cage vertices
+// Reads poses until the input ends, and immediately writes the deformed positions of each pose. Cage vertices
 // are three float64, model vertices three float32, in native byte order. The turns of the cage's parts
-// continue from the previous pose. Throws base::Error if a pose is invalid or incomplete, and if writing
+// continue from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing
 // fails.
 void stream_poses(const files::Export& what) {
   base::Progress progress;

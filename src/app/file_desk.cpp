@@ -222,7 +222,7 @@ void FileDesk::discard(workspace::Workspace& w) {
   std::erase_if(w.recovery_files, [&](const files::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
-    w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
+    w.messages.error(base::Error(leftover.file.string(), "cannot be deleted: " + code.message()).what(),
                      {"discard"});
     return false;
   });

@@ -47,7 +47,7 @@ public:
   void finish_exports(workspace::Workspace& workspace);
   /// The shading of the last opened model.
   ModelShading& shading() { return shading_; }
-  /// Moves out the binding of the last opened document.
+  /// Returns the binding of the last opened document, and clears it.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:

@@ -95,7 +95,7 @@ void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
 }
 
 std::string deformers_help() {
-  std::string text = "Choices of the options of viete\n";
+  std::string text = "Values of the options of viete\n";
   const auto list = [&text](const char* title, const auto& table) {
     text += std::string("\n") + title + ":\n";
     for (const auto& e : table) text += help_line(std::string(e.name), std::string(e.sentence));
@@ -197,7 +197,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 }
 
 std::size_t misspellings(std::string_view a, std::string_view b) {
-  // Computes row after row of the table of all prefixes of a and b (optimal string alignment).
+  // Optimal string alignment: computes the rows of a table of distances between prefixes of a and b.
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {

@@ -1,5 +1,4 @@
-// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: poses a model by pinned vertices and
-// example shapes.
+// viete pose REST --pin VERTEX=x,y,z ... -o OUT: poses a model by pinned vertices and example shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -47,7 +47,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
   try {
     std::vector<std::string> words = program.words(std::move(arguments), app);
     note_kernel();
-    std::reverse(words.begin(), words.end());  // CLI11 expects arguments in reverse order
+    std::reverse(words.begin(), words.end());  // CLI11 expects the last argument first
     app.parse(words);
   } catch (const CLI::Success& help) {
     return app.exit(help);

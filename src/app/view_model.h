@@ -159,10 +159,10 @@ public:
 
   /// True if follow() or deform() would do something now.
   bool is_due(const document::Document& document) const;
-  /// True if the last frame was the first one after a binding.
+  /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// Replaces the binding for later deformers by one with the same weights that supports more methods.
+  /// Replaces the binding by a binding of the same weights for more methods. Later deformers use it.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }

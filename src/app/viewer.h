@@ -59,7 +59,7 @@ public:
   bool wants_frame() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
-  /// How often the view was drawn, without frames in which only panels changed.
+  /// The number of frames in which the view, not only the panels, was drawn.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
   /// Draws the last frame again without cached pictures.
@@ -148,9 +148,8 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  std::tuple<bool, unsigned, float>
-      notices_;                            ///< last frame: has a question, message revision, notice height
-  document::Revisions message_revisions_;  ///< revisions of the document in the last frame
+  std::tuple<bool, unsigned, float> notices_;  ///< last frame: question, messages, notice height
+  document::Revisions message_revisions_;      ///< revisions of the document in the last frame
   unsigned message_revision_ = 0;
   std::optional<document::Revision> cage_drawn_;  ///< revision of the drawn pose; nullopt: must be drawn
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;

@@ -45,7 +45,7 @@ std::vector<float> soft_shares(const workspace::Workspace& w) {
   return shares;
 }
 
-// A colour between the cage's colour (share 0) and the selection's colour (share 1).
+// Blends the cage's colour (share 0) and the selection's colour (share 1).
 glm::vec4 ramp(const render::Theme& theme, float share) {
   return opaque(glm::mix(theme.cage, theme.selection, share));
 }

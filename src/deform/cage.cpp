@@ -266,12 +266,12 @@ void connect(Cage& cage) {
   cage.sides = mesh::one_sided(cage.surface);
   const auto warn = [&cage](std::size_t count, const char* what) {
     if (count == 0) return;
-    cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge is " : " cage edges are ") +
+    cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge has " : " cage edges have ") +
                             what);
   };
-  warn(graph.open, "of one triangle only: the cage is open");
-  warn(graph.nonmanifold, "of four or more triangles: parts of the cage touch there");
-  warn(graph.misoriented, "between triangles of opposite orientation");
+  warn(graph.open, "only one triangle: the cage is open");
+  warn(graph.nonmanifold, "four or more triangles: parts of the cage touch there");
+  warn(graph.misoriented, "triangles of opposite orientation");
 }
 
 }  // namespace

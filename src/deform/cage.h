@@ -90,7 +90,7 @@ struct DualGraph {
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges with an odd number of three or more triangles, all with area. A fin ends there: a surface whose
+  /// Edges with an odd number of triangles, at least three, all with area. A fin ends there: a surface whose
   /// two sides both face the outside.
   std::vector<mesh::Edge> fins;
 };

@@ -32,8 +32,7 @@ constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 template <std::size_t Columns>
 using Sums = hn::Vec<Tag>[vectors_at_once][Columns];
 
-// Index of a group of lanes in an array of tiles with `rows` cache lines each. A group is one vector
-// register.
+// Index of a group of lanes in an array of tiles with `rows` cache lines each. A group is one vector.
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag());
   return lane / line_lanes * rows * line_lanes + lane % line_lanes;

@@ -18,8 +18,7 @@ namespace viete::deform {
 ///
 /// The cost of a drag is proportional to the number of moved handles. The first frame of a drag stores the
 /// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves without
-/// weights of moved handles are skipped. Apart from float rounding, a drag gives the same result as full
-/// frames.
+/// weights of moved handles are skipped. Apart from float rounding, the results are those of full frames.
 ///
 /// If weights are not compressed, vertices without weights of moved handles keep their bits, as long as the
 /// origin of the pose (see pose_origin) and the mean of the rows stay.
@@ -92,7 +91,7 @@ private:
   bool knows_rest_ = false;                    // true after rest_moments_ were computed
   base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
-  base::AlignedVector<float> positions_;  // slots and ghosts (see Rings) as x y z x, in the binding's unit
+  base::AlignedVector<float> positions_;       // slots and ghosts as x y z x, see Rings
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;          // [slot]; empty: all 1
   base::AlignedVector<float> rest_, offsets_;  // the binding's values plus the shape; empty without a shape
