@@ -15,7 +15,7 @@ namespace viete::app {
 std::filesystem::path state_folder();
 
 /// Writes the whole session to a recovery file in the background, after each finished edit and each later
-/// change of settings. Changes of the camera, the mouse settings and the current frame alone write nothing. A
+/// change of settings. Changes of the camera, transform settings and the current frame alone write nothing. A
 /// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
 /// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
 /// original file until the next edit. If a write fails, shows a message and tries again after the next edit.

@@ -152,7 +152,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
   add_file_option(command, "--camera", options.camera, "Session whose camera to use");
   auto* shading = command.add_option("--shading", options.shading,
-                                     "Material: clay, porcelain, jade, file, checker, normals or zebra");
+                                     "Shading: clay, porcelain, jade, file, checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
   command.add_flag("--panels", options.panels, "Draw the panels of the window");

@@ -75,8 +75,8 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 /// neighbouring letters.
 std::size_t misspellings(std::string_view a, std::string_view b);
 
-/// The name most similar to a misspelled word: the word is its prefix or its edit distance is small. Empty if
-/// no name is similar.
+/// The name most similar to a misspelled word. A name is similar if one of the two is a prefix of the other,
+/// or if their edit distance is small. Empty if no name is similar.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
 /// Lists names as "a", "a or b", or "a, b or c".

@@ -31,7 +31,8 @@ class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
 
-  /// Call before a frame. Returns true if a drag has ended or moves other vertices.
+  /// Call before a frame. If a drag has ended or moves other vertices, returns true. The next frame must then
+  /// be complete.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();

@@ -17,9 +17,10 @@
 
 namespace viete::deform {
 
-/// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Other
-/// schemes use the fused engine for method `fast` or without exponentials, if the binding has tiles. Not
-/// thread-safe. The cage and the binding never change, so another thread can make a new binding meanwhile.
+/// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All others use the
+/// staged engine. Not thread-safe. The cage and the binding never change, so another thread can make a new
+/// binding meanwhile.
 class Deformer {
 public:
   /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.
