@@ -196,7 +196,7 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// Staged weights up to this size are computed for measuring. Larger ones wait until a method needs them.
+// For measuring, staged weights are computed up to this size. Larger weights wait until a method needs them.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {

@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The binding used. It includes staged weights unless they are very large.
+  /// The binding of the timed frames. It includes staged weights unless they are very large.
   std::shared_ptr<const deform::Binding> binding;
 };
 

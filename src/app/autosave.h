@@ -19,7 +19,7 @@ std::filesystem::path state_folder();
 /// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
 /// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
 /// original file until the next edit. If a write fails, shows a message and tries again after the next edit.
-/// After a crash of the program, all written edits can be restored; after a power loss, perhaps older ones.
+/// After a crash of the program, all written edits can be restored. A power loss may also lose written edits.
 class Autosave {
 public:
   /// An empty folder disables autosave. The queue must outlive this object.

@@ -176,7 +176,7 @@ void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
-// After saving, continues with closing or opening, or cancels it if saving was cancelled.
+// After saving, continues with closing or opening. If saving was cancelled, cancels closing or opening too.
 void FileDesk::proceed_after_saving(workspace::Workspace& w) {
   if (!w.after_saving || w.question) return;
   if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.after_saving);

@@ -44,7 +44,7 @@ enum class Use {
 struct Inputs {
   Use use = Use::picture;
   std::filesystem::path model{}, cage{}, pose{};  ///< model may be a session
-  document::RequestedSettings settings{};         ///< missing settings are those of the session
+  document::RequestedSettings settings{};         ///< missing settings come from the session
   files::LocatedFiles located{};                  ///< files to use instead of the session's files
 
   bool session() const { return files::is_session(model); }

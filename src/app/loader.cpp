@@ -25,7 +25,7 @@ document::Document without_history(const document::Document& document) {
   return copy;
 }
 
-// The same request, which also removes the fins of `cage`. If files were dropped, one of them is the cage.
+// Copies a request and makes it remove the fins of the cage. `cage`: the file of the cage.
 files::OpenRequest without_fins(files::OpenRequest request, const std::string& cage) {
   using What = files::OpenRequest::What;
   request.without_fins = true;

@@ -62,7 +62,7 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
 }
 
 // Shows one view per word. A word is a deformer, a method, or the interpolation of keys. All other settings
-// are those of the document.
+// come from the document.
 void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<document::SideWay> views;

@@ -154,8 +154,8 @@ public:
   void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
   /// Deforms the model if the pose, blend or method has changed since the last frame, or a drag has ended.
-  /// Returns true if it did. The first frame after a binding fills caches, so its times are not
-  /// representative, and the next call repeats it.
+  /// Returns true if the model was deformed. The first frame after a binding fills caches, so its times are
+  /// not representative, and the next call repeats it.
   bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.

@@ -27,7 +27,7 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< inverse distance weights: smaller squared distances count as this one
+  T least_square;   ///< lower limit of squared distances; only for inverse distance weights
   T cut;            ///< 1 / radius of cut-off weights
   const T* points;  ///< [3][lane]
 };

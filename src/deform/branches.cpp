@@ -19,14 +19,14 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
 // spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
 // the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
-// nearest to the reference, and one turn more or less.
+// nearest to the reference, and this branch plus or minus one turn.
 
 constexpr double turn = 2 * std::numbers::pi;
 // If the reference is half a turn away, two branches are equally near, and rounding would choose one at
 // random. Two distances count as equal if their difference is smaller than this number of radians.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root may multiply the distances between neighbours' logs by at most `rougher` and add
-// at most `rougher_at_rest` radians. Rigid rotations need the latter: all their distances are rounding
+// Another branch of the root may multiply the distances between neighbours' logs by at most `rougher`, and
+// add at most `rougher_at_rest` radians. Rigid rotations need the second limit: their distances are rounding
 // errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
@@ -54,7 +54,7 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// The logs with which a tree's logs are compared: the turns of its part, and the mean log of the first part.
+// Two logs for comparison with a tree's logs: the turns of its part, and the mean log of the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -91,7 +91,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// True if `a` is smooth and nearer to the reference. If both are equally near, compares with the leader.
+// True if `a` is smooth enough and nearer to the reference. If `a` and `b` are equally near to the reference,
+// the distance to the leader decides.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;

@@ -68,7 +68,7 @@ public:
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices exponentiated in the last frame, for at most `limit` vertices spread evenly over the model.
-  /// Recomputes them from exact weights in one or two microseconds each. Empty if the frame used none.
+  /// Computes exact weights again, in one or two microseconds per matrix. Empty without exponentials.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
   /// See deform::sampled_error(); 0 after a staged frame. For a stitched frame, the error of the blended
   /// vertices before stitching and before probes.

@@ -14,7 +14,8 @@ namespace viete::deform {
 
 namespace {
 
-// The number of vertices whose weights take about one megabyte, a multiple of bind_lanes up to 4,096.
+// The number of vertices of a block, whose weights take about a megabyte: at most 4,096, a multiple of
+// bind_lanes.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);

@@ -164,7 +164,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// Does the same as apply_shares() for one slot.
+// Applies the share of one slot to its sums, see apply_shares().
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;

@@ -22,8 +22,7 @@ struct HangingParts {
 /// least, so a rotating part rotates about its axis.
 using Held = std::vector<double>;
 
-/// from: positions. ways: displacements. squares: squared lengths of the displacements, or sums of several
-/// ones.
+/// from: positions. ways: displacements. squares: squared lengths of displacements, or sums of such squares.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 

@@ -53,10 +53,10 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the 
 /// copies of neighbours in other leaves. The positions of leaf l begin at position_starts[l], and its
 /// neighbour indices are relative to this start.
 struct Rings {
-  std::vector<std::uint32_t> position_starts;  ///< one more than leaves
+  std::vector<std::uint32_t> position_starts;  ///< size: number of leaves + 1
   /// For each ghost the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
   std::vector<std::uint32_t> ghosts;
-  std::vector<std::uint32_t> neighbour_starts;  ///< one more than leaves
+  std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
   std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring if it is closed
 

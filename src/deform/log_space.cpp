@@ -55,7 +55,7 @@ public:
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
   }
-  // The same for a list of indices of triangles_.
+  // Computes the pulls for a list of indices of triangles_.
   void pull_by_logs(std::span<const std::uint32_t> places) {
     if (places.size() < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -267,7 +267,7 @@ void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base:
   solve(work);
 }
 
-// Computes work.right. The factor `share` moves the rotations towards the fitted ones.
+// Computes work.right. The factor `share` moves the rotations towards fitted rotations.
 void LogSpace::load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const {
   add_pulls(
       [&](std::size_t first, std::size_t count, const auto& take) {

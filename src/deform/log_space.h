@@ -55,7 +55,7 @@ struct LogTerm {
 /// position count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a
 /// vector also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
 ///
-/// Then the rotations of doubtful triangles are moved towards those that best fit the positions, and the
+/// Then the rotations of doubtful triangles are moved towards rotations that best fit the positions, and the
 /// positions are solved again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This keeps
 /// edge lengths if neighbours rotate strongly against each other. Held determines the parts' translations.
 class LogSpace {
@@ -101,7 +101,7 @@ public:
   /// vertex of each part does not move. If `whole` is not null, it replaces the sum's whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// As follow(), but moves the rotations by a factor `share`, 0 to 1, towards those that best fit work.ways.
+  /// As follow(), but moves the rotations by a factor `share`, 0 to 1, towards a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and
