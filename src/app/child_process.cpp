@@ -15,13 +15,13 @@ namespace fs = std::filesystem;
 namespace {
 
 // The output of a child process: the progress from lines such as "37 %", and all other lines.
-struct Output {
+struct ChildOutput {
   double done = 0;
   std::vector<std::string> lines;
 };
 
-Output output_of(const base::ChildProgram& child) {
-  Output output;
+ChildOutput output_of(const base::ChildProgram& child) {
+  ChildOutput output;
   std::istringstream text(child.said());
   for (std::string line; std::getline(text, line);) {
     int percent = 0;
