@@ -105,7 +105,7 @@ void add_info_command(CLI::App& app, Action& action) {
   auto cage = std::make_shared<fs::path>();
   command->add_option("FILE", *files,
                       formats::format_names(formats::holds_surface) + " files (default: the bundled dragon)");
-  add_file_option(*command, "--cage", *cage, "Check this cage too, and if it encloses the meshes");
+  add_file_option(*command, "--cage", *cage, "Cage to check together with the meshes");
   add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {
     action = [files, cage] {

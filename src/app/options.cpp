@@ -129,7 +129,7 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "Stitching: keep the mesh as rigid as possible by a solve");
+      "Stitching: solve for a mesh that is as rigid as possible");
   auto* number = app.add_option_function<int>(
       "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
