@@ -10,7 +10,7 @@
 namespace viete::deform {
 
 struct Factors {
-  std::vector<std::size_t> pivots;  ///< slots of the rows to combine; empty if too many are needed
+  std::vector<std::size_t> pivots;     ///< slots of the rows to combine; empty if too many are needed
   base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of (factor * row of the pivot)
 };
 
