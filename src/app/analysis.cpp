@@ -25,8 +25,8 @@ namespace viete::app {
 namespace {
 
 constexpr std::size_t probed_matrices = 2048;
-constexpr double probe_seconds = 0.3;      // minimum interval: each sample costs the frame a millisecond
-constexpr double pose_rest_seconds = 0.5;  // without a new frame, until the pose counts as at rest
+constexpr double probe_seconds = 0.3;      // shortest interval between samples, which take a millisecond each
+constexpr double pose_rest_seconds = 0.5;  // after this time without motion, all methods are timed
 
 bool is_in_motion(const workspace::Workspace& w) {
   return w.interaction.drag || w.playback.playing || w.making_cage.running || w.loading.running ||
@@ -63,7 +63,7 @@ bool Analysis::has_news(const workspace::Workspace& w, const LiveModel& model) c
          timer_.has_result() || timer_is_due(w, model);
 }
 
-// Discards measurements of another path. The turns of cage parts do not belong to the path.
+// Discards measurements that do not belong to the current path. Scheme::amounts is not part of the path.
 void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();
   const deform::Deformer* deformer = model.deformer();
@@ -95,7 +95,6 @@ void Analysis::follow_report(workspace::Workspace& w) {
   w.reporting = report_.state();
 }
 
-// Checks the surfaces as loaded, independent of pose and binding.
 void Analysis::start_checks(const document::Document& document) {
   checked_model_ = document.model.surface;
   checked_cage_ = document.cage_file.surface;
@@ -161,13 +160,13 @@ void Analysis::start_timer(const workspace::Workspace& w, const LiveModel& model
 
 void Analysis::take_times(workspace::Workspace& w, LiveModel& model, bool wait) {
   const auto result = timer_.poll(wait);
-  if (!result || !result->value) return;  // a failed measurement shows no bar
+  if (!result || !result->value) return;  // after an error, no times are shown
   w.method_times = result->value->times;
   model.share(result->value->binding);
   shows_news_ = true;
 }
 
-// During motion the running method's bar shows its frames; at rest all methods are measured.
+// During motion, shows the times of the current method's frames. At rest, measures all methods.
 void Analysis::follow_times(workspace::Workspace& w, LiveModel& model, bool moves) {
   if (moves || is_in_motion(w)) {
     rests_since_ = base::wall_seconds();
@@ -197,7 +196,7 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// Larger staged weights are computed only when a method that needs them is chosen.
+// For measuring, staged weights are computed up to this size. Larger weights wait until a method needs them.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {
@@ -223,7 +222,7 @@ MethodTimings time_methods(FrameInput timed, base::Progress& progress) {
   deformer.set_probes(timed.probes);
   deformer.set_shape(timed.shape);
   std::array<std::vector<workspace::FrameTimes>, compared_methods.size()> frames;
-  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // the first round fills caches
+  for (std::size_t round = 0; round <= timed_rounds; ++round) {  // round 0 fills the caches
     for (std::size_t m = 0; m < frames.size(); ++m) {
       progress.report(0);
       if (!deformer.engine(compared_methods[m])) continue;
@@ -297,7 +296,7 @@ std::string words_of(Method method, const sym3::Route& route) {
     return degree + ", squared " + std::to_string(route.squarings) +
            (route.squarings == 1 ? " time" : " times");
   }
-  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all distinct"};
+  constexpr const char* cases[] = {"", "case 1: all equal", "case 2: two equal", "case 3: all different"};
   return std::string(method == Method::sd ? "QR, " : "Viete, ") + cases[route.distinct];
 }
 

@@ -1,4 +1,4 @@
-// Background measurements of the open document and its frames: defects, and times and errors of the methods.
+// Measures the open document in the background: defects of surfaces, and times and errors of the methods.
 #pragma once
 
 #include <filesystem>
@@ -17,39 +17,37 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The binding; includes staged weights if they are small enough to compute without a request.
+  /// The binding of the timed frames. It includes staged weights unless they are very large.
   std::shared_ptr<const deform::Binding> binding;
 };
 
-/// Medians of interleaved frames, with its own deformer and pool. Throws base::Error if memory does not
-/// suffice, and base::Cancelled between frames. Thread-safe.
+/// Times whole frames of all methods and returns the medians. Throws base::Error if memory is insufficient,
+/// and base::Cancelled between frames. Thread-safe.
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
-/// Times and errors of all compared methods on these matrices: medians of interleaved runs in CPU time,
-/// errors against the 106-bit reference; NaN if the error of one matrix is NaN.
+/// Times and errors of all compared methods for these matrices. Times are medians of CPU time. Errors are
+/// relative to a reference with 106 bits. The errors of a method are NaN if the error of one matrix is NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
-/// Restarts each measurement when its input changes, and stores the result in the workspace. Call from one
-/// thread.
+/// Restarts measurements when their input changes, and stores the results in the workspace. Not thread-safe.
 class Analysis {
 public:
-  /// probe: measure the methods. program, state: see create_and_show_report().
+  /// probe: true to measure the methods. For program and state, see create_and_show_report().
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
-  /// Before the frame: handles requests and the checks.
+  /// Call before each frame. Starts reports and checks, and shows their results.
   void follow_document(workspace::Workspace& workspace);
-  /// After the frame: times and errors of the methods. Whole frames are timed only while the view is at rest.
+  /// Call after each frame. Measures times and errors of the methods.
   void follow_frame(workspace::Workspace& workspace, LiveModel& model, bool moves);
 
-  /// After the model is deformed: the data of the vertex inspector, in well under a millisecond. Returns true
-  /// if they changed.
+  /// Updates the vertex inspector, in less than a millisecond. Returns true if its data changed.
   bool follow_vertex(workspace::Workspace& workspace, const LiveModel& model);
   bool vertex_is_due(const workspace::Workspace& workspace, const LiveModel& model) const;
 
   /// True if follow_document() or follow_frame() would do something now.
   bool has_news(const workspace::Workspace& workspace, const LiveModel& model) const;
-  /// True while a computation with a displayed progress runs.
+  /// True while a computation with a progress bar runs.
   bool reports() const { return checks_.running() || report_.running(); }
   /// True if the last call changed something visible in the workspace.
   bool shows_news() const { return shows_news_; }
@@ -78,8 +76,8 @@ private:
   base::BackgroundJob<std::string> report_;
   base::BackgroundJob<std::vector<document::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
-  unsigned long probed_ = 0;  // index of the probed frame
-  // Everything that determines the accuracy of a frame, except its pose.
+  unsigned long probed_ = 0;  // index of the last frame sampled by start_probe()
+  // All data that determine the accuracy of a frame, except the pose.
   struct Path {
     document::Revision surfaces = 0, cage = 0;
     deform::Scheme scheme;
@@ -95,9 +93,9 @@ private:
     friend bool operator==(const Inspected&, const Inspected&) = default;
   };
   Inspected inspected_;
-  double probed_at_ = -1;    // wall seconds, of the start or the result
-  unsigned long timed_ = 0;  // index of the frame whose pose was timed
-  double rests_since_ = 0;   // wall seconds
+  double probed_at_ = -1;    // time of the last start or result, in wall seconds
+  unsigned long timed_ = 0;  // index of the frame whose pose was last timed
+  double rests_since_ = 0;   // time of the last motion, in wall seconds
 };
 
 }  // namespace viete::app

@@ -37,7 +37,7 @@ struct AnimateOptions {
   PictureOptions picture;
 };
 
-// Parses "1-48", "-10--1", "7"; nullopt for other words.
+// Parses "1-48", "-10--1" or "7". Returns nullopt for other text.
 std::optional<FrameRange> frame_range(const std::string& text) {
   using document::Timeline;
   FrameRange range{};
@@ -64,7 +64,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
       ->default_str("as in the session");
 }
 
-// Called with the named files before anything is opened, and again with all files read.
+// Called twice: with the files of the command line before they are read, and with all files that were read.
 void check_output(const AnimateOptions& options, FilesInUse files, const files::FrameSteps& frames = {}) {
   const std::string extension = formats::extension_of(options.output.file);
   const bool numbered = base::NumberedName::is_pattern(options.output.file);
@@ -72,7 +72,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const files::
   check_output(options.output.file, frames, files, force_of(options.output.force));
 }
 
-// The opened document with the requested frames.
+// Opens the document and applies the options for its timeline.
 files::Opened opened_for(const AnimateOptions& options, void (*check)(const files::Opened&)) {
   files::Opened opened = open(options.inputs, check);
   document::Document& document = *opened.document;
@@ -81,7 +81,7 @@ files::Opened opened_for(const AnimateOptions& options, void (*check)(const file
   timeline.straight |= options.straight;
   if (!options.keys.empty()) {
     if (!document.has_cage())
-      throw base::Error(options.inputs.model.string(), "keys need a cage and the session has none",
+      throw base::Error(options.inputs.model.string(), "the session has no cage, but keys need a cage",
                         "open it in the window and add a cage");
     files::ImportedKeys keys =
         files::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});
@@ -124,7 +124,7 @@ PictureRun picture_run(const AnimateOptions& options, const document::Timeline& 
 
 int write_pictures(const AnimateOptions& options) {
   if (!base::NumberedName::is_pattern(options.output.file))
-    throw base::Error(options.output.file.string(), "a picture shows a single frame",
+    throw base::Error(options.output.file.string(), "a single picture cannot show an animation",
                       "write numbered pictures: frame_####.png");
   files::Opened opened = opened_for(options, files::check_drawable);
   if (opened.document->timeline.empty() && !options.turntable)
@@ -138,7 +138,7 @@ int write_pictures(const AnimateOptions& options) {
   auto work = std::make_unique<TerminalProgress>("Drawing " + options.output.file.filename().string());
   const auto offscreen = viewer_of(picture, std::move(opened));
   const std::vector<std::string> notes = write_pictures(*offscreen, run, work->progress());
-  work.reset();  // removes the progress line before output
+  work.reset();  // removes the progress line
   print_messages(offscreen->viewer().workspace());
   print_notes(notes);
   print_summary(options.output, base::counted(run.frames.size(), "picture"));
@@ -162,15 +162,15 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_output_options(
       *command, o->output,
       "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
-  add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
+  add_file_option(*command, "--keys", o->keys, "File of keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
-  auto* step = command->add_option("--step", o->step, "Frame step");
+  auto* step = command->add_option("--step", o->step, "Export every Nth frame");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)
-      ->default_str("the session's");
+      ->default_str("as in the session");
   auto* tolerance =
-      command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
+      command->add_option("--tolerance", o->tolerance, "Morph targets: largest error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
   command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");

@@ -46,7 +46,7 @@ fs::path manual_folder() {
   const fs::path program = program_folder();
   for (const fs::path& folder : {program / "manual", program / ".." / "share" / "viete" / "manual"})
     if (fs::exists(folder / "index.html", ignored)) return fs::weakly_canonical(folder);
-  throw base::Error("the manual", "its pages are not built",
+  throw base::Error("the manual", "its pages have not been built",
                     "read assets/manual/README.md in the sources, or install cmark-gfm and build again");
 }
 
@@ -69,7 +69,7 @@ fs::path manual_page(const std::string& chapter) {
   std::error_code ignored;
   const bool is_name = chapter.find('/') == chapter.npos;
   if (is_name && fs::exists(page, ignored)) return page;
-  throw base::Error("the manual", "there is no chapter " + chapter, "choose one of " + chapters_in(folder));
+  throw base::Error("the manual", "it has no chapter " + chapter, "choose one of " + chapters_in(folder));
 }
 
 }  // namespace viete::app

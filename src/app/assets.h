@@ -1,4 +1,4 @@
-// Facts about this build, and its installed files, for a program run from a build, an install or elsewhere.
+// Finds the files installed with the program, and describes its build.
 #pragma once
 
 #include <filesystem>
@@ -7,29 +7,28 @@
 
 namespace viete::app {
 
-/// The assets folder: $VIETE_ASSETS, else next to the program (../share/viete), else the source tree it was
-/// built from. Throws base::Error naming the searched folders if none exists.
+/// The first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative to the
+/// program, and source_assets(). If there is none, throws base::Error with the searched folders.
 std::filesystem::path assets_folder();
 
 struct BundledModel {
   std::filesystem::path model, cage;
   std::vector<std::filesystem::path> poses;  ///< poses of the cage, sorted by name
-  std::filesystem::path loop;                ///< a session of both with poses and keys
+  std::filesystem::path loop;                ///< a session with this model and cage, poses and keys
 };
 BundledModel bundled_model();
 
-/// The folder of the running program.
 std::filesystem::path program_folder();
 
-/// The manual's page of chapter "cages", for example; empty: the first page. In the build or install folder.
-/// Throws base::Error for an unknown chapter, listing the existing ones, or if the pages were not built.
+/// The page of a chapter of the manual, such as "cages", or the first page if the chapter is empty. Throws
+/// base::Error if the pages were not built, or the chapter does not exist (the message lists all chapters).
 std::filesystem::path manual_page(const std::string& chapter);
 
-/// "0.2.0".
+/// For example "0.2.0".
 const char* version();
-/// Build type and compiler: "Release, GNU 12.2.0".
+/// Build type and compiler, for example "Release, GNU 12.2.0".
 const char* build_type();
-/// The assets folder of the source tree it was built from.
+/// The assets folder of the source tree from which the program was built.
 const char* source_assets();
 
 }  // namespace viete::app

@@ -72,7 +72,7 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   }
   seen_ = now;
   kept_ = false;
-  writing_ = {};  // belongs to an earlier state
+  writing_ = {};  // ignores the result of an earlier write
   if (!untouched_.empty()) return;
   if (now.unsaved) {
     write(workspace);
@@ -104,12 +104,12 @@ bool Autosave::set_aside(workspace::Workspace& workspace) {
 }
 
 std::string Autosave::problem() const {
-  if (folder_.empty()) return "There is no home folder to save them in.";
+  if (folder_.empty()) return "There is no home folder for backups.";
   if (writing_.valid()) return file_.string() + ": still being written";
   return problem_;
 }
 
-// A restored recovery file is deleted once its work has been written here.
+// After writing, deletes the recovery file that was restored, because the new file contains its edits.
 void Autosave::write(workspace::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
@@ -136,7 +136,7 @@ void Autosave::take_result(workspace::Workspace& workspace, double wait_seconds)
   }
 }
 
-// Keeps the previous document's recovery file, as last written, under another name.
+// Renames the previous document's recovery file, to keep it.
 bool Autosave::move_aside(workspace::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;
@@ -161,7 +161,7 @@ void Autosave::close_recovered(workspace::Workspace& workspace) {
   workspace.recovery_files.insert(workspace.recovery_files.begin(), files::describe_recovery_file(file));
 }
 
-// Deletes the file, and the restored one if it still exists.
+// Deletes the recovery file and the file `leftover`.
 void Autosave::remove(const fs::path& leftover) {
   if (!std::exchange(has_file_, false) && leftover.empty()) return;
   queue_.add([file = file_, leftover] {

@@ -1,4 +1,4 @@
-// Writes unsaved edits to a recovery file after each edit, so that they survive the end of the program.
+// Writes unsaved edits to a recovery file after each edit, so that they can be restored after a crash.
 #pragma once
 
 #include <filesystem>
@@ -10,38 +10,34 @@
 
 namespace viete::app {
 
-/// $XDG_STATE_HOME/viete, or ~/.local/state/viete if the variable is empty or not an absolute path (as in the
-/// XDG base directory specification). Empty without a home folder: nothing is stored then.
+/// $XDG_STATE_HOME/viete, or ~/.local/state/viete if the variable is not an absolute path (see the XDG base
+/// directory specification). Empty if there is no home folder; then nothing is stored.
 std::filesystem::path state_folder();
 
-/// After each finished edit, and each later change of settings, the whole session is written to a recovery
-/// file in the background, replacing the previous one; the frame waits at most a millisecond. Changes of
-/// camera, handling and frame alone write nothing. The file is deleted when the edits are saved or
-/// undone. Opening another document over unsaved edits renames the file to keep it for recovery. Recovered
-/// work without further edits stays in its original file. However the program ends, the next start finds the
-/// unsaved work. Edits are safe only after the write finishes; a failed write shows a message and is repeated
-/// with the next edit.
-///
-/// Protects against the end of the program, not power loss: then the file may be the previous one.
+/// Writes the whole session to a recovery file in the background, after each finished edit and each later
+/// change of settings. Changes of the camera, transform settings and the current frame alone write nothing. A
+/// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
+/// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
+/// original file until the next edit. If a write fails, shows a message and tries again after the next edit.
+/// After a crash of the program, all written edits can be restored. A power loss may also lose written edits.
 class Autosave {
 public:
-  /// An empty folder disables it. The queue must outlive it.
+  /// An empty folder disables autosave. The queue must outlive this object.
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
-  /// Call at the end of each frame. A running drag is not an edit yet.
+  /// Call at the end of each frame. no_drag: false during a drag, which is not a finished edit.
   void follow(workspace::Workspace& workspace, bool no_drag = true);
   /// True if the current edits have been written.
   bool kept() const { return kept_; }
   /// True if a write has finished or failed since follow().
   bool has_news() const;
-  /// Writes the current edits and waits, with one retry. Returns false if they could not be written: see
-  /// problem().
+  /// Writes the current edits and waits, with one retry. If this fails, returns false; see problem().
   bool keep_now(workspace::Workspace& workspace);
-  /// As keep_now(), then sets the file aside, because another document is about to be opened.
+  /// As keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);
-  /// Closes recovered work without further edits: its file is no longer offered automatically.
+  /// Call when a document with recovered edits is closed unchanged. The next start does not offer its file.
   void close_recovered(workspace::Workspace& workspace);
-  /// Why the current edits could not be written.
+  /// The reason why the current edits could not be written.
   std::string problem() const;
 
 private:
@@ -50,7 +46,7 @@ private:
     unsigned long edits = 0, saved = 0;
     document::Revision method = 0;
     document::ViewOptions view;
-    bool unsaved = false;  // also changed by going to another frame
+    bool unsaved = false;  // true if there are unsaved edits
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 
@@ -63,8 +59,8 @@ private:
   base::BackgroundQueue& queue_;
   Moment seen_;
   std::future<void> writing_;
-  std::filesystem::path replaced_;   // the open recovery file, deleted once its edits are written here
-  std::filesystem::path untouched_;  // the open recovery file without further edits; empty: none
+  std::filesystem::path replaced_;   // the restored file that the current write deletes; empty if none
+  std::filesystem::path untouched_;  // the restored file while there are no further edits; empty if none
   bool kept_ = false, has_file_ = false;
   std::string problem_;
 };

@@ -33,8 +33,9 @@ struct BetweenOptions {
   bool straight = false, linear = false, loop = false;
 };
 
-// In a sequence the first file is the model, and the others are its shapes.
-void spread_sequence(std::vector<std::filesystem::path>& files) {
+// Replaces a pattern of numbered files by the matching files. The first file is the model, the others are
+// shapes.
+void expand_pattern(std::vector<std::filesystem::path>& files) {
   if (!base::NumberedName::is_pattern(files.front())) return;
   const base::NumberedName name(files.front());
   std::vector<std::filesystem::path> all;
@@ -46,33 +47,33 @@ void spread_sequence(std::vector<std::filesystem::path>& files) {
   files = std::move(all);
 }
 
-// The interpolated shapes, in order.
-struct Way {
+// The shapes to interpolate, in order.
+struct ShapeList {
   OpenedShapes opened;
   std::vector<document::SharedShape> shapes;
 };
 
-Way open_way(const BetweenOptions& options, const files::FrameSteps* frames = nullptr) {
+ShapeList open_list(const BetweenOptions& options, const files::FrameSteps* frames = nullptr) {
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && formats::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
                       "give its model with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
-  Way way{open_shapes(model, shapes, options.output, frames), {}};
-  if (first_is_rest) way.shapes.push_back(nullptr);
-  for (const auto& of_file : way.opened.of_files)
-    for (const document::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
-  if (way.shapes.size() < 2)
+  ShapeList list{open_shapes(model, shapes, options.output, frames), {}};
+  if (first_is_rest) list.shapes.push_back(nullptr);
+  for (const auto& of_file : list.opened.of_files)
+    for (const document::NamedShape& shape : of_file) list.shapes.push_back(shape.shape);
+  if (list.shapes.size() < 2)
     throw base::Error(options.files.front().string(), "a single shape cannot be interpolated",
                       "give another shape");
-  if (options.loop) way.shapes.push_back(way.shapes.front());
-  return way;
+  if (options.loop) list.shapes.push_back(list.shapes.front());
+  return list;
 }
 
 // A timeline with the shapes as evenly spaced keys.
-document::Timeline timeline_of(const BetweenOptions& options, const Way& way, int first, int last) {
-  const std::size_t steps = way.shapes.size() - 1;
+document::Timeline timeline_of(const BetweenOptions& options, const ShapeList& list, int first, int last) {
+  const std::size_t steps = list.shapes.size() - 1;
   document::Timeline timeline;
   timeline.first = first, timeline.last = last;
   timeline.straight = options.straight;
@@ -80,7 +81,7 @@ document::Timeline timeline_of(const BetweenOptions& options, const Way& way, in
   const auto easing = options.linear || steps == 1 ? document::Easing::linear : document::Easing::smooth;
   for (std::size_t i = 0; i <= steps; ++i) {
     document::WholePose pose;
-    pose.shape = way.shapes[i];
+    pose.shape = list.shapes[i];
     const double share = static_cast<double>(i) / static_cast<double>(steps);
     timeline.keys.push_back({first + static_cast<int>(std::lround((last - first) * share)),
                              std::make_shared<const document::WholePose>(std::move(pose)), easing});
@@ -89,22 +90,22 @@ document::Timeline timeline_of(const BetweenOptions& options, const Way& way, in
 }
 
 int write_moment(const BetweenOptions& options) {
-  const Way way = open_way(options);
-  const auto last = static_cast<int>(way.shapes.size()) - 1;
+  const ShapeList list = open_list(options);
+  const auto last = static_cast<int>(list.shapes.size()) - 1;
   if (*options.at > last)
     throw base::Error("",
                       "--at " + base::few_digits(*options.at) + " is beyond the last shape, which is at " +
                           std::to_string(last),
-                      "0 is the first shape, 1 the second, 1.5 halfway from there to the third");
-  const document::Document& document = *way.opened.model.document;
-  files::Export what = export_to(options.output, way.opened.model);
+                      "0 is the first shape, 1 the second, 1.5 halfway from the second to the third");
+  const document::Document& document = *list.opened.model.document;
+  files::Export what = export_to(options.output, list.opened.model);
   std::optional<TerminalProgress> work(options.output.task());
   document::VectorCache vectors;
   vectors.follow_model(document.model.surface);
-  const document::Animation animation(timeline_of(options, way, 0, last), vectors);
+  const document::Animation animation(timeline_of(options, list, 0, last), vectors);
   what.shape = animation.at(*options.at).shape;
   const auto notes = write_shape(what, "the shape", &work->progress());
-  work.reset();  // removes the progress line before output
+  work.reset();  // removes the progress line
   print_notes(animation.notes());
   print_notes(notes);
   return exit_ok;
@@ -112,13 +113,14 @@ int write_moment(const BetweenOptions& options) {
 
 int write_motion(const BetweenOptions& options) {
   const files::FrameSteps steps{1, options.frames, 1};
-  const Way way = open_way(options, &steps);
-  if (static_cast<std::size_t>(options.frames) < way.shapes.size())
+  const ShapeList list = open_list(options, &steps);
+  const std::string shapes = std::to_string(list.shapes.size());
+  if (static_cast<std::size_t>(options.frames) < list.shapes.size())
     throw base::Error(options.output.file.string(),
-                      std::to_string(options.frames) + " frames are fewer than the shapes",
-                      "ask for " + std::to_string(way.shapes.size()) + " or more");
-  files::AnimationExport what = files::animation_export_of(*way.opened.model.document, options.output.file);
-  what.timeline = timeline_of(options, way, 1, options.frames);
+                      std::to_string(options.frames) + " frames are too few for " + shapes + " shapes",
+                      "set --frames to " + shapes + " or more");
+  files::AnimationExport what = files::animation_export_of(*list.opened.model.document, options.output.file);
+  what.timeline = timeline_of(options, list, 1, options.frames);
   what.last = options.frames;
   what.rate = options.rate;
   what.model.digits = options.output.digits;
@@ -127,7 +129,7 @@ int write_motion(const BetweenOptions& options) {
 }
 
 int between(BetweenOptions options) {
-  spread_sequence(options.files);
+  expand_pattern(options.files);
   if (options.at) return run_cancellable(options.output, [&] { return write_moment(options); });
   return run_cancellable(
       options.output, [&] { return write_motion(options); }, "files written so far are complete");
@@ -150,11 +152,11 @@ void add_between_command(CLI::App& app, Action& action) {
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
       "--at", [o](double at) { o->at = at; },
-      "Single time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
+      "Write one shape: 0 is the first shape, 1 the second, 1.5 halfway to the third");
   in_range(at, 0, most_frames)->excludes(frames);
-  add_file_option(*command, "--rest", o->rest, "Rest shape")->default_str("the first shape");
+  add_file_option(*command, "--rest", o->rest, "File of the rest shape")->default_str("the first shape");
   command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");
-  command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
+  command->add_flag("--linear", o->linear, "Interpolate at constant speed instead of smoothly");
   command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)->default_str("24");

@@ -16,19 +16,17 @@ struct Bound {
   std::shared_ptr<const deform::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme needs it
 
-  /// True if its stitching fits this scheme.
   bool stitches(const deform::Scheme& scheme) const {
     return stitching && stitching->holding == scheme.holding;
   }
-  /// True if it binds the document's model to the document's cage, with any weights.
+  /// True if this is a binding of the document's model to the document's cage, with any weights.
   bool binds(const document::Document& document) const {
     return binding && model == document.model.surface && cage == document.cage;
   }
 };
 
-/// Binds for the document's frames: for the fused engine, for the staged one if the method needs it, and for
-/// the stitched one if the scheme does. Reuses fitting parts of `known`. Creates its own thread pool. Throws
-/// base::Error if memory does not suffice, and base::Cancelled. Thread-safe.
+/// Binds for all engines that the scheme and the method need. Reuses parts of `known` that fit. Throws
+/// base::Error if memory is insufficient, and base::Cancelled. Thread-safe; starts its own threads.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
            const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress);
 

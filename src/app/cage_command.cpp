@@ -29,7 +29,7 @@ struct CageOptions {
   cages::Wish wish;
 };
 
-// Parses "2x3x2".
+// Parses text such as "2x3x2". Returns an error message, or an empty text.
 std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
   std::array<std::size_t, 3> read{};
   int end = 0;
@@ -37,8 +37,8 @@ std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cell
   const bool in_range = found == 3 && static_cast<std::size_t>(end) == text.size() &&
                         std::ranges::all_of(read, [](auto n) { return n >= 1 && n <= cages::most_cells; });
   if (!in_range)
-    return "needs three whole numbers from 1 to " + std::to_string(cages::most_cells) + ", as 2x3x2, not " +
-           text;
+    return "needs three whole numbers from 1 to " + std::to_string(cages::most_cells) +
+           ", such as 2x3x2, not " + text;
   cells = read;
   return {};
 }
@@ -52,7 +52,7 @@ void print(const cages::Made& made, bool keeps_quads, double seconds) {
   std::printf(" in %s\n", base::milliseconds(1e3 * seconds).c_str());
 }
 
-// Checks the cage after the file format's rounding of coordinates.
+// Throws base::Error if the cage is no longer valid after coordinates are rounded to float.
 void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const mesh::Surface& model,
                    base::WorkerPool& pool) {
   bool fits = true;
@@ -63,11 +63,11 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
     }
   }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
-  throw base::Error(file.string(), "glTF's 7 digits are too few for the cage's vertices",
+  throw base::Error(file.string(), "glTF stores coordinates with 7 digits, which are too few for this cage",
                     "write it as " + formats::format_extensions(formats::keeps_order));
 }
 
-// Refuses options for other kinds of cages.
+// Throws if an option for another kind of cage is used.
 void refuse_unused_options(const CLI::App& command, const cages::Wish& wish) {
   std::vector<std::string> idle = {"--cells", "--own-axes"};
   if (wish.kind == cages::Kind::box) idle = {"--triangles", "--gap", "--symmetry", "--quads"};
@@ -95,7 +95,7 @@ int make_cage(const CageOptions& options) {
   } catch (const base::Error& error) {
     throw base::Error(options.model.string(), error.problem(), error.advice());
   }
-  work.reset();  // removes the progress line before output
+  work.reset();  // removes the progress line
   const double seconds = 1e-3 * watch.lap_ms();
   const formats::Format& format = formats::surface_format(options.output.file);
   if (format.holds_morphs) check_rounded(options.output.file, made.surface, model.surface, pool);

@@ -11,7 +11,7 @@ namespace viete::app {
 
 namespace {
 
-constexpr double rest_seconds = 0.3;  // rest time of the sliders before a full-quality cage is generated
+constexpr double rest_seconds = 0.3;  // time without changes before a full-quality cage is generated
 
 std::string text_of(const cages::Wish& wish) {
   return wish.kind == cages::Kind::box ? "Making a box"
@@ -56,7 +56,7 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
     wants_full_ = false;
   } else if (no_drag) {
     if (auto result = job_.poll()) {
-      // A full-quality cage is obsolete if its preview was replaced or posed.
+      // If the preview was replaced or posed, the full-quality cage is obsolete.
       const bool wanted =
           effort_ == cages::Effort::preview || document::can_replace_generated(w.document, w.making);
       if (result->value && wanted) take(w, *std::move(result->value));
@@ -64,7 +64,7 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
       if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", workspace::Scope::model});
       wants_full_ &= result->value.has_value();
     }
-    // Lets a running preview finish: otherwise continuous changes of a slider would never show a preview.
+    // Waits for a running preview: otherwise no preview would be shown while a slider is dragged.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || document::can_replace_generated(w.document, w.making);
@@ -95,7 +95,7 @@ void CageMaker::take(workspace::Workspace& w, Made&& made) {
   document::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
                           std::move(made.notes));
   if (!w.making.closing) return;
-  // The panel with the notes is closed: show them as messages.
+  // The panel is closed, so its notes are shown as messages.
   for (const std::string& note : w.making.notes)
     w.messages.warn("New cage: " + note + ".", {.scope = workspace::Scope::cage});
 }
@@ -103,7 +103,7 @@ void CageMaker::take(workspace::Workspace& w, Made&& made) {
 void CageMaker::close(workspace::Workspace& w) {
   if (is_preview_ && document::shows_generated(w.document, w.making))
     w.messages.warn(
-        "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
+        "The preview of the cage was kept. It encloses the model, but parts are closer than the margin.",
         {.scope = workspace::Scope::cage});
   w.making = {.wish = w.making.wish};
 }

@@ -13,20 +13,20 @@
 
 namespace viete::app {
 
-/// Follows workspace.making: generates a preview of each new setting, and a full-quality cage once the
-/// setting rests. The full-quality cage, or a preview that equals it, is delivered with its binding. Call
-/// from one thread.
+/// Generates a preview for each change of the settings in workspace.making, and a full-quality cage when the
+/// settings stay unchanged. A cage of full quality comes with its binding. Not thread-safe.
 class CageMaker {
 public:
-  /// Call once per frame: delivers a finished cage, unless a drag is running, and starts the next one.
+  /// Call once per frame. Puts a finished cage into the document, unless a drag is running, and starts the
+  /// next one.
   void follow(workspace::Workspace& workspace, bool no_drag);
-  /// Cancels the generation with a message: the cage stays until the settings change.
+  /// Cancels the generation and shows a message. The cage stays until the settings change.
   void stop(workspace::Workspace& workspace);
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
   bool is_due(const workspace::Workspace& workspace) const;
-  /// The binding of the last delivered cage; returned only once.
+  /// Returns the binding of the last finished cage, and clears it.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -36,7 +36,7 @@ private:
     std::vector<std::string> notes;
     Bound bound;
   };
-  // Caches data shared by the cages of one model. Used only by the job's thread.
+  // Data that all cages of a model share. Only the job's thread uses them.
   struct Workshop {
     std::shared_ptr<const mesh::Surface> model;
     std::optional<cages::Maker> maker{};
@@ -50,11 +50,11 @@ private:
 
   base::BackgroundJob<Made> job_;
   std::shared_ptr<Workshop> workshop_;
-  std::optional<cages::Wish> asked_;  // the last settings started
+  std::optional<cages::Wish> asked_;  // the settings of the last job
   cages::Effort effort_ = cages::Effort::preview;
-  double asked_at_ = 0;  // wall seconds
+  double asked_at_ = 0;  // time of the last change of the settings, in wall seconds
   bool wants_full_ = false;
-  bool is_preview_ = false;  // the last delivered cage is a preview, and a full-quality one is due
+  bool is_preview_ = false;  // true: the last finished cage is not of full quality
   Bound bound_;
 };
 

@@ -14,32 +14,32 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The output of a child: progress from lines such as "37 %", and the other lines.
-struct Said {
+// The output of a child process: the progress from lines such as "37 %", and all other lines.
+struct ChildOutput {
   double done = 0;
-  std::vector<std::string> sentences;
+  std::vector<std::string> lines;
 };
 
-Said said_by(const base::ChildProgram& child) {
-  Said said;
-  std::istringstream lines(child.said());
-  for (std::string line; std::getline(lines, line);) {
+ChildOutput output_of(const base::ChildProgram& child) {
+  ChildOutput output;
+  std::istringstream text(child.said());
+  for (std::string line; std::getline(text, line);) {
     int percent = 0;
     const auto [end, problem] = std::from_chars(line.data(), line.data() + line.size(), percent);
     if (problem == std::errc() && std::string_view(end) == " %") {
-      said.done = 0.01 * percent;
+      output.done = 0.01 * percent;
     } else if (!line.empty()) {
       for (const std::string_view head : {"viete: ", "note: "})
         if (line.starts_with(head)) line.erase(0, head.size());
-      said.sentences.push_back(line);
+      output.lines.push_back(line);
     }
   }
-  return said;
+  return output;
 }
 
 }  // namespace
 
-// The first process reports whether there is a browser.
+// The first process only tests whether xdg-open is installed.
 void open_in_browser(const fs::path& page) {
   const std::string advice = "open the page yourself";
   base::ChildProgram({"xdg-open", "--version"}, advice).finish();
@@ -52,27 +52,27 @@ std::vector<std::string> run_child(const std::vector<std::string>& words, base::
   try {
     while (child.running()) {
       std::this_thread::sleep_for(look_again);
-      progress.report(said_by(child).done);
+      progress.report(output_of(child).done);
     }
   } catch (const base::Cancelled&) {
     child.stop();
     while (child.running()) std::this_thread::sleep_for(look_again);
     throw;
   }
-  std::vector<std::string> sentences = said_by(child).sentences;
+  std::vector<std::string> lines = output_of(child).lines;
   try {
     child.finish();
   } catch (const base::Error&) {
-    if (sentences.empty()) throw;
-    throw base::Error("", sentences.back());
+    if (lines.empty()) throw;
+    throw base::Error("", lines.back());
   }
-  return sentences;
+  return lines;
 }
 
 std::string create_and_show_report(const fs::path& program, const fs::path& state, base::Progress& progress) {
   const fs::path folder = (state.empty() ? fs::temp_directory_path() : state) / "report";
-  std::error_code told_by_the_report;
-  fs::create_directories(folder.parent_path(), told_by_the_report);
+  std::error_code ignored;  // run_child() reports a missing folder
+  fs::create_directories(folder.parent_path(), ignored);
   run_child({program.string(), "report", "--quick", "--force", "-o", folder.string()}, progress);
   const fs::path page = folder / "index.html";
   try {

@@ -9,16 +9,16 @@
 
 namespace viete::app {
 
-/// words: the program and its arguments. Returns its output lines without progress reports. Throws
-/// base::Error with its error message if it fails, and base::Cancelled after it has ended. Thread-safe.
+/// Runs a program and returns its lines of output without progress. words: the program and its arguments. If
+/// the program fails, throws base::Error with its message. If `progress` is cancelled, stops the program and
+/// throws base::Cancelled. Thread-safe.
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress);
 
-/// Returns at once; the browser runs independently. Throws base::Error if there is none.
+/// Opens the page in a browser and returns at once. Throws base::Error if no browser can be started.
 void open_in_browser(const std::filesystem::path& page);
 
-/// Creates a short report with `viete report` in a new folder inside `state`, or the temporary folder if that
-/// is empty, and opens it in the browser. Returns the message for the user. Throws like run_child().
-/// Thread-safe.
+/// Creates a short report in a subfolder of `state` (if empty: of the temporary folder) and opens it in the
+/// browser. program: `viete`. Returns the message for the user. Throws like run_child(). Thread-safe.
 std::string create_and_show_report(const std::filesystem::path& program, const std::filesystem::path& state,
                                    base::Progress& progress);
 

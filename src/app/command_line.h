@@ -1,5 +1,4 @@
-// The subcommands of `viete`, each of which adds its options to the command line and returns an exit code,
-// and the common code of the main() of `viete` and `viete-bench`.
+// The subcommands of `viete`, and the common code of the main() of `viete` and `viete-bench`.
 #pragma once
 
 #include <functional>
@@ -12,14 +11,13 @@ class App;
 
 namespace viete::app {
 
-/// Documented in --help.
 enum ExitCode : int {
   exit_ok = 0,
   exit_failed = 1,  ///< reading, writing or the work failed; the reason is on stderr
   exit_usage = 2,   ///< invalid command line
 };
 
-/// The action main() runs after parsing: set by the chosen subcommand.
+/// The work of the chosen subcommand, which runs after parsing and returns an exit code.
 using Action = std::function<int()>;
 
 void add_view_command(CLI::App& app, Action& action);
@@ -33,17 +31,17 @@ void add_cage_command(CLI::App& app, Action& action);
 void add_manual_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 
-/// Descriptions of `viete bench` and `viete report`, used by both.
+/// Descriptions of the commands `bench` and `report`.
 inline constexpr const char* bench_text = "Measure speed and accuracy on this machine";
-inline constexpr const char* report_text = "Write a report of figures measured on this machine";
+inline constexpr const char* report_text = "Measure speed and accuracy and write a report with figures";
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);
-  /// Converts the typed words to those of a command.
+  /// Converts the arguments of the command line to a command with its arguments.
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
-/// The program `viete`, which executes another program for these two commands.
+/// The program `viete`. For `bench` and `report` it executes the program `viete-bench`.
 Program viete_program();
 
 /// Parses the command line and runs its command. Returns the exit code; errors go to stderr.

@@ -1,4 +1,4 @@
-// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: exports the deformed mesh;
+// viete deform MODEL CAGE --pose POSE -o OUT, or viete deform SESSION -o OUT: exports the deformed mesh.
 // viete deform MODEL CAGE --stream: deforms continuously for another program.
 #include <unistd.h>
 
@@ -35,7 +35,7 @@ struct DeformOptions {
   bool stream = false;
 };
 
-// Reads whitespace-separated numbers in vertex order.
+// Reads one number per vertex, separated by whitespace.
 deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
   const formats::FileBytes bytes(file, nullptr);
   std::istringstream in{std::string(bytes.view())};
@@ -50,7 +50,7 @@ deform::Mask mask_of(const std::filesystem::path& file, std::size_t vertices) {
   }
   if (shares.size() != vertices)
     throw base::Error(file.string(),
-                      "it has " + base::counted(shares.size(), "share") + " for " +
+                      "it has " + base::counted(shares.size(), "number") + " for " +
                           base::with_thousands(vertices) + " vertices",
                       "give one number for each vertex of the model");
   return std::make_shared<const std::vector<float>>(std::move(shares));
@@ -60,9 +60,9 @@ void take_mask(const DeformOptions& options, files::Export& what) {
   if (!options.mask.empty()) what.mask = mask_of(options.mask, what.model->positions.size());
 }
 
-constexpr double largest_number = 1e60;  // as for poses in files
+constexpr double largest_number = 1e60;  // the limit for poses in files
 
-// Reads the next pose; nullopt at the end of the input.
+// Reads the next pose. Returns nullopt at the end of the input.
 std::optional<std::vector<mesh::Point>> next_pose(std::size_t vertices, std::size_t number) {
   std::vector<mesh::Point> positions(vertices);
   static_assert(sizeof(mesh::Point) == 3 * sizeof(double));
@@ -81,7 +81,7 @@ std::optional<std::vector<mesh::Point>> next_pose(std::size_t vertices, std::siz
   for (std::size_t v = 0; v < vertices; ++v)
     for (const double x : positions[v])
       if (!(std::abs(x) <= largest_number))
-        refuse("vertex " + std::to_string(v) + " has no finite position", "send finite numbers up to 1e60");
+        refuse("vertex " + std::to_string(v) + " is not finite or too large", "send numbers up to 1e60");
   return positions;
 }
 
@@ -93,7 +93,7 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
     for (std::size_t k = 0; k < 3; ++k) {
       floats.push_back(static_cast<float>(origin[k] + vertex.position[k]));
       if (!std::isfinite(floats.back()))
-        throw base::Error("pose " + std::to_string(number), "a position is out of the range of float32",
+        throw base::Error("pose " + std::to_string(number), "a deformed position is too large for float32",
                           "scale the cage and the model");
     }
   if (std::fwrite(floats.data(), sizeof(float), floats.size(), stdout) != floats.size() ||
@@ -101,10 +101,10 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
     throw base::Error("standard output", "it cannot be written", "check the disk space");
 }
 
-// Binds once, then reads poses, three float64 per cage vertex, and writes positions, three float32 per model
-// vertex, both in native byte order, each immediately, until the input ends. As in the window, turns of the
-// cage's parts continue from the previous pose. Throws base::Error if a pose is invalid or incomplete, or
-// exceeds float, and if writing fails.
+// Reads poses until the input ends, and immediately writes the deformed positions of each pose. Cage vertices
+// are three float64, model vertices three float32, in native byte order. The turns of the cage's parts
+// continue from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing
+// fails.
 void stream_poses(const files::Export& what) {
   base::Progress progress;
   const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);
@@ -164,7 +164,7 @@ void add_deform_command(CLI::App& app, Action& action) {
   add_examples(*command, {"deform model.obj cage.obj --pose pose.obj -o deformed.obj",
                           "deform scene.viete --deformer arap -o deformed.ply"});
   command->callback([o, &action] {
-    if (o->stream) o->inputs.use = Use::animation;  // poses come from the stream
+    if (o->stream) o->inputs.use = Use::animation;  // does not need --pose
     if (!o->stream && o->output.file.empty()) throw CLI::RequiredError("--output");
     check_usage(o->inputs);
     action = [o] { return o->stream ? stream(*o) : deform_file(*o); };

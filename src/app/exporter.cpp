@@ -100,15 +100,15 @@ workspace::WorkState Exporter::state() const {
   return state;
 }
 
-// Notes that need no action go to the message list only.
+// Shows one message. Notes and the summary are only listed in the Messages panel.
 void Exporter::tell(workspace::Messages& messages, Written&& written) const {
   std::erase_if(written.notes,
                 [&](const std::string& note) { return std::ranges::count(now_.shown_notes, note) > 0; });
   if (!written.summary.empty()) messages.log(workspace::Severity::info, written.summary);
   for (const auto& note : written.notes) messages.log(workspace::Severity::warning, note);
-  std::string said = "Saved " + now_.file.filename().string();
-  if (!written.notes.empty()) said += " (" + base::counted(written.notes.size(), "note") + ", see Messages)";
-  messages.info(said + ".");
+  std::string text = "Saved " + now_.file.filename().string();
+  if (!written.notes.empty()) text += " (" + base::counted(written.notes.size(), "note") + ", see Messages)";
+  messages.info(text + ".");
 }
 
 std::optional<Exporter::Failure> Exporter::follow(workspace::Messages& messages, bool wait) {

@@ -20,17 +20,17 @@ namespace viete::app {
 
 struct PictureExport {
   std::filesystem::path file;     ///< frame_####.png
-  std::filesystem::path program;  ///< `viete`
-  files::Session session;         ///< a snapshot: playback range and view
+  std::filesystem::path program;  ///< the program `viete`
+  files::Session session;         ///< the session to draw, with its playback range and view
   bool panels = false;
 };
 
-/// Runs in a child process. Throws base::Error with its error message, and base::Cancelled. Returns messages
-/// about the result for the user, one line each. Thread-safe.
+/// Draws and writes pictures in a child process. Returns notes for the user, one line each. Throws
+/// base::Error with the message of the child process, and base::Cancelled. Thread-safe.
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
 
-/// Runs exports one after the other, in order. Call from one thread. The destructor cancels unfinished
-/// exports; their files are unchanged.
+/// Runs exports one after another. Not thread-safe. The destructor cancels unfinished exports and does not
+/// change their files.
 class Exporter {
 public:
   struct Failure {
@@ -38,16 +38,16 @@ public:
     std::string problem;
   };
 
-  /// The file must have passed check_output(). `shown_notes`: notes that the window shows already.
+  /// The file must have passed check_output(). Notes in `shown_notes` are not shown again.
   void add(files::Export what, std::vector<std::string> shown_notes = {});
   void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
-  /// Cancels the running export, which ends soon; then the next waiting export starts.
+  /// Cancels the running export. When it has ended, the next export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   workspace::WorkState state() const;
-  /// Reports finished exports in `messages` and starts the next one. With `wait`, waits for the running one.
-  /// Returns the failed one, if any.
+  /// Reports a finished export in `messages` and starts the next export. If `wait`, waits for the running
+  /// export first. Returns the failure if the export failed.
   std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
 
 private:
@@ -57,7 +57,7 @@ private:
   };
   struct Work {
     std::filesystem::path file;
-    std::string stopped;  ///< message if cancelled
+    std::string stopped;  ///< end of the message after cancelling
     std::function<Written(base::Progress&)> write;
     std::vector<std::string> shown_notes{};
   };
@@ -66,7 +66,7 @@ private:
   void tell(workspace::Messages& messages, Written&& written) const;
 
   std::deque<Work> waiting_;
-  Work now_;  ///< the running one, without `write`
+  Work now_;  ///< the running export, without `write`
   base::BackgroundJob<Written> job_;
 };
 

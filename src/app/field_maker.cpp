@@ -37,15 +37,16 @@ public:
 private:
   const FrameInput& frame_;
   base::Progress& progress_;
-  base::WorkerPool pool_{1};  // in addition to the frame's threads
+  base::WorkerPool pool_{1};  // one thread, so that frames stay fast
   deform::ExactDeformer deformer_;
 };
 
-// The displacement of each vertex per small displacement of the selection or the pins.
+// How strongly each vertex follows the selection: its displacement divided by a small displacement of the
+// selected elements.
 struct Influence {
   FrameInput frame;
   document::Selection selection;
-  std::vector<std::uint32_t> vertices;  // moving vertices of the cage
+  std::vector<std::uint32_t> vertices;  // cage vertices that move with the selection
 
   std::vector<double> shares(base::Progress& progress) const {
     std::vector<double> all(frame.bound.model->positions.size());

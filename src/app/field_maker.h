@@ -1,4 +1,4 @@
-// Computes the fields shown in the window: quick ones within the frame, others in the background.
+// Computes the values of colour maps (fields): quick fields within the frame, slow fields in the background.
 #pragma once
 
 #include <array>
@@ -13,37 +13,36 @@
 
 namespace viete::app {
 
-/// The input of a field: one view of a frame.
+/// The input for computing a field of one view.
 struct FieldSubject {
   const document::Document& document;
   analysis::Field field;
-  const ViewModel& model;  ///< without a frame: nothing is computed in the background
+  const ViewModel& model;  ///< before its first frame, slow fields are not computed
   sym3::Method method;
-  document::PosedModel posed,
-      first;  ///< the model as drawn in this view and in the first view; empty: at rest
+  document::PosedModel posed, first;  ///< the model in this view and in the first view; empty: at rest
 };
 
-/// Follows the frames of a model while its fields are shown; costs nothing otherwise. Call from one thread.
+/// Computes the shown fields of all views again when their input changes. Not thread-safe.
 class FieldMaker {
 public:
-  /// Call after a frame is deformed: delivers the newest values to this view and starts the next ones.
-  /// Background results may belong to a slightly earlier pose. Returns true for new values.
+  /// Call after a frame is deformed. Stores the newest values in `shown` and starts the next computation. The
+  /// values of a slow field may belong to a slightly earlier pose. Returns true if there are new values.
   bool follow(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown, bool wait = false);
-  /// Waits until the values belong to this pose.
+  /// Waits for the values of the current pose.
   void finish(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown);
-  /// Cancels all computations, for a change of the document.
+  /// Cancels all computations. Call when the document changes.
   void forget();
   /// True if follow() would do something now.
   bool is_due(std::size_t view, const FieldSubject& subject, const workspace::FieldView& shown) const;
 
 private:
-  // Identifies computed values.
+  // The input of computed values.
   struct Key {
     analysis::Field field = analysis::Field::none;
     unsigned long frame = 0, first = 0;
     const void *vertices = nullptr, *surface = nullptr;
     sym3::Method method = sym3::Method::fast;
-    document::Selection selection;  // for the influence field
+    document::Selection selection;  // only for the influence field
     friend bool operator==(const Key&, const Key&) = default;
   };
   struct View {

@@ -36,7 +36,7 @@ FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::p
   try {
     workspace.preferences = workspace::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
-    workspace.messages.warn(std::string(error.what()) + "; starting without this file");
+    workspace.messages.warn(std::string(error.what()) + "; using the default preferences");
   }
   workspace.view.hints = workspace.preferences.hints;
   workspace.view.dark = workspace.preferences.dark;
@@ -68,7 +68,7 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   follow_dialog(w.browser, w);
 }
 
-// A file browser stays open until its request is done. Long work shows a bar instead.
+// A file browser stays open until its request is done. For long work, a progress bar replaces it.
 void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
@@ -176,7 +176,7 @@ void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
-// Continues the action that waited for saving, or drops it if saving was cancelled.
+// After saving, continues with closing or opening. If saving was cancelled, cancels closing or opening too.
 void FileDesk::proceed_after_saving(workspace::Workspace& w) {
   if (!w.after_saving || w.question) return;
   if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
@@ -199,7 +199,7 @@ void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool 
   }
 }
 
-// Closing continues after all exports, and stops on an error.
+// Continues with closing after all exports. If an export fails, cancels closing.
 void FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
     workspace::report_refusal(w, failure->file, failure->problem, "export");
@@ -222,7 +222,7 @@ void FileDesk::discard(workspace::Workspace& w) {
   std::erase_if(w.recovery_files, [&](const files::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
-    w.messages.error(base::Error(leftover.file.string(), "cannot be removed: " + code.message()).what(),
+    w.messages.error(base::Error(leftover.file.string(), "cannot be deleted: " + code.message()).what(),
                      {"discard"});
     return false;
   });
@@ -240,7 +240,7 @@ void FileDesk::remember(workspace::Workspace& w) {
   if (state_.empty() || w.preferences == written_) return;
   written_ = w.preferences;
   writes_.push_back(queue_.add([state = state_, preferences = written_] {
-    std::error_code ignored;  // a missing folder is reported when writing fails
+    std::error_code ignored;  // write_preferences() reports a missing folder
     fs::create_directories(state, ignored);
     workspace::write_preferences(preferences_file(state), preferences);
   }));

@@ -1,4 +1,4 @@
-// File handling of the viewer: carries out requests, backs up unsaved work, and stores preferences.
+// Opens, saves and exports files for the viewer, backs up unsaved edits, and stores preferences.
 #pragma once
 
 #include <filesystem>
@@ -15,41 +15,39 @@
 
 namespace viete::app {
 
-/// The preferences file in this folder.
 std::filesystem::path preferences_file(const std::filesystem::path& state);
 
 class FileDesk {
 public:
-  /// state: the folder for preferences and recovery; empty: none. Loads the preferences into the workspace.
-  /// program: `viete`, which renders animations in a child process.
+  /// Loads the preferences into the workspace. state: the folder for preferences and backups; empty: they are
+  /// not stored. program: the program `viete`, which renders animations in a child process.
   FileDesk(const std::filesystem::path& state, workspace::Workspace& workspace,
            std::filesystem::path program = "/proc/self/exe");
 
-  /// Call before the frame's work: handles requests and answers, and applies read files unless a drag is
-  /// running. Asks before edits are lost that cannot be backed up. On closing waits for exports; a failed
-  /// export stops closing.
+  /// Call at the start of each frame. Handles requests and answers, and applies opened files unless a drag is
+  /// running. If edits would be lost and cannot be backed up, asks the user first. Closing waits for exports;
+  /// if an export fails, closing is cancelled.
   void take_requests(workspace::Workspace& workspace, bool no_drag);
-  /// Call after the frame: backs up new edits.
+  /// Call at the end of each frame. Backs up new edits and stores changed preferences.
   void keep(workspace::Workspace& workspace, bool no_drag = true);
 
-  /// True once a requested close may proceed: no unsaved edits, backed up edits, or the user's consent.
+  /// True if the user asked to close, and edits are saved, backed up or discarded.
   bool closed() const { return closed_; }
   /// True if the current edits have been backed up.
   bool kept() const { return autosave_.kept(); }
-  /// Backs them up and waits; false if that fails.
+  /// Backs up the current edits and waits. Returns false if that fails.
   bool keep_now(workspace::Workspace& workspace) { return autosave_.keep_now(workspace); }
   /// True if a backup has finished or failed since keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
-  /// True while exports are running.
   bool exporting() const { return exporter_.running(); }
-  /// Waits for the files being read and applies them.
+  /// Waits for the running request and applies its result.
   void finish_loading(workspace::Workspace& workspace) { take_loaded(workspace, true); }
-  /// Waits for running exports and reports them.
+  /// Waits for running exports and reports their results.
   void finish_exports(workspace::Workspace& workspace);
-  /// The shading of the last model read.
+  /// The shading of the last opened model.
   ModelShading& shading() { return shading_; }
-  /// The binding of the last document applied; returned only once.
+  /// Returns the binding of the last opened document, and clears it.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -78,10 +76,10 @@ private:
   Exporter exporter_;
   ModelShading shading_;
   Bound bound_;
-  std::filesystem::path reading_;          // first file of the last request
-  std::optional<Loaded> waiting_;          // read, and waiting for an answer to replace the document
-  bool closing_ = false, closed_ = false;  // closing waits for exports
-  std::vector<std::future<void>> writes_;  // writes of small files, until their result is known
+  std::filesystem::path reading_;          // the first file of the last request
+  std::optional<Loaded> waiting_;          // the opened document while the user is asked about edits
+  bool closing_ = false, closed_ = false;  // closing_: true while closing waits for exports
+  std::vector<std::future<void>> writes_;  // pending writes of preferences
   base::BackgroundQueue queue_;
   Autosave autosave_;
   workspace::Preferences written_;

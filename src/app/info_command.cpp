@@ -1,4 +1,4 @@
-// viete info [FILE...] [--cage CAGE]: contents and defects of surface files.
+// viete info [FILE...] [--cage CAGE]: prints the contents and defects of surface files.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -53,7 +53,7 @@ void print(const document::OpenedSurface& surface) {
   }
 }
 
-// Prints the problems for which deform would refuse the cage.
+// If the deform command cannot use the cage, prints the reason.
 void print_refusal(const document::OpenedSurface& cage) {
   document::Document document;
   try {
@@ -75,7 +75,7 @@ void print(const std::vector<document::Finding>& findings) {
   }
 }
 
-// Continues with the other files after an error.
+// After an error, continues with the next file.
 int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
   document::OpenedSurface cage;
   if (!cage_file.empty()) {
@@ -100,12 +100,12 @@ int info(const std::vector<fs::path>& files, const fs::path& cage_file) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  auto* command = app.add_subcommand("info", "Show facts about meshes and check them for problems");
+  auto* command = app.add_subcommand("info", "Show the properties and defects of meshes");
   auto files = std::make_shared<std::vector<fs::path>>();
   auto cage = std::make_shared<fs::path>();
   command->add_option("FILE", *files,
                       formats::format_names(formats::holds_surface) + " files (default: the bundled dragon)");
-  add_file_option(*command, "--cage", *cage, "Cage to check around the meshes");
+  add_file_option(*command, "--cage", *cage, "Cage to check together with the meshes");
   add_examples(*command, {"info model.obj", "info model.obj --cage cage.obj"});
   command->callback([files, cage, &action] {
     action = [files, cage] {

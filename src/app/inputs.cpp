@@ -22,8 +22,8 @@ void add_files(CLI::App& app, Inputs& inputs) {
   auto* model = add_file_option(app, "MODEL", inputs.model, formats::a_mesh() + " or session (.viete)");
   inputs.use == Use::window ? model->default_str("the bundled dragon") : model->required();
   add_file_option(app, "CAGE", inputs.cage, "Cage at rest");
-  add_file_option(app, "--model", inputs.located.model, "Model to use instead of the session's");
-  add_file_option(app, "--cage", inputs.located.cage, "Cage to use instead of the session's");
+  add_file_option(app, "--model", inputs.located.model, "Model that replaces the model of the session");
+  add_file_option(app, "--cage", inputs.located.cage, "Cage that replaces the cage of the session");
   if (inputs.use == Use::animation) return;
   add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
 }
@@ -80,10 +80,8 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&)) {
     throw base::Error(error.place(), error.problem(), "give it with --" + std::string(error.key) + " FILE");
   }
   check(opened);
-  const document::Document& document = *opened.document;
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
-  const bool movable = deforms ? document.is_movable() : document.has_cage();
-  if (deforms && !movable) {
+  if (deforms && !opened.document->is_movable()) {
     print_notes(opened.warnings);
     throw base::Error(inputs.model.string(), "the session has no cage",
                       "open it in the window and add a cage");
@@ -128,7 +126,7 @@ void check(const Output& output, const FilesInUse& files, const files::FrameStep
   check_output(output.file, *frames, files, force_of(output.force));
 }
 
-// Logs are defined on triangles, which need an area.
+// Throws base::Error unless a triangle has an area, as LogSpace requires.
 void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
   const auto& p = model.positions;
   const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };
@@ -188,7 +186,7 @@ int write_frames(const Output& output, const files::AnimationExport& what) {
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress) {
   if (!document::in_range({{}, {}, what.shape}))
-    throw base::Error(what.file.string(), name + " is too large to be drawn",
+    throw base::Error(what.file.string(), name + " is too large to draw",
                       "use smaller weights and positions closer to the model");
   return files::write_exact(what, {what.shape ? *what.shape : what.model->positions, {}, {}, 0}, progress);
 }

@@ -9,7 +9,7 @@ namespace viete::app {
 
 namespace {
 
-// Omits the undo history, which may be large and is not needed for reading.
+// A copy without the undo history, which may be large and is not needed here.
 document::Document without_history(const document::Document& document) {
   document::Document copy;
   copy.model = document.model;
@@ -25,7 +25,7 @@ document::Document without_history(const document::Document& document) {
   return copy;
 }
 
-// The same request without the fins of this cage, which may be one of the dropped files.
+// Copies a request and makes it remove the fins of the cage. `cage`: the file of the cage.
 files::OpenRequest without_fins(files::OpenRequest request, const std::string& cage) {
   using What = files::OpenRequest::What;
   request.without_fins = true;

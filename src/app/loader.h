@@ -1,5 +1,4 @@
-// Opens files in the background, so that the view stays responsive: reads them, and binds the model to its
-// cage.
+// Reads files and binds the model to its cage in the background, so that the view stays responsive.
 #pragma once
 
 #include <optional>
@@ -14,15 +13,15 @@ namespace viete::app {
 
 struct Loaded {
   files::Opened opened;
-  ModelShading shading;                           ///< looks of a new model
-  Bound bound;                                    ///< binding of a new model or cage
-  std::optional<workspace::Question> question{};  ///< if nothing was opened: how to proceed
-  files::OpenRequest request{};                   ///< if nothing was opened: the request
+  ModelShading shading;                           ///< the shading of a new model
+  Bound bound;                                    ///< the binding of a new model or cage
+  std::optional<workspace::Question> question{};  ///< set if the user must answer before files can be opened
+  files::OpenRequest request{};                   ///< if there is a question: the request to repeat
 };
 using Loader = base::BackgroundJob<Loaded>;
 
-/// Replaces a running request. A document is delivered only together with its binding, so that failures leave
-/// the open document unchanged.
+/// Cancels a running request and starts this one. If reading or binding fails, the open document stays
+/// unchanged.
 void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current);
 
 }  // namespace viete::app

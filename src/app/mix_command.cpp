@@ -1,4 +1,4 @@
-// viete mix REST --shape FILE=0.5 ... -o OUT: a weighted mix of a model's shapes.
+// viete mix REST --shape FILE=0.5 ... -o OUT: combines weighted shapes of a model.
 #include <charconv>
 #include <filesystem>
 #include <memory>
@@ -33,7 +33,7 @@ struct MixOptions {
   bool straight = false;
 };
 
-// Parses "smile.obj=0.5".
+// Parses text such as "smile.obj=0.5".
 Share share_of(const std::string& text) {
   const auto equals = text.rfind('=');
   double weight = 0;
@@ -49,7 +49,7 @@ Share share_of(const std::string& text) {
   return {text.substr(0, equals), weight};
 }
 
-// "face.glb:smile" selects a shape of a file with several.
+// Splits "face.glb:smile" into the file and the name of one of its shapes.
 void split_name(Share& share) {
   const std::string text = share.file.string();
   std::error_code ignored;
@@ -110,8 +110,8 @@ void add_mix_command(CLI::App& app, Action& action) {
           [o](const std::vector<std::string>& texts) {
             for (const auto& text : texts) o->shares.push_back(share_of(text));
           },
-          "Shape with the same faces and its weight: smile.obj=0.5, or face.glb:smile=0.5 for one of several "
-          "in a file; repeatable")
+          "Shape with the same faces, and its weight: smile.obj=0.5, or face.glb:smile=0.5 for a shape in a "
+          "file of several; repeatable")
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();

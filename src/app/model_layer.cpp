@@ -53,10 +53,10 @@ private:
     });
   }
 
-  // Vertex colours take precedence.
+  // If the file has colours of vertices, colours of faces are ignored.
   bool shows_colors_of_faces() const { return given_.colors.empty() && !given_.polygon_colors.empty(); }
 
-  // The corners have the face normal, while all adjacent faces have another: a sharp edge.
+  // True if all corners have the normal of the face, but the vertex normal differs: the edge is sharp.
   bool stands_across_an_edge(const Triangle& t) const {
     if (given_.corner_normal.empty()) return false;
     const auto& p = surface_.positions;
@@ -102,7 +102,7 @@ private:
     made_.has_looks |= run.image >= 0 || c[0] != c[1] || c[1] != c[2];
   }
 
-  // Its index among the displayed images, or -1.
+  // The index of an image in looks.images, or -1 if the image cannot be shown.
   int image(std::uint32_t index) {
     const auto [at, added] = images_.try_emplace(index, -1);
     if (!added) return at->second;
@@ -110,7 +110,7 @@ private:
     const formats::ImageFile& file = given_.images[index];
     const std::string place = file.path.empty() ? file.name : file.path.string();
     try {
-      if (!file.bytes && file.path.empty()) return -1;  // reported while reading
+      if (!file.bytes && file.path.empty()) return -1;  // the reader already reported this
       render::Image decoded =
           file.bytes ? render::decode_image(place, *file.bytes, longest_side)
                      : render::decode_image(
@@ -181,7 +181,7 @@ void ModelLayer::set_rest(const document::Document& document, const ModelShading
   shadow_.set_positions(document.model.surface->positions);
 }
 
-// Both rooms define a vertex type of identical layout.
+// The vertex types of `deform` and `render` have the same layout.
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
   using From = deform::FrameVertex;
   using To = render::SurfaceVertex;

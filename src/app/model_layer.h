@@ -20,27 +20,27 @@
 namespace viete::app {
 
 struct ModelLooks {
-  std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, grouped by look
-  render::SurfaceLooks looks;             ///< one look per group
-  bool has_looks = false;                 ///< it has colours, images, or materials that are not grey
-  std::vector<std::string> warnings;      ///< about images that cannot be shown, one line each
+  std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, sorted by material and flat shading
+  render::SurfaceLooks looks;             ///< one run for each material and kind of shading
+  bool has_looks = false;                 ///< true if the model has colours, images or coloured materials
+  std::vector<std::string> warnings;      ///< one line for each image that cannot be shown
 };
 
-/// normals: of the vertices at rest. Decodes images and reads external image files; a damaged image is
-/// skipped. Triangles are flat shaded if their group is flat in the file, or if the file's normals are
-/// perpendicular to them. Thread-safe.
+/// Converts colours, materials and images. normals: the vertex normals at rest. Reads image files; skips
+/// damaged images. A triangle is flat shaded if its group is flat in the file, or if the file's normals at
+/// its corners are equal to its own normal at a sharp edge. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 
-/// Data for drawing a model besides its surface, computed once per model.
+/// Data for drawing a model, computed once per model.
 struct ModelShading {
-  std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
-  std::vector<mesh::Point> normals;              ///< at rest
+  std::shared_ptr<const mesh::Surface> surface;  ///< the model, or null
+  std::vector<mesh::Point> normals;              ///< vertex normals at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
   ModelLooks looks;                              ///< empty if the file has no materials
 };
 
-/// attributes may be null. Linear time, a third of a second for a million triangles, plus decoding images.
+/// attributes may be null. Takes a third of a second for a million triangles, plus the time to decode images.
 /// Thread-safe.
 ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const formats::Attributes* attributes);
 
@@ -48,18 +48,18 @@ class ModelLayer {
 public:
   explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
 
-  /// New topology, at rest.
+  /// Sets the model of the document, at rest.
   void set_document(const document::Document& document, const ModelShading& shading);
   void set_rest(const document::Document& document, const ModelShading& shading);
-  /// Deformed positions, relative to origin in file coordinates.
+  /// Sets the deformed vertices, relative to origin.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// Colours the mesh by its mask if that is shown, else by the field if it has values. Returns true on a
-  /// change.
+  /// Colours the mesh by its mask if the mask is shown, otherwise by the field if it has values. Returns true
+  /// if the colours change.
   bool set_colors(const workspace::Workspace& workspace, analysis::Field field,
                   const workspace::FieldView& shown);
-  /// Forces an upload in the next set_colors().
+  /// The next set_colors() uploads the colours even if they have not changed.
   void forget() { colored_.reset(); }
-  /// Sets the colour range in the surface's style.
+  /// Sets the range of the colour map in `style`.
   void span(render::SurfaceStyle& style, const workspace::FieldView& shown) const;
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
@@ -73,7 +73,7 @@ private:
   render::SurfaceLayer surface_;
   render::ShadowLayer shadow_;
   std::size_t vertices_ = 0;
-  // The current colouring; nullopt: upload again.
+  // The input of the current colours.
   struct Colored {
     bool by_mask = false, dark = false;
     deform::Mask mask;

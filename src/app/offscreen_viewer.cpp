@@ -46,7 +46,7 @@ const std::map<std::string, document::StandardView> looks = {
     {"right", document::StandardView::right},  {"top", document::StandardView::top},
     {"bottom", document::StandardView::bottom}};
 
-// Flags are applied on top of the session's options, or of the defaults for pictures.
+// Options change the session's view settings, or the defaults for pictures if there is no session.
 document::ViewOptions view_of(const PictureOptions& options, const std::optional<files::Session>& session) {
   document::ViewOptions view =
       session ? session->view : document::ViewOptions{.panels = false, .hints = false};
@@ -61,7 +61,8 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
   return view;
 }
 
-// One view per word, in order; unspecified settings are those of the document.
+// Shows one view per word. A word is a deformer, a method, or the interpolation of keys. All other settings
+// come from the document.
 void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<document::SideWay> views;
@@ -84,13 +85,13 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   w.viewport = workspace::viewport_of(w.split, w.viewport, 0);
 }
 
-// The session's camera, unless --camera or --look replace it.
+// Uses the camera of --camera, --look or the session.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
-  viewer.frame(0);  // sets the viewport needed for framing
+  viewer.frame(0);  // sets the viewport, which frame_all() needs
   if (!options.camera.empty()) {
     const auto camera = files::read_session(options.camera).camera;
     if (!camera)
-      throw base::Error(options.camera.string(), "this session has no camera", "choose another one");
+      throw base::Error(options.camera.string(), "this session has no camera", "choose another session");
     return viewer.workspace().camera.set_pose(*camera);
   }
   const bool keeps_look = has_camera && options.look.empty();
@@ -101,11 +102,12 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   workspace::frame_all(w, false);
 }
 
-// Warns about requested items that are not in the picture.
+// Prints a note if the requested map is missing in the picture, and throws the error of a view.
 void print_missing(const workspace::Workspace& w) {
   if (workspace::shown_field(w) != w.view.field)
-    print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: some maps need a cage and a blend in log space, others a model that can move"});
+    print_notes(
+        {"the map " + std::string(base::entry_of(w.view.field).word) +
+         " is not available: some maps need a cage and a blend in log space, others a cage or probes"});
   for (const workspace::View& view : w.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
@@ -145,15 +147,16 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_size_option(command, options.size);
   auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
-  auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
+  auto* look =
+      command.add_option("--look", options.look, "View: home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
-  add_file_option(command, "--camera", options.camera, "Camera of this session");
+  add_file_option(command, "--camera", options.camera, "Session whose camera to use");
   auto* shading = command.add_option("--shading", options.shading,
-                                     "clay, porcelain, jade, file, checker, normals or zebra");
+                                     "Shading: clay, porcelain, jade, file, checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
   command.add_flag("--panels", options.panels, "Draw the panels of the window");
-  command.add_flag("--light", options.light, "Light theme");
+  command.add_flag("--light", options.light, "Use the light theme");
   command.add_flag("--wireframe", options.wireframe, "Draw the edges of the mesh");
   std::vector<std::string> maps;
   for (const base::Choice& choice : choices(analysis::Field::none)) maps.emplace_back(choice.word);
@@ -164,7 +167,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
   auto* compare = command.add_option("--compare", options.compare,
-                                     "Compare 2 to 4 deformers or methods, or log,straight");
+                                     "Views side by side: 2 to 4 deformers or methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }
@@ -199,7 +202,7 @@ std::string ffmpeg_command(const PictureRun& run) {
   const auto place = pictures.rfind(pattern.substr(begin, end - begin));
   const std::string digits = "%0" + std::to_string(end - begin);
   pictures.replace(place, end - begin, digits + "d");
-  // 4:2:0 plays everywhere, but needs even sizes.
+  // All players support 4:2:0, which needs an even width and height.
   return "ffmpeg -framerate " + plain(run.rate) + " -start_number " + std::to_string(run.frames.front()) +
          " -i " + shell_word(pictures) + " -vf 'pad=ceil(iw/2)*2:ceil(ih/2)*2' -pix_fmt yuv420p " +
          shell_word(film + ".mp4");
@@ -223,7 +226,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
       camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
       w.camera.set_pose(camera);
     }
-    // Panels and maps take several frames to become current.
+    // Panels and maps need several frames to be up to date.
     if (w.view.panels || w.view.field != analysis::Field::none)
       offscreen.settle();
     else
@@ -232,7 +235,7 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
   }
   progress.report(1);
   std::vector<std::string> notes = files::other_files_note(name, run.frames);
-  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // not supported by ffmpeg
+  const bool has_gaps = run.step != 1 || run.frames.front() < 0;  // ffmpeg does not support these numbers
   if (!has_gaps) notes.push_back(ffmpeg_command(run));
   return notes;
 }

@@ -24,7 +24,7 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-// Formats "0.5", "1,000,000".
+// Formats a number as text, for example "0.5" or "1,000,000".
 std::string number_text(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -33,13 +33,18 @@ std::string number_text(std::int64_t number) {
   return (number < 0 ? "-" : "") + base::with_thousands(static_cast<std::size_t>(std::abs(number)));
 }
 
+std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
+  const std::string name = nearest(word, names);
+  return name.empty() ? "" : "; did you mean " + name + "?";
+}
+
 template <class Number>
 CLI::Option* limit(CLI::Option* option, Number low, Number high, const std::string& what) {
   const std::string range = number_text(low) + " to " + number_text(high);
   option->option_text("NUMBER")->description(option->get_description() + ", " + range);
   return option->check([=](const std::string& text) -> std::string {
     Number number{};
-    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // NaN is out of range
+    if (read_whole_text(text, number) && number >= low && number <= high) return {};  // rejects NaN
     return "needs " + what + " from " + range + ", not " + text;
   });
 }
@@ -62,14 +67,12 @@ CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t 
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) {
   return option->option_text("WORD")->check([words](const std::string& text) -> std::string {
     if (std::find(words.begin(), words.end(), text) != words.end()) return {};
-    const std::string meant = nearest(text, words);
-    return "needs " + listed(words) + ", not " + text +
-           (meant.empty() ? "" : "; did you mean " + meant + "?");
+    return "needs " + listed(words) + ", not " + text + suggestion(text, words);
   });
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Allow overwriting inputs and files of other kinds");
+  app.add_flag("--force", force, "Also replace input files and files of other kinds");
 }
 
 files::Force force_of(bool given) {
@@ -81,7 +84,8 @@ void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& t
   std::vector<std::string> words;
   for (const sym3::Method m : analysis::compared_methods) words.emplace_back(sym3::name(m));
   auto* option = app.add_option_function<std::string>(
-      "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); }, listed(words));
+      "--method", [take](const std::string& word) { take(*sym3::method_from_name(word)); },
+      "Matrix exponential: " + listed(words));
   one_of(option, words)->default_str("fast");
 }
 
@@ -91,7 +95,7 @@ void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
 }
 
 std::string deformers_help() {
-  std::string text = "Choices of the options of viete\n";
+  std::string text = "Values of the options of viete\n";
   const auto list = [&text](const char* title, const auto& table) {
     text += std::string("\n") + title + ":\n";
     for (const auto& e : table) text += help_line(std::string(e.name), std::string(e.sentence));
@@ -121,12 +125,11 @@ void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme
       ->default_str(number_text(number.percent({})));
 }
 
-// The second option takes precedence.
 void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "As-rigid-as-possible solve over the whole mesh");
+      "Stitching: solve for a mesh that is as rigid as possible");
   auto* number = app.add_option_function<int>(
       "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
@@ -147,7 +150,7 @@ void add_digits_option(CLI::App& app, formats::Digits& digits) {
       throw CLI::ValidationError("--digits", "needs a number from 0 to 17, or all, not " + text);
     }
   };
-  app.add_option_function<std::string>("--digits", take, "Decimal places in text files, 0 to 17, or all")
+  app.add_option_function<std::string>("--digits", take, "Decimal places in text files: 0 to 17, or all")
       ->option_text("NUMBER|all")
       ->default_str("as in MODEL");
 }
@@ -162,7 +165,7 @@ void add_size_option(CLI::App& app, glm::ivec2& size) {
            if (!whole || w < 16 || h < 16 || w > 32768 || h > 32768)
              throw CLI::ValidationError("--size", "needs WIDTHxHEIGHT, each 16 to 32768, not " + text);
            if (static_cast<std::int64_t>(w) * h > most_pixels)
-             throw CLI::ValidationError("--size", "needs at most as many pixels as 16384x16384, not " + text);
+             throw CLI::ValidationError("--size", "needs at most 268 million pixels, not " + text);
            size = {w, h};
          },
          "Picture size, 16 to 32768 pixels")
@@ -194,7 +197,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 }
 
 std::size_t misspellings(std::string_view a, std::string_view b) {
-  // Row by row of the table over all prefixes of a and b (optimal string alignment).
+  // Optimal string alignment: computes the rows of a table of distances between prefixes of a and b.
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -212,7 +215,7 @@ std::size_t misspellings(std::string_view a, std::string_view b) {
 }
 
 std::string nearest(std::string_view word, const std::vector<std::string>& names) {
-  constexpr std::size_t telling = 3;  // letters
+  constexpr std::size_t telling = 3;  // shortest prefix that counts as similar
   std::string best;
   std::size_t fewest = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (const std::string& name : names) {
@@ -258,13 +261,13 @@ namespace {
 
 using OptionList = std::vector<const CLI::Option*>;
 
-// "FILE"; empty for a flag.
+// For example "FILE"; empty for a flag.
 std::string value_of(const CLI::Option& option) {
   if (option.get_items_expected_max() == 0) return "";
   return option.get_option_text().empty() ? "VALUE" : option.get_option_text();
 }
 
-// "-o, --output FILE", or "MODEL".
+// For example "-o, --output FILE" or "MODEL".
 std::string name_of(const CLI::Option& option) {
   if (option.get_positional()) return option.get_name(true, false);
   std::string name;
@@ -284,7 +287,7 @@ std::string text_of(const CLI::Option& option) {
   return text;
 }
 
-// "MODEL [CAGE] -o FILE [OPTIONS]"
+// For example " MODEL [CAGE] -o FILE [OPTIONS]".
 std::string words_of(const CLI::App& command) {
   std::string words, required;
   bool others = false;
@@ -319,8 +322,8 @@ class HelpFormatter : public CLI::FormatterBase {
 public:
   std::string make_help(const CLI::App* app, std::string, CLI::AppFormatMode) const override {
     const OptionList words = app->get_options([](const CLI::Option* o) { return o->get_positional(); });
-    const OptionList options = app->get_options(
-        [](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });  // not hidden
+    const OptionList options =
+        app->get_options([](const CLI::Option* o) { return o->nonpositional() && !o->get_group().empty(); });
     std::string out = wrapped(app->get_description(), 0, 0) + "\n\n" + usage_of(*app);
     out += list("Files", words);
     const auto commands = app->get_subcommands([](const CLI::App*) { return true; });
@@ -332,7 +335,6 @@ public:
   }
 };
 
-// The last subcommand given.
 const CLI::App& last_command(const CLI::App& app) {
   const CLI::App* last = &app;
   while (!last->get_subcommands().empty()) last = last->get_subcommands().back();
@@ -347,13 +349,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
-  const std::string name = nearest(word, names);
-  return name.empty() ? "" : "; did you mean " + name + "?";
-}
-
-// CLI11's messages: "--output: 1 required TEXT missing", "--output: At Most 1 required but received 2", or
-// "--compare: At Least 2 required but received 1".
+// Rewrites messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but received
+// 2" and "--compare: At least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {
@@ -365,7 +362,7 @@ std::string wrong_count(const std::string& words) {
   if (const std::string least = number_after("At least "); !least.empty())
     return option + " needs " + least + " or more values";
   if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
-    return option + " takes at most " + most + " values";
+    return option + " needs at most " + most + " values";
   return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
 }
 

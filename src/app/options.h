@@ -1,5 +1,4 @@
-// Shared option types of subcommands: numbers, words, files, sizes; help texts, and suggestions for
-// misspelled words.
+// Options that several commands use, help texts, and suggestions for misspelled words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,16 +22,15 @@
 
 namespace viete::app {
 
-/// An input or output file.
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
                              const std::string& text);
-/// Accepts a finite number from low to high; the range is shown in help and errors.
+/// Accepts only numbers from low to high. Help and errors show the range.
 CLI::Option* in_range(CLI::Option* option, double low, double high);
-/// As above, for integers.
+/// Accepts only integers from low to high. Help and errors show the range.
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
-/// Accepts one of these words.
+/// Accepts only these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
-/// Takes a name of the table.
+/// Accepts only names of the table, and sets target to the value of the entry.
 template <class Entry, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& text,
                         std::span<const Entry> table, Target& target) {
@@ -44,62 +42,61 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
   return one_of(app.add_option_function<std::string>(name, take, text), words);
 }
 
-/// --force, for commands that write files, see check_output().
+/// Adds --force, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-/// The value of --force; errors suggest the option, except in a child process of the window.
+/// Converts the value of --force. Errors suggest this option, except in a child process of the window.
 files::Force force_of(bool given);
 
-/// --method WORD.
+/// Adds --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
-/// A number of the deformer: --radius PERCENT.
+/// Adds a number of the deformer, for example --radius PERCENT.
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked);
-/// --stitched with --iterations NUMBER, --pins and --hold PERCENT.
+/// Adds --stitched, --iterations NUMBER, --pins PERCENT and --hold PERCENT.
 void add_stitching_options(CLI::App& app, deform::AskedScheme& asked);
 
-/// --weights and --blend, with the names in the tables.
+/// Adds --weights WORD and --blend WORD.
 void add_choice_options(CLI::App& app, deform::PartialChoice& choice);
 
-/// The choices of these options, of --method, --map and of probes, with a sentence each.
+/// The help on deformers, weights, blends, falloffs of probes, methods and maps: one sentence for each name.
 std::string deformers_help();
 
-/// --digits NUMBER|all, for coordinates in text files.
+/// Adds --digits NUMBER|all, for coordinates in text files.
 void add_digits_option(CLI::App& app, formats::Digits& digits);
-/// The limit of a picture's pixels; its sides are limited to 131072.
+/// The largest number of pixels of a picture.
 inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
-/// --size WxH in logical pixels, 16 to 32768 each.
+/// Adds --size WxH, in logical pixels, 16 to 32768 each.
 void add_size_option(CLI::App& app, glm::ivec2& size);
 
-/// Wraps a text at spaces to lines of at most `width`, with `indent` spaces before each line but the first,
-/// which starts at `column`. A longer word is alone on its line. Keeps line breaks in the text.
+/// Wraps a text at spaces, so that lines have at most `width` characters. The first line starts at `column`;
+/// the others begin with `indent` spaces. A longer word gets its own line. Keeps the line breaks of the text.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width = 80);
 
-/// The edit distance of two words: insertions, deletions, replacements and swaps of neighbouring letters.
+/// The edit distance of two words: the number of insertions, deletions, replacements and swaps of
+/// neighbouring letters.
 std::size_t misspellings(std::string_view a, std::string_view b);
 
-/// The name probably meant: one with the word as prefix, or with a small edit distance. Empty if there is
-/// none.
+/// The name most similar to a misspelled word. A name is similar if one of the two is a prefix of the other,
+/// or if their edit distance is small. Empty if no name is similar.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
-/// "a", "a or b", "a, b or c".
+/// Lists names as "a", "a or b", or "a, b or c".
 std::string listed(const std::vector<std::string>& names);
 
-/// One entry of a list in the help, 80 columns wide, with its line break.
+/// One entry of a list in the help, wrapped to 80 columns, with a line break at the end.
 std::string help_line(const std::string& name, const std::string& text);
-/// Ends the help of a command by examples.
+/// Adds examples at the end of a command's help.
 void add_examples(CLI::App& command, const std::vector<std::string>& lines);
 
-/// Writes --help, 80 columns wide. A command's usage line is made of its options, unless `usage` is given for
-/// the program itself.
+/// Formats the help of the program and its commands, wrapped to 80 columns.
 std::shared_ptr<CLI::FormatterBase> help_formatter();
 
-/// "viete bench exp": the command parsed so far.
+/// The command parsed so far, for example "viete bench exp".
 std::string name_of_command(const CLI::App& app);
 
-/// The error of a command line, in one or two lines that end with the help to read. Unknown words are
-/// reported before missing ones.
+/// The error message for a wrong command line, with a second line that refers to the help. An unknown word is
+/// reported before a missing word.
 std::string usage_error(const CLI::App& app, const CLI::Error& error);
 
-/// The names of an app's subcommands.
 std::vector<std::string> command_names(const CLI::App& app);
 
 }  // namespace viete::app

@@ -1,4 +1,4 @@
-// viete pose REST --examples FILES --pin VERTEX=x,y,z ... -o OUT: poses a model by pins and example shapes.
+// viete pose REST --pin VERTEX=x,y,z ... -o OUT: poses a model by pinned vertices and example shapes.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -38,7 +38,7 @@ struct PoseOptions {
   deform::PosingSettings settings;
 };
 
-// Parses "1234=0.1,2,-3".
+// Parses text such as "1234=0.1,2,-3".
 Pin pin_of(const std::string& text, const std::string& option, bool holds) {
   unsigned vertex = 0;
   mesh::Point p;
@@ -87,7 +87,7 @@ struct Posed {
   std::vector<mesh::Point> positions;
   std::vector<double> weights;
   int steps;
-  double farthest;  // largest distance of a pin to its target, in diagonals of the model
+  double farthest;  // largest distance between a pinned vertex and its target, in diagonals of the model
 };
 
 Posed posed(const PoseOptions& options, const mesh::Surface& model,
@@ -130,12 +130,14 @@ int write_pose(const PoseOptions& options) {
   const Posed result = posed(options, *what.model, examples, work->progress());
   what.shape = std::make_shared<const std::vector<mesh::Point>>(result.positions);
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
-  work.reset();  // removes the progress line before output
+  work.reset();  // removes the progress line
   if (result.steps == most_steps)
-    notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
+    notes.push_back("the pose is not exact: the solution has not converged after " +
+                    std::to_string(most_steps) + " steps");
   print_notes(notes);
-  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
-                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
+  print_summary(options.output, base::counted(std::size_t(result.steps), "step") +
+                                    ", largest distance of a pin to its target " +
+                                    base::few_digits(100 * result.farthest) + " % of the diagonal");
   for (std::size_t e = 0; e < examples.size(); ++e)
     std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
   return exit_ok;
@@ -150,15 +152,16 @@ void add_pose_command(CLI::App& app, Action& action) {
   command
       ->add_option("--examples", o->examples,
                    "Example shapes: meshes, numbered meshes (pose_##.obj), point cache or glTF morph "
-                   "targets; repeatable (default: none, as rigid as possible)")
+                   "targets; repeatable (default: none, the model stays as rigid as possible)")
       ->allow_extra_args(false)
       ->option_text("FILE ...");
-  add_pins_option(*command, "--pin", true, "Vertex number, from 0, and its exact position", o);
-  add_pins_option(*command, "--pull", false, "Vertex number and the position it is pulled to", o);
-  auto* freedom = command->add_option("--freedom", o->settings.freedom, "Allowed deviation from examples");
+  add_pins_option(*command, "--pin", true, "Vertex number (from 0) and its exact position", o);
+  add_pins_option(*command, "--pull", false, "Vertex number and a position that attracts it", o);
+  auto* freedom = command->add_option("--freedom", o->settings.freedom,
+                                      "How much the pose may differ from blends of examples");
   in_range(freedom, 0, 1)->default_str("0.3; 1 without examples");
   auto* restraint =
-      command->add_option("--restraint", o->settings.restraint, "Regularisation of the example weights");
+      command->add_option("--restraint", o->settings.restraint, "How strongly example weights stay near 0");
   in_range(restraint, 0, 1e3)->default_str("0.001");
   add_output_options(*command, o->output);
   add_examples(*command, {"pose rest.obj --pin 0=0,0,0 --pin 1234=0.1,2,-3 -o posed.obj",

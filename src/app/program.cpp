@@ -20,13 +20,6 @@ constexpr const char* footer =
     "  1  a file could not be read or written, or the work failed (see stderr)\n"
     "  2  wrong command line";
 
-// Reports an invalid value before missing ones, in every version of CLI11.
-void values_first([[maybe_unused]] CLI::App& app) {
-#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
-  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
-#endif
-}
-
 void note_kernel() {
   const char* kernel = std::getenv("VIETE_KERNEL");
   if (kernel && sym3::kernel_name() != kernel) {
@@ -45,13 +38,16 @@ int run(const Program& program, std::vector<std::string> arguments) {
   app.formatter(help_formatter());
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
-  values_first(app);  // before the subcommands, which inherit it
+#if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
+  // Reports invalid values before missing values, as older versions do. Subcommands inherit this setting.
+  app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
+#endif
   Action action;
   program.add_commands(app, action);
   try {
     std::vector<std::string> words = program.words(std::move(arguments), app);
     note_kernel();
-    std::reverse(words.begin(), words.end());  // CLI11 takes its arguments in reverse order
+    std::reverse(words.begin(), words.end());  // CLI11 expects the last argument first
     app.parse(words);
   } catch (const CLI::Success& help) {
     return app.exit(help);

@@ -1,5 +1,4 @@
-// viete render MODEL [CAGE] [--pose POSE] -o out.png, or viete render SESSION -o out.png: renders a picture
-// without a window.
+// viete render MODEL [CAGE] [--pose POSE] -o FILE, or viete render SESSION -o FILE: renders a picture.
 #include <memory>
 
 #include "app/command_line.h"
@@ -40,7 +39,7 @@ void add_render_command(CLI::App& app, Action& action) {
   add_input_options(*command, o->inputs);
   add_output_options(*command, o->output, "PNG file to write");
   add_picture_options(*command, o->picture);
-  command->add_flag("--transparent", o->picture.viewer.transparent, "Transparent background");
+  command->add_flag("--transparent", o->picture.viewer.transparent, "Make the background transparent");
   add_examples(*command, {"render model.obj cage.obj --pose pose.obj -o picture.png",
                           "render scene.viete --look front --map area -o picture.png"});
   command->callback([o, &action] {

@@ -43,17 +43,17 @@ TerminalProgress::~TerminalProgress() {
 void TerminalProgress::watch(const std::stop_token& stop) {
   constexpr timespec tick{0, 50'000'000};
   constexpr double shown_every = 0.2;
-  constexpr double time_to_stop = 2;  // including cleanup of unfinished files
+  constexpr double time_to_stop = 2;  // the time to cancel the work and remove unfinished files
   const double begun = base::wall_seconds();
   double shown = begun;
-  std::optional<double> told;
+  std::optional<double> cancelled;
   int counted = 0;
   while (!stop.stop_requested()) {
     const bool signal = sigtimedwait(&signals_, nullptr, &tick) > 0;
     const double now = base::wall_seconds();
-    if (signal && told && now - *told > time_to_stop) std::_Exit(128 + SIGINT);
-    if (signal && !told) {
-      told = now;
+    if (signal && cancelled && now - *cancelled > time_to_stop) std::_Exit(128 + SIGINT);
+    if (signal && !cancelled) {
+      cancelled = now;
       progress_.cancel();
     }
     const int percent = static_cast<int>(100 * progress_.done());

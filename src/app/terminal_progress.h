@@ -1,4 +1,4 @@
-// Progress of a command's long work on a terminal, and Ctrl+C.
+// Shows the progress of a command in the terminal, and cancels the command on Ctrl+C.
 #pragma once
 
 #include <csignal>
@@ -9,11 +9,11 @@
 
 namespace viete::app {
 
-/// During its lifetime Ctrl+C and SIGTERM cancel the work, which throws base::Cancelled at its next report; a
-/// second signal at least two seconds later ends the program at once. If stderr is a terminal, a line shows
-/// the task, its progress and the remaining time; otherwise, with $VIETE_PROGRESS set, it prints a line per
-/// percent, "37 %". Create it before other threads, which then leave the signals to it. If no thread can be
-/// created, nothing is shown and a signal ends the program at once.
+/// While this object exists, Ctrl+C and SIGTERM cancel the work: its next progress report throws
+/// base::Cancelled. A second signal at least two seconds later ends the program at once. If stderr is a
+/// terminal, one line shows the task, its progress and the remaining time. Otherwise, if $VIETE_PROGRESS is
+/// set, prints a line such as "37 %" for every percent. Must be created before other threads, which inherit
+/// the blocked signals. If no thread can be created, shows nothing, and a signal ends the program at once.
 class TerminalProgress {
 public:
   explicit TerminalProgress(std::string what);
@@ -33,7 +33,7 @@ private:
   std::jthread watcher_;
 };
 
-/// "37 %", "37 %, 12 s left", "37 %, 3 min left"; `seconds` is the elapsed time.
+/// Text such as "37 %", "37 %, 12 s left" or "37 %, 3 min left". seconds: the elapsed time.
 std::string progress_text(double done, double seconds);
 
 }  // namespace viete::app

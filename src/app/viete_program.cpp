@@ -22,7 +22,7 @@ bool is_command(const std::string& word, const CLI::App& app) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-// A word that is neither a command nor a file, nor looks like one, was meant as a command.
+// Throws CLI::ParseError unless the word is an existing file or contains '.' or '/' like a file name.
 void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;
@@ -32,7 +32,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
       exit_usage);
 }
 
-// The benchmarks are a separate program next to this one, which replaces the process.
+// Replaces this process by the program viete-bench, which is in the same folder.
 [[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
   std::vector<char*> words = {const_cast<char*>(program.c_str())};
@@ -43,8 +43,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
                     "build the benchmarks and run them with third_party/setup.sh bench");
 }
 
-// `viete`, `viete MODEL CAGE` and `viete --pose P MODEL CAGE` mean `viete view ...`; `viete help render`
-// means `viete render --help`.
+// Without a command, inserts `view`. Replaces `viete help render` by `viete render --help`.
 std::vector<std::string> with_command(std::vector<std::string> words, const CLI::App& app) {
   if (!words.empty() && words.front() == "help") {
     words.erase(words.begin());

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 struct WindowOptions {
   Inputs inputs{Use::window};
   float scale = 0;  ///< device pixels per logical pixel; 0: the display's scale
-  int frames = 0;   ///< stop after this number of frames; 0: never
+  int frames = 0;   ///< close after this number of frames; 0: never
 };
 
 ViewerOptions viewer_options(const platform::Window& window) {
@@ -45,7 +45,7 @@ ViewerOptions viewer_options(const platform::Window& window) {
   return options;
 }
 
-// The viewer in its window, redrawn on changes.
+// A viewer in a window, which is redrawn if something changes.
 class WindowViewer {
 public:
   explicit WindowViewer(platform::Window& window)
@@ -68,7 +68,7 @@ public:
   }
 
   Viewer& viewer() { return viewer_; }
-  /// Runs until it is closed, or for that many frames; 0: unlimited.
+  // Runs until the window is closed, or for this number of frames if it is not 0.
   void run(int frames);
 
 private:
@@ -80,12 +80,12 @@ private:
   bool exposed_ = true;
 };
 
-// Without a title bar a message tells how to leave full screen.
+// Full screen has no title bar, so a message shows how to leave it.
 void WindowViewer::follow_full_screen() {
   workspace::Workspace& w = viewer_.workspace();
   if (w.full_screen == window_.full_screen()) return;
   window_.set_full_screen(w.full_screen);
-  w.full_screen = window_.full_screen();  // may fail without a suitable screen
+  w.full_screen = window_.full_screen();  // full screen may not be available
   exposed_ = true;
   if (!w.full_screen) return;
   const workspace::Command& command = *workspace::find_command("toggle_full_screen");
@@ -111,13 +111,13 @@ void WindowViewer::run(int frames) {
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
     last = now;
-    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // nothing was presented, so there is no vsync
+    if (!viewer_.has_drawn()) window_.wait_for_events(0.004);  // replaces vsync if nothing was presented
     if (viewer_.closed()) return;
     if (!viewer_.loading()) ++drawn;
   }
 }
 
-// The last size; read errors are reported by the viewer.
+// The window size in the preferences. The viewer reports read errors.
 glm::ivec2 last_window_size() {
   constexpr glm::ivec2 usual{1440, 900};
   try {
@@ -127,8 +127,7 @@ glm::ivec2 last_window_size() {
   }
 }
 
-// Runs until the window is closed. Returns false with the `reason` if no window can be opened (no display,
-// no OpenGL 3.3).
+// Runs until the window is closed. If no window can be opened, returns false and sets `reason`.
 bool run_window(const WindowOptions& options, std::string& reason) {
   const auto window = platform::Window::open(last_window_size(), options.scale, reason);
   if (!window) return false;
@@ -136,25 +135,25 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   Viewer& viewer = shown.viewer();
   workspace::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
-    workspace.messages.warn("There is no home folder: unsaved edits cannot be recovered. Save often.");
-  // The settings also apply to another document, if this one cannot be opened.
+    workspace.messages.warn("There is no home folder, so unsaved edits cannot be recovered. Save often.");
+  // If the document cannot be opened, its settings apply to the next document.
   if (!options.inputs.session()) document::put_settings(workspace.document, options.inputs.settings);
   workspace.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {
-    std::fprintf(stderr, "viete: unsaved edits were saved; the next start offers to restore them\n");
+    std::fprintf(stderr, "viete: unsaved edits were backed up; restore them at the next start\n");
   }
   return true;
 }
 
-// Without a display: renders the window's picture and prints one line about it.
+// If there is no display, renders a picture of the window and prints its name.
 int render_instead(const WindowOptions& options, const std::string& reason) {
   const fs::path picture = base::unused_name(fs::current_path() / "viete.png");
   try {
     base::check_replaceable(picture);
   } catch (const base::Error& error) {
-    throw base::Error("", "no window (" + reason + ") and no picture instead: " + error.what());
+    throw base::Error("", "no window can be opened (" + reason + ") and no picture written: " + error.what());
   }
   ViewerOptions viewer_options;
   viewer_options.samples = 4;
@@ -165,7 +164,7 @@ int render_instead(const WindowOptions& options, const std::string& reason) {
   workspace::apply_opened(workspace, open(options.inputs, files::check_drawable));
   offscreen.settle();
   render::write_png(picture, offscreen.viewer().picture());
-  std::fprintf(stderr, "viete: no window (%s); wrote a picture to %s instead\n", reason.c_str(),
+  std::fprintf(stderr, "viete: no window can be opened (%s); saved a picture as %s instead\n", reason.c_str(),
                picture.c_str());
   return exit_ok;
 }

@@ -24,7 +24,7 @@ namespace viete::app {
 
 namespace {
 
-// The map, or only its rotation if the map flattens: a drag could not be inverted.
+// Returns the map, or only its rotation if the map is nearly singular: drags need the inverse map.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   constexpr double flattest = 0.05;
   const auto [rotation, stretch] = sym3::polar(map);
@@ -47,12 +47,11 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     const bool served = deformer_ && document.has_cage();
     if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
   }
-  // Binds once a cage or, without a cage, the first probe can move the model. Waits while a cage is
-  // being generated.
+  // Binds as soon as a cage, probe or shape can move the model. Waits while a cage is being generated.
   if (!deformer_ && !binder_.running() && !w.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
-  // Other elements or another blend need other sums over the same weights.
+  // If only the blend has changed, the weights stay valid.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
   same_path_ = w.view.same_path;
@@ -61,15 +60,15 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     derived_.reset();
     unprepared_ = true;
   }
-  // Staged weights are computed when a method needs them, and a stitching when a scheme does; until then
-  // method `fast` is used, not stitched.
+  // Computes staged weights or the stitching when they are needed. Until they are ready, frames use method
+  // `fast` without stitching.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(w, false);
   w.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
 
-// The cage, or its substitute if there is none.
+// The document's cage, or its substitute if there is none.
 std::shared_ptr<const deform::Cage> LiveModel::cage_of(const document::Document& document) {
   if (document.has_cage()) return document.cage;
   if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
@@ -89,7 +88,7 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
   derived_.reset();
 }
 
-// Discards everything derived from the old surfaces.
+// Discards all data computed from the old surfaces.
 void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
   binder_.cancel();
   deformer_.reset();
@@ -138,12 +137,12 @@ void LiveModel::renew_deformer(const deform::Scheme& scheme) {
 void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, workspace::Severity severity) {
   binder_.cancel();
   document::Document& document = w.document;
-  if (!deformer_) given_up_ = document.revisions().pose;  // the next change of a probe tries again
+  if (!deformer_) given_up_ = document.revisions().pose;  // binds again after the next change of the pose
   if (deformer_ && document.has_cage()) {
     deform::Scheme served = deformer_->scheme();
     if (!bound_.stitches(served)) served.iterations = 0;
     document::revert_scheme(document, served);
-    weights_ = document.revisions().weights;  // the revision that is bound
+    weights_ = document.revisions().weights;  // prevents another binding
     if (!deformer_->engine(document.method)) {
       w.view.same_path = false;
       document.put_method(sym3::Method::fast);
@@ -171,7 +170,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   if (!deformer_) return false;
   document::Document& document = w.document;
   const auto& drag = w.interaction.drag;
-  if (drag_.before(*deformer_, drag)) derived_.reset();  // the frame at rest depends on the pose only
+  if (drag_.before(*deformer_, drag)) derived_.reset();  // deforms once more, without rounding of the drag
   const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
@@ -197,7 +196,7 @@ void LiveModel::take_carried(document::Document& document) {
   }
 }
 
-// A pin is drawn at the model's position if the shape had the vertex at the pin's target.
+// A pin is drawn where the deformed model would be if the shape had the vertex at the pin's target.
 document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
@@ -205,13 +204,13 @@ document::Carried LiveModel::carried_pin(const document::Document& document, con
   document::Carried carried;
   const auto is_pin = [](const deform::Probe& p) { return p.pin.has_value(); };
   if (document.has_cage() || !std::ranges::all_of(document.probes.all, is_pin))
-    carried.map = map_at(document, v);  // the cage or a probe moves the model too
+    carried.map = map_at(document, v);  // a cage or a probe deforms the shape
   const mesh::Vec3 off = probe.place - document::shape_of_vertex(document, v);
   carried.place = vertex(document, v) + deform::times(carried.map, off);
   return carried;
 }
 
-// The area-weighted mean of the maps of the triangles at a vertex, from the shape to the drawn model.
+// The mean of the maps from the shape to the drawn model, over the triangles at a vertex, weighted by area.
 sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::uint32_t v) const {
   sym3::Mat3<double> sum{};
   double area = 0;
@@ -237,7 +236,7 @@ mesh::Point LiveModel::vertex(const document::Document& document, std::size_t in
 
 namespace {
 
-// Falls back to the document's own pose if it fails.
+// The document's pose interpolated in the other way, or null on an error.
 document::SharedPose other_pose(workspace::Workspace& w) {
   try {
     return workspace::pose_by_other_blending(w);
@@ -291,7 +290,7 @@ bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const Liv
       make_deformer(asked_.scheme, asked_.staged, pool);
       made_.reset();
     }
-    if (asked_ == need && !serves(need)) refused_ = need;  // if the need has changed since, binds again
+    if (asked_ == need && !serves(need)) refused_ = need;  // binding has failed: does not try again
   }
   side.binding = binder_.running();
   const bool due = made_ != wanted && refused_ != need && !side.binding && !changes_rest(w);
@@ -311,7 +310,7 @@ bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const Liv
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   base::Stopwatch watch;
   run(w.document, pose, other ? other->shape : w.document.shape, side.method);
-  if (!side.other_blending) drag_.after(*deformer_, drag);  // another mix may move the whole cage
+  if (!side.other_blending) drag_.after(*deformer_, drag);  // otherwise the whole cage may move
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;
   return true;
@@ -359,7 +358,7 @@ bool SideViews::measure(workspace::Workspace& w) {
   return any;
 }
 
-// Deformers must be destroyed before their pool.
+// Destroys deformers before their pool.
 void SideViews::forget() {
   for (SideModel& model : models_) model.forget();
   pool_.reset();

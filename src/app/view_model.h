@@ -1,4 +1,4 @@
-// The models of the views: bound in the background, deformed each frame, faster during a drag.
+// The models of the views: bind in the background, and deform in each frame.
 #pragma once
 
 #include <array>
@@ -20,24 +20,26 @@
 
 namespace viete::app {
 
-/// True if a drag changes the cage's rest shape: the model stays at rest.
+/// True if a drag changes the cage's rest shape. The model then stays at rest.
 inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
 }
 
+/// Passes the beginning and end of drags to a deformer, so that frames during a drag are faster.
 class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
 
-  /// Call before a frame. True if a drag has ended or changed its vertices: the next frame must be complete.
+  /// Call before a frame. If a drag has ended or moves other vertices, returns true. The next frame must then
+  /// be complete.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
     dragging_ = false;
     return true;
   }
-  /// Call after a frame: partial frames can only follow a complete one.
+  /// Call after a frame. A drag can only begin after a complete frame.
   void after(deform::Deformer& deformer, const Drag& drag) {
     if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
       deformer.begin_drag(drag->vertices());
@@ -47,32 +49,32 @@ public:
 
 private:
   bool dragging_ = false;
-  int softened_ = 0;  // soft-selection count of the current drag
+  int softened_ = 0;  // TransformDrag::softened() of the current drag
 };
 
-/// A snapshot of a frame's input, for background work.
+/// A copy of a frame's input, for background work.
 struct FrameInput {
   Bound bound;
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
-  bool all_staged = false;  ///< the staged engine for all methods
+  bool all_staged = false;  ///< true: all methods use the staged engine
   deform::Pose pose;
   deform::Mask mask;
   deform::Probes probes;
   deform::SharedShape shape;
 };
 
-/// Call from one thread. A pool passed to it must outlive the deformer.
+/// The deformer of one view, with its binding. Not thread-safe.
 class ViewModel {
 public:
   bool binding() const { return binder_.running(); }
   bool has_result() const { return binder_.has_result(); }
-  /// The deformer of the open document, or null.
+  /// May be null.
   const deform::Deformer* deformer() const { return deformer_.get(); }
   const Bound& bound() const { return bound_; }
-  /// True once the model has been deformed with its deformer.
+  /// True if the deformer has computed a frame.
   bool ran() const { return deformer_ && deformer_->ran(); }
-  /// The input of a frame with this method; there must be a deformer.
+  /// The input of a frame with this method. deformer() must not be null.
   FrameInput input(const document::Document& document, sym3::Method method) const {
     return {bound_,
             deformer_->scheme(),
@@ -83,22 +85,22 @@ public:
             document.probes,
             document.shape};
   }
-  /// The number of deformed frames, to identify a measured one.
+  /// The number of frames computed so far. Measurements use it to identify a frame.
   unsigned long frames() const { return frames_; }
-  /// True if there is a new frame since the last call.
+  /// True if a frame was computed since the last call.
   bool take_news() { return std::exchange(news_, false); }
 
 protected:
-  // Everything that determines the binding.
+  // The input of a binding.
   struct Need {
     deform::Scheme scheme;
     sym3::Method method = sym3::Method::fast;
-    bool staged = false;  // the staged engine for all methods
+    bool staged = false;  // true: all methods use the staged engine
     friend bool operator==(const Need&, const Need&) = default;
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
                 std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "") {
-    // Every method except `fast` uses the staged weights.
+    // A binding for any method except `fast` has staged weights.
     const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
     binder_.start(
         [=, scheme = need.scheme](base::Progress& progress) {
@@ -123,7 +125,7 @@ protected:
   }
 
   base::BackgroundJob<Bound> binder_;
-  Bound bound_;  // input of the deformer; empty without one
+  Bound bound_;  // the deformer's binding; empty if deformer_ is null
   std::unique_ptr<deform::Deformer> deformer_;
   DragFollower drag_;
 
@@ -132,40 +134,40 @@ private:
   bool news_ = false;
 };
 
-/// Follows the document's revisions: rebinds in the background for changed surfaces or weights while the old
-/// binding stays in use; pose, blend and method only need a new frame. Call from one thread.
+/// The model of the first view. If surfaces or weights change, binds again in the background, and uses the
+/// old binding meanwhile. If the pose, blend or method changes, computes a new frame. Not thread-safe.
 class LiveModel : public ViewModel {
 public:
   explicit LiveModel(FileDesk& files) : files_(files) {}
   ~LiveModel() { deformer_.reset(); }
 
-  /// Changes since the last call.
   struct Changed {
     bool document = false, cage = false;
   };
-  /// Call once per frame before deform(): installs a finished binding and starts a new one if needed. `made`
-  /// is the binding of a newly made cage; it is ignored if it belongs to another cage.
+  /// Call once per frame, before deform(). Installs a finished binding, and starts a new one if needed. made:
+  /// the binding of a generated cage; ignored if it belongs to another cage. Returns the changes since the
+  /// last call.
   Changed follow(workspace::Workspace& workspace, Bound made = {});
   /// Waits for the needed binding.
   void finish_binding(workspace::Workspace& workspace);
   /// Cancels a running binding and reverts the setting that required it.
   void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
-  /// Deforms the model if pose, blend or method changed since the last frame, or a drag has ended. Returns
-  /// true if it did. The first frame after a binding is a warm-up: it fills caches, has no meaningful timing,
-  /// and is repeated.
+  /// Deforms the model if the pose, blend or method has changed since the last frame, or a drag has ended.
+  /// Returns true if the model was deformed. The first frame after a binding fills caches, so its times are
+  /// not representative, and the next call repeats it.
   bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.
   bool is_due(const document::Document& document) const;
-  /// True if the last frame was a warm-up.
+  /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// Replaces the binding by one of the same weights that supports more methods, for later use.
+  /// Replaces the binding by a binding of the same weights for more methods. Later deformers use it.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
-  /// A vertex of the model as drawn, in the file's units.
+  /// The position of a vertex of the drawn model, in the file's units.
   mesh::Point vertex(const document::Document& document, std::size_t index) const;
 
 private:
@@ -185,9 +187,8 @@ private:
   FileDesk& files_;
   base::WorkerPool pool_;
   std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
-
-  // Revisions of the last result; nullopt: derive again.
-  document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;
+  document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
+  // The input of the last frame; nullopt: deforms again.
   struct Derived {
     document::Revision pose, method;
     deform::Mask mask;
@@ -197,9 +198,9 @@ private:
     return {document.revisions().pose, document.revisions().method, document.mask};
   }
   std::optional<Derived> derived_;
-  mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs it
-  bool same_path_ = false;                      // the staged engine for all methods
-  std::optional<document::Revision> given_up_;  // pose at which the first binding was cancelled
+  mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
+  bool same_path_ = false;                      // true: all methods use the staged engine
+  std::optional<document::Revision> given_up_;  // revision of the pose when the first binding was cancelled
   bool unprepared_ = false, prepared_ = false;
 };
 
@@ -215,7 +216,7 @@ public:
   void forget();
 
 private:
-  // Everything that determines a frame.
+  // The input of a frame.
   struct Made {
     Need need;
     document::Revision pose = 0;
@@ -226,14 +227,14 @@ private:
   static Made made_of(const workspace::View& view, const workspace::Workspace& workspace);
   bool serves(const Need& need) const;
 
-  std::optional<Made> made_;     // last frame
-  Need asked_;                   // the running binding
-  std::optional<Need> refused_;  // the last binding that failed
+  std::optional<Made> made_;     // input of the last frame
+  Need asked_;                   // input of the running binding
+  std::optional<Need> refused_;  // input of the last binding that failed
 };
 
 class SideViews {
 public:
-  /// See SideModel. Returns true if any view has a new frame.
+  /// Call after a frame of the first view. Returns true if any view has a new frame.
   bool follow(workspace::Workspace& workspace, const LiveModel& first, bool wait = false);
   void finish(workspace::Workspace& workspace, const LiveModel& first);
   void forget();
@@ -241,15 +242,15 @@ public:
   bool binding(const workspace::Workspace& workspace) const;
   SideModel& operator[](std::size_t side) { return models_[side]; }
   const SideModel& operator[](std::size_t side) const { return models_[side]; }
-  /// Measures the frames' errors a few times a second and stores them in the workspace. Returns true on a
-  /// change.
+  /// Measures the errors of the frames a few times a second and stores them in the workspace. Returns true if
+  /// errors were measured.
   bool measure(workspace::Workspace& workspace);
 
 private:
   std::unique_ptr<base::WorkerPool> pool_;  // exists while there are side views
   std::array<SideModel, workspace::Split::most - 1> models_;
-  std::array<unsigned long, workspace::Split::most - 1> measured_{};  // index of the measured frame
-  double measured_at_ = -1;                                           // wall seconds
+  std::array<unsigned long, workspace::Split::most - 1> measured_{};  // number of the last measured frame
+  double measured_at_ = -1;  // time of the last measurement, in wall seconds
 };
 
 }  // namespace viete::app

@@ -58,7 +58,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // without it the example is not offered
+  } catch (const std::exception&) {  // then the example is not offered
   }
   place_viewport();
 }
@@ -68,7 +68,7 @@ glm::ivec2 Viewer::device_size() const {
 }
 
 void Viewer::resize(glm::ivec2 logical_size) {
-  if (options_.size != logical_size) settle(3);  // panels need some frames to settle their sizes
+  if (options_.size != logical_size) settle(3);  // panels need some frames to compute their sizes
   options_.size = logical_size;
   place_viewport();
 }
@@ -102,7 +102,7 @@ void Viewer::frame(float seconds) {
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
   const std::pair shown(workspace_.has_user, workspace_.tools);
-  // A picture without panels has neither notices nor tools.
+  // A screenshot without panels shows no notices and no tools.
   if (take_screenshot_ && !workspace_.view.panels) workspace_.has_user = workspace_.tools = false;
   upload(times);
   panels(times);
@@ -140,7 +140,7 @@ void Viewer::take_input(float seconds) {
   place_viewport();
 }
 
-// Software rendering draws motion without multisampling and the view at rest with it.
+// Software rendering uses multisampling only for the view at rest.
 bool Viewer::wants_refinement() const {
   return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
 }
@@ -153,7 +153,7 @@ bool Viewer::finish_keeping() {
   return workspace::has_unsaved_edits(workspace_) && files_.keep_now(workspace_);
 }
 
-// Windows in front of the panels need a few frames to settle their size.
+// Messages and questions need a few frames to compute their sizes.
 void Viewer::follow_notices() {
   const std::tuple now(workspace_.question.has_value(), workspace_.messages.revision(),
                        workspace_.notice_height);
@@ -180,7 +180,7 @@ bool Viewer::wants_frame() const {
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   const double passed = base::wall_seconds() - last_frame_;
   if (reports && passed > progress_seconds) return true;
-  if (workspace_.browser.open && passed > 1) return true;  // files may have changed
+  if (workspace_.browser.open && passed > 1) return true;  // files on disk may have changed
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
          analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
@@ -243,7 +243,6 @@ void Viewer::follow_document() {
   if (analysis_.shows_news()) settle(3);
 }
 
-// Commits the pending cage edit.
 void Viewer::commit_cage_edit() {
   if (workspace_.interaction.drag) return;
   try {
@@ -271,7 +270,7 @@ void Viewer::deform(workspace::FrameTimes& times) {
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
-// The model as drawn; empty: at rest. A side view without a frame uses the first view's.
+// The drawn model; empty if it is at rest. A side view without a frame shows the frame of the first view.
 document::PosedModel Viewer::posed_in(std::size_t view) const {
   const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
   if (!workspace_.view.deformed || !model.ran()) return {};
@@ -303,7 +302,7 @@ bool Viewer::follow_fields() {
   return news;
 }
 
-// A colour means the same in all views of one field.
+// If several views show the same field, gives them a common range of colours.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
     workspace::FieldView& shown = workspace_.split.views[view].shown;
@@ -327,7 +326,7 @@ void Viewer::finish_views() {
   if (workspace_.split.on()) share_ranges();
 }
 
-// A drag continues in the view where it began.
+// Activates the view under the cursor, except during a drag.
 void Viewer::enter_view_under_cursor() {
   if (workspace_.split.active >= workspace_.split.count()) workspace::enter_view(workspace_, 0);
   if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
@@ -369,7 +368,7 @@ void Viewer::panels(workspace::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Draws coarsely only if the last picture moved too; a single step is drawn sharp at once.
+// Continuous motion may be drawn coarsely. A single step is drawn at full resolution.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (take_screenshot_) return view_.finest();
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
@@ -407,7 +406,7 @@ void Viewer::draw_whole() {
   framebuffer_.begin_with(view_.picture(), device_size());
   imgui_renderer_.draw(*ImGui::GetDrawData());
   if (gl_.software)
-    gl_.Finish();  // software rendering is asynchronous: wait for it, so that it is timed here
+    gl_.Finish();  // software rendering is asynchronous; waiting makes the measured time correct
 }
 
 void Viewer::redraw() {

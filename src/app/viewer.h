@@ -1,4 +1,4 @@
-// The viewer without a window: one frame from input to picture; shared by window, tests and command line.
+// The viewer: computes one frame, from input to picture. The window, tests and command line use it.
 #pragma once
 
 #include <algorithm>
@@ -23,21 +23,19 @@
 namespace viete::app {
 
 struct ViewerOptions {
-  glm::ivec2 size{1280, 800};  ///< logical pixels
-  float scale = 1;             ///< device pixels per logical pixel
-  int samples = 0;             ///< multisampling; 0 none
-  int still_samples = 0;       ///< samples of a refined picture after a quarter of a second at rest; 0 none
-  bool may_be_coarse = false;  ///< draw motion at half the resolution if the workspace says so
-  bool transparent = false;    ///< pictures without background
-  bool builtin_font = false;   ///< identical text on every machine, for picture tests
-  bool probe = true;           ///< measure the methods in the background
-  std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
-  std::filesystem::path program =
-      "/proc/self/exe";  ///< `viete`, for rendering animations and reports in a child process
+  glm::ivec2 size{1280, 800};     ///< in logical pixels
+  float scale = 1;                ///< device pixels per logical pixel
+  int samples = 0;                ///< samples per pixel; 0: no multisampling
+  int still_samples = 0;          ///< samples per pixel after a quarter of a second at rest; 0: no refinement
+  bool may_be_coarse = false;     ///< true: may draw motion at half the resolution
+  bool transparent = false;       ///< true: pictures have a transparent background
+  bool builtin_font = false;      ///< true: text looks the same on every machine, for picture tests
+  bool probe = true;              ///< true: measures the methods in the background
+  std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
+  std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
 };
 
-/// Needs a current GL context, which must outlive it; use only in that context's thread. Owns ImGui's
-/// context.
+/// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.
 class Viewer {
 public:
   Viewer(const render::Gl& gl, const ViewerOptions& options);
@@ -54,54 +52,50 @@ public:
   void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 
-  /// Renders one frame into the framebuffer: input, commands, deformation, drawing, panels. `seconds` since
-  /// the last one.
+  /// Handles input and commands, deforms the model, and draws the view and the panels into the framebuffer.
+  /// seconds: the time since the last frame.
   void frame(float seconds);
-  /// True if a new frame would differ: after a change, or to refine the view at rest.
+  /// True if a new frame would differ from the last one.
   bool wants_frame() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
-  /// How often the view was drawn, and its last fineness. Redrawing panels does not redraw the view.
+  /// The number of frames in which the view, not only the panels, was drawn.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
-  /// Redraws the last frame without cached pictures.
+  /// Draws the last frame again without cached pictures.
   void redraw();
   /// Measures every method in this pose and waits for the results.
   void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
-  /// True while unsaved edits are backed up.
+  /// True if there are unsaved edits and they have been backed up.
   bool keeping() const;
-  /// Waits for the backup of unsaved edits; false if there are none or it fails.
+  /// Waits for the backup of unsaved edits. Returns false if there are no unsaved edits or the backup fails.
   bool finish_keeping();
-  /// True once a requested close may proceed.
+  /// True if the user asked to close and nothing prevents it.
   bool closed() const { return files_.closed(); }
   /// True while files are read and bound in the background.
   bool loading() const { return files_.loading(); }
-  /// True while exports are running.
   bool exporting() const {
     return files_.exporting() || workspace_.requests.save_model || workspace_.requests.save_animation;
   }
-  /// True while background work that the user waits for is running.
+  /// True while work for which the user waits is running in the background.
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
-  /// Waits for the files being read.
+  /// Waits until files are read, and applies them.
   void finish_loading() { files_.finish_loading(workspace_); }
-  /// Waits for running exports.
   void finish_exports() { files_.finish_exports(workspace_); }
-  /// Waits for the binding without drawing: the next frame deforms the model.
+  /// Waits for the binding. The next frame deforms the model.
   void finish_binding();
   /// True while model and cage are being checked in the background.
   bool checking() const { return analysis_.checking(); }
-  /// Waits for the checks.
   void finish_checks();
-  /// Waits until all views and their maps show this pose.
+  /// Waits until all views and their maps show the current pose.
   void finish_views();
 
   render::Framebuffer& framebuffer() { return framebuffer_; }
   render::Image picture();
-  /// The current drawing of the view.
   ViewDrawing drawing() const;
-  /// The deformer of the open document; null without one.
+  /// The deformer of the first view, or null.
   const deform::Deformer* deformer() const { return model_.deformer(); }
 
 private:
@@ -154,18 +148,18 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  std::tuple<bool, unsigned, float> notices_;  ///< in the last frame: a question, messages, height of the row
-  document::Revisions message_revisions_;      ///< the document's, when messages were at message_revision_
+  std::tuple<bool, unsigned, float> notices_;  ///< last frame: question, messages, notice height
+  document::Revisions message_revisions_;      ///< revisions of the document in the last frame
   unsigned message_revision_ = 0;
-  std::optional<document::Revision> cage_drawn_;  ///< the drawn pose; nullopt: this cage has not been drawn
+  std::optional<document::Revision> cage_drawn_;  ///< revision of the drawn pose; nullopt: must be drawn
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
-  double last_change_ = 0, last_frame_ = 0;  ///< wall time in seconds; of the view alone, and of all
-  double last_motion_ = 0;                   ///< time of the last picture with motion
-  bool refines_ = false, moves_ = false;     ///< in this frame: refining the view at rest; the view is moving
-  unsigned settle_frames_ = 3;               ///< ImGui needs a few frames after a change to settle sizes
+  double last_change_ = 0, last_frame_ = 0;  ///< wall seconds of the view's last change and of the last frame
+  double last_motion_ = 0;                   ///< wall seconds of the last picture with motion
+  bool refines_ = false, moves_ = false;     ///< in this frame: the view is refined, the view moves
+  unsigned settle_frames_ = 3;               ///< frames to draw; ImGui needs a few to compute sizes
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
-  bool at_rest_ = false;  // the drawn model is at rest, although something could move it
+  bool at_rest_ = false;  ///< true: the view shows the model at rest
 };
 
 }  // namespace viete::app

@@ -28,13 +28,14 @@ glm::vec4 opaque(const glm::vec3& color) {
 
 render::Paint paint_of(document::Shading shading, bool file_has_looks) {
   using render::Paint;
-  constexpr Paint paints[] = {Paint::plain,   Paint::porcelain, Paint::jade, Paint::file,
-                              Paint::checker, Paint::normals,   Paint::zebra};  // as document::Shading
+  constexpr Paint paints[] = {
+      Paint::plain,   Paint::porcelain, Paint::jade, Paint::file,
+      Paint::checker, Paint::normals,   Paint::zebra};  // in document::Shading's order
   const Paint paint = paints[static_cast<std::size_t>(shading)];
   return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
-// The share of the motion for each cage vertex; empty without soft selection.
+// The fraction of the motion that each cage vertex makes; empty if soft selection is off.
 std::vector<float> soft_shares(const workspace::Workspace& w) {
   if (!w.tools || !w.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
@@ -44,7 +45,7 @@ std::vector<float> soft_shares(const workspace::Workspace& w) {
   return shares;
 }
 
-// A gradient from the cage's colour to the selection's, by share.
+// Blends the cage's colour (share 0) and the selection's colour (share 1).
 glm::vec4 ramp(const render::Theme& theme, float share) {
   return opaque(glm::mix(theme.cage, theme.selection, share));
 }
@@ -120,7 +121,7 @@ void WorkspaceRenderer::set_another_cage(const document::Document& document, con
   ghost_lines_.set_positions(cage.positions);
 }
 
-// An edge between hidden vertices is hidden too.
+// Shows all edges of the cage except the hidden ones.
 void WorkspaceRenderer::set_shown_edges(const document::Document& document) {
   hidden_ = document.groups.hidden;
   const auto hidden = document::hidden_elements(document, document::ElementKind::edge);
@@ -155,7 +156,7 @@ void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
 void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
   const render::Theme theme = render::theme(w.view.dark);
   const auto& document = w.document;
-  // Vertices are less prominent if edges or faces are selected.
+  // If edges or faces can be selected, vertices are drawn smaller.
   const bool vertices = !w.tools || document.selection.kind() == document::ElementKind::vertex;
   const auto selected = w.tools ? document::selected_vertices(*document.cage, document.selection)
                                 : std::vector<std::uint32_t>{};
@@ -194,8 +195,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.split, v, view)));
   part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // Back faces of a closed surface are culled: software rendering then takes half the time. For a GPU it
-  // makes no difference.
+  // Back faces of a closed surface are not drawn, which halves the time of software rendering.
   const auto& summary = w.document.model.summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
@@ -242,7 +242,7 @@ void WorkspaceRenderer::draw(const ViewDrawing& d) {
   }
 }
 
-// OpenGL counts rows from the bottom.
+// In OpenGL, rows are counted from the bottom.
 void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& part) const {
   const glm::ivec2 low(glm::round(part.low * glm::vec2(d.size))),
       high(glm::round(part.high * glm::vec2(d.size)));
@@ -252,15 +252,15 @@ void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& p
 
 void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {
   const ViewDrawing::Part& part = d.parts[view];
-  const render::View view_of_it = seen(d, part);
+  const render::View seen_from = seen(d, part);
   ModelLayer& model = *models_[view];
-  if (d.model) model.draw(view_of_it, theme, part.surface);
+  if (d.model) model.draw(seen_from, theme, part.surface);
   if (d.grid) {
-    if (d.model) model.draw_shadow(view_of_it, theme, d.shadow);
-    grid_.draw(view_of_it, theme, d.ground);
+    if (d.model) model.draw_shadow(seen_from, theme, d.shadow);
+    grid_.draw(seen_from, theme, d.ground);
   }
-  if (d.cage && part.cage) draw_cage(d, view_of_it, theme);
-  if (view == 0) findings_.draw(view_of_it, theme);
+  if (d.cage && part.cage) draw_cage(d, seen_from, theme);
+  if (view == 0) findings_.draw(seen_from, theme);
 }
 
 void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view,
@@ -305,7 +305,7 @@ void set_triangles(render::FaceLayer& layer, const std::vector<render::Triangle>
   if (!triangles.empty()) layer.set_positions(positions);
 }
 
-// The edges of an element: a closed polygon, one edge, or none for a vertex.
+// Adds the edges of an element. A vertex has no edges.
 void add_outline(const std::vector<std::uint32_t>& corners, std::vector<render::Segment>& segments) {
   const std::size_t n = corners.size();
   for (std::size_t i = 0; i < (n > 2 ? n : n - 1); ++i)
@@ -351,7 +351,7 @@ void CageMarks::add_faces(const workspace::Workspace& w, Marks& marks) {
   }
 }
 
-// Edges of selected faces count as selected; hovered edges are drawn last, on top.
+// Adds the edges of selected elements. Then adds hovered edges, so that they are drawn on top.
 void CageMarks::add_edges(const workspace::Workspace& w, const render::Theme& theme, Marks& marks) {
   const auto& document = w.document;
   const auto kind = document.selection.kind();
@@ -377,14 +377,14 @@ void CageMarks::draw(const render::View& view, const render::Theme& theme) const
 
 namespace {
 
-constexpr std::size_t most = 20000;  // elements drawn; more would cover the surface
+constexpr std::size_t most = 20000;  // the largest number of drawn elements; more would hide the surface
 
 }  // namespace
 
 void FindingMarks::collect(const workspace::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
-  // Renumbers the vertices of a few elements, so that only those are drawn and updated.
+  // Numbers only the vertices of shown elements, so that no others are updated.
   used_.clear();
   std::unordered_map<std::uint32_t, std::uint32_t> numbers;
   const auto number = [&](std::uint32_t vertex) {

@@ -1,4 +1,4 @@
-// Draws a workspace with the layers of the render room, and caches the picture until something changes.
+// Draws a workspace with the layers of `render`, and caches the picture until something changes.
 #pragma once
 
 #include <memory>
@@ -18,22 +18,22 @@
 
 namespace viete::app {
 
-/// Everything that determines the view's picture: equal drawings give equal pictures.
+/// All data that determine the view's picture. Equal drawings give equal pictures.
 struct ViewDrawing {
   /// One pane of a split view.
   struct Part {
-    glm::vec2 low{0, 0}, high{1, 1};  ///< corners as fractions of the window from its upper left
+    glm::vec2 low{0, 0}, high{1, 1};  ///< corners as fractions of the window; (0, 0) is its upper left corner
     glm::dmat4 view{1}, projection{1};
     render::SurfaceStyle surface;
-    bool cage = true;  ///< false: not drawn, since this view's pose differs
+    bool cage = true;  ///< false: the cage is not drawn, because this view has another pose
 
     friend bool operator==(const Part&, const Part&) = default;
   };
-  std::vector<Part> parts;  ///< empty: no model, only the backdrop is drawn
+  std::vector<Part> parts;  ///< if empty, only the backdrop is drawn
   glm::ivec2 size{1, 1};    ///< window size in device pixels
   float scale = 1;          ///< device pixels per logical pixel
   bool dark = true, transparent = false;
-  bool model = false, grid = false, cage = false, ghost = false;  ///< visible
+  bool model = false, grid = false, cage = false, ghost = false;  ///< true: visible
   render::ShadowStyle shadow;
   render::GridStyle ground;
   unsigned long content = 0;  ///< increases with each change of the layers' data
@@ -46,10 +46,10 @@ class CageMarks {
 public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
-  /// Call every frame after the cage was posed: updates from the selection and pointer. Vertices are drawn
-  /// elsewhere. Returns true on a change.
+  /// Call in every frame after the cage is posed. Updates the highlights of faces and edges. Returns true if
+  /// they have changed.
   bool set(const workspace::Workspace& workspace, const render::Theme& theme);
-  /// Forces an update in the next set().
+  /// The next set() updates the highlights even if they have not changed.
   void forget() { marks_.reset(); }
   /// Call after drawing the cage's lines.
   void draw(const render::View& view, const render::Theme& theme) const;
@@ -71,15 +71,15 @@ private:
   render::LineLayer edges_;
 };
 
-/// Findings of the checks.
+/// Highlights of a problem found by the checks.
 class FindingMarks {
 public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
-  /// Call every frame: updates from the shown finding. posed: the model as drawn; moved: positions changed
-  /// since the last frame. Returns true if the drawing changes.
+  /// Call in every frame. posed: the drawn model. moved: true if positions have changed since the last frame.
+  /// Returns true if the highlights change.
   bool set(const workspace::Workspace& workspace, const document::PosedModel& posed, bool moved);
-  /// Call last: drawn on top, visible through other objects.
+  /// Call last, so that the highlights are visible through other objects.
   void draw(const render::View& view, const render::Theme& theme) const;
 
 private:
@@ -88,7 +88,7 @@ private:
   render::FaceLayer faces_;
   render::LineLayer edges_;
   render::DiscLayer vertices_;
-  std::vector<std::uint32_t> used_;  // vertices of the surface in the layers, in order
+  std::vector<std::uint32_t> used_;  // the surface's vertex for each vertex of the layers
   unsigned long revision_ = 0;
   bool dark_ = true;
 };
@@ -97,34 +97,35 @@ class WorkspaceRenderer {
 public:
   explicit WorkspaceRenderer(const render::Gl& gl);
 
-  /// New topology: model and cage of the document, the model at rest.
+  /// Sets a new model and cage, with the model at rest.
   void set_document(const document::Document& document, const ModelShading& shading);
-  /// Another cage around the same model, which is at rest again.
+  /// Sets a new cage, with the model at rest.
   void set_another_cage(const document::Document& document, const ModelShading& shading);
-  /// The document's model, at rest again.
+  /// Shows the model at rest.
   void set_rest(const document::Document& document, const ModelShading& shading);
-  /// Sets the number of views; models of new views are at rest.
+  /// Sets the number of views. The models of new views are at rest.
   void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
-  /// The deformed model of that view, relative to origin in file coordinates.
+  /// Sets the deformed model of a view, relative to origin.
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// Updates the colours of the map or mask; call before draw().
+  /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
-  /// The posed cage and the colours of its vertices.
+  /// Updates the positions of the cage.
   void set_cage(const workspace::Workspace& workspace);
+  /// Updates the colours and highlights of the cage.
   void set_hand(const workspace::Workspace& workspace);
-  /// Forces a complete upload in the next set_hand() and set_colors().
+  /// The next set_hand() and set_colors() upload all data.
   void forget() {
     hand_.reset(), marks_.forget();
     for (const auto& model : models_) model->forget();
   }
-  /// Findings of the checks; see FindingMarks::set().
+  /// See FindingMarks::set().
   void set_findings(const workspace::Workspace& workspace, const document::PosedModel& posed, bool moved) {
     if (findings_.set(workspace, posed, moved)) ++content_;
   }
 
-  /// The drawing of the workspace on `size` device pixels with the layers' current data.
+  /// The drawing of the workspace with the current data of the layers. size: in device pixels.
   ViewDrawing drawing(const workspace::Workspace& workspace, glm::ivec2 size, float scale) const;
-  /// Draws into the bound framebuffer of that size. Depends only on the drawing.
+  /// Draws into the bound framebuffer, which must have the size of the drawing.
   void draw(const ViewDrawing& drawing);
 
 private:
@@ -144,45 +145,45 @@ private:
   CageMarks marks_;
   FindingMarks findings_;
   bool file_has_looks_ = false;
-  // Appearance of the cage's vertices and lines; nullopt: upload again.
+  // The colours of the cage's vertices and lines.
   struct Hand {
     bool dark = true;
     std::vector<render::Disc> discs;
-    std::vector<glm::vec4> ends;  // colours of line ends; empty: all in the cage's colour
+    std::vector<glm::vec4> ends;  // colours of line ends; empty: all have the cage's colour
     friend bool operator==(const Hand&, const Hand&) = default;
   };
   std::optional<Hand> hand_;
   unsigned long content_ = 0;
-  std::vector<std::uint32_t> hidden_;         // hidden vertices of the cage in the drawn lines
-  std::vector<render::Segment> shown_edges_;  // the drawn edges
+  std::vector<std::uint32_t> hidden_;         // hidden vertices when shown_edges_ were computed
+  std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture: software rendering draws motion at half the resolution.
+/// Quality of a picture: half the resolution, full resolution, multisampling.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {
 public:
   struct Samples {
-    int plain = 0, smooth = 0;  ///< samples; 0: no multisampling; smooth 0: no refinement
+    int plain = 0, smooth = 0;  ///< samples per pixel; 0: no multisampling, or no refinement for `smooth`
   };
   ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
-  /// Draws, unless the picture already shows this drawing at this fineness. Returns true if it drew.
+  /// Draws the picture, unless it already shows this drawing in this quality. Returns true if it draws.
   bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
   const render::Framebuffer& picture() const { return picture_; }
 
-  /// The number of pictures drawn.
+  /// The number of times the picture was drawn.
   unsigned long count() const { return count_; }
   Fineness fineness() const { return fineness_; }
   Fineness finest() const { return samples_.smooth > 0 ? Fineness::smooth : Fineness::plain; }
-  /// Forces the next draw().
+  /// The next draw() draws in any case.
   void forget() { drawn_.reset(); }
 
 private:
   Samples samples_;
   render::Framebuffer picture_;
-  std::optional<ViewDrawing> drawn_;  // the drawing it shows, at any fineness
+  std::optional<ViewDrawing> drawn_;  // the drawing that picture_ shows
   Fineness fineness_ = Fineness::plain;
   unsigned long count_ = 0;
 };

@@ -35,7 +35,8 @@ void allocate(Binding& binding) {
   }
 }
 
-// Weights of rows [begin, end), handles relative to origin; returns how many have no mean value coordinates.
+// Writes the weights of the vertices [begin, end). Returns the number of vertices without mean value
+// coordinates. handles: rest positions relative to origin.
 std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
                       std::size_t end, Binding& b) {
   std::size_t failed = 0;
@@ -48,7 +49,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // already solved
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // solve_surface_weights() ran
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -57,7 +58,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
 
 void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
                            base::Progress* progress) {
-  constexpr double factored = 0.3;  // share of the time
+  constexpr double factored = 0.3;  // the progress after factorization, which takes about 30 % of the time
   if (b.vertices > most_solved_vertices) {
     const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
     return pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
@@ -93,10 +94,9 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
-  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and adjacency of
-  // vertices
+  // Bytes per vertex: weights, rest position, offset, results of a frame, triangles and adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // weights; rest, offset, position, vertex, neighbours; rest in double
+  // Bytes per vertex: weights, rest position, offset, position, vertex, neighbours, rest position in double.
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)
@@ -114,9 +114,7 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
              const Binding* known, base::WorkerPool& pool, base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
-    throw base::Error("",
-                      "mean value coordinates need a cage with an outside; faces of this cage are not "
-                      "consistently oriented",
+    throw base::Error("", "mean value coordinates need a cage with consistently oriented faces",
                       "flip or remove the faces that disagree, or use other weights");
   Binding binding;
   binding.weighting = weighting;

@@ -9,19 +9,19 @@
 
 namespace viete::deform {
 
-/// Bytes that bind() requires before it begins, for n vertices and k handles; at most 2^63. An upper bound
-/// for the fused engine; it assumes a quarter of the weights' size if they can be compressed (affine maps
-/// only). Weights along the surface are computed for all vertices before compression.
+/// The number of free bytes that bind() needs, at most 2^63. For the fused engine this is an upper bound. If
+/// the weights can be compressed (affine maps only), it assumes that compression leaves a quarter of their
+/// size. Weights along the surface need memory for all vertices before compression.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
-/// Binds for the staged engine. Cost O(n k), shared over the pool; the result does not depend on the number
-/// of threads. Throws base::Cancelled; throws base::Error if free memory is insufficient, the model has no
-/// vertices or, for weights along its surface, no triangles.
+/// Binds for the staged engine, in time proportional to vertices times handles. The result does not depend on
+/// the number of threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient, if the
+/// model has no vertices, or if weights along the surface are wanted and the model has no triangles.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
-/// Binds for this engine, sharing data of `known` (same model and cage, or null) if possible. As bind().
+/// As above, for any engine. Shares data with `known` if possible: null, or a binding of this model and cage.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
 

@@ -1,5 +1,4 @@
-// Binding in vector registers: included by bind_kernel.cpp for each instruction set. Internal. (No #pragma
-// once: see sym3/exp-inl.h.)
+// Vector code of binding. bind_kernel.cpp includes this file once per instruction set, see sym3/exp-inl.h.
 #if defined(VIETE_DEFORM_BIND_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_BIND_KERNEL_INL_H
 #undef VIETE_DEFORM_BIND_KERNEL_INL_H
@@ -19,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
-constexpr float farthest = 1e24f;           // squared distance in diagonals, for floats
-constexpr std::size_t summed_at_once = 16;  // keeps the rounding errors of float sums small
+constexpr float farthest = 1e24f;           // limit of float precision: squared distance in cage diagonals
+constexpr std::size_t summed_at_once = 16;  // short partial sums keep the rounding errors of floats small
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
 using PointV = hn::Vec<PointTag>;
@@ -33,7 +32,7 @@ static HWY_INLINE Points<D> load_points(D d, const hn::TFromD<D>* at, std::size_
   return {hn::LoadU(d, at), hn::LoadU(d, at + stride), hn::LoadU(d, at + 2 * stride)};
 }
 
-// axis . p - shift.
+// Returns axis . p - shift.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shift) {
   return hn::MulAdd(
@@ -41,20 +40,21 @@ static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shi
       hn::MulAdd(p.y, hn::Set(d, axis[1]), hn::MulSub(p.z, hn::Set(d, axis[2]), hn::Set(d, shift))));
 }
 
-// c . (x, y, 1).
+// Returns c . (x, y, 1).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
   return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
 }
 
-// Squared distance in the plane to an edge, for a point at `along` and `beside` in its coordinates.
+// Squared distance to an edge. The point has the coordinates `along` the edge and `beside` the edge.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
   const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
   return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
-// Squared distance: to the plane if the foot lies inside, else to the nearest edge. Both agree on an edge.
+// Squared distance from a point to a triangle. If the point projects into the triangle, this is the distance
+// to the plane, otherwise to the nearest edge. On an edge the two distances are equal.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
                                               const T* shift) {
@@ -96,10 +96,10 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
 
 template <class V>
 struct CutOffSum {
-  V weights, near;  // near != 0: float precision does not suffice for the distance
+  V weights, near;  // near: not 0 if a distance is too small for float precision
 };
 
-// Writes (1 - d cut)^2, 0 beyond the radius, to weights [triangle][stride].
+// For each triangle i, writes (1 - distance * cut)^2, or 0 beyond the radius, to weights[i * stride].
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {
@@ -121,7 +121,7 @@ static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& j
   return sum;
 }
 
-// Factor that scales a sum to 1; 0 for an empty sum.
+// Returns 1 / sum, or 0 if the sum is 0.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V share_of_sum(D d, V sum) {
   return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(hn::Set(d, 1), sum));
@@ -141,7 +141,7 @@ static void cut_off(const WeightJob<double>& job, double* weights, double* total
   }
 }
 
-// Writes weight(i) as floats to rows [i], starting at a lane, and their sums.
+// Writes weight(i) to job.rows[i] from `lane` on, for every handle i, and the weighted sums of the handles.
 template <class Weight>
 static HWY_INLINE void fill_rows(const RowJob& job, std::size_t lane, const Weight& weight) {
   const PointTag d;
@@ -173,15 +173,15 @@ static void to_rows(const double* weights, const RowJob& job) {
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
 
-// 1 / x to one or two ulp: a third-order step from the hardware estimate, in a third of the time of a
-// division.
+// Returns 1 / x with an error of at most two ulp, in a third of the time of a division: improves the estimate
+// of the processor by one third-order step.
 static HWY_INLINE RowV inverse(RowV x) {
   const RowTag d;
   const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));
   return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
 }
 
-// Multiplies the rows of a tile by one factor per lane, and their sums too.
+// Multiplies the weights of each lane by the lane's factor and recomputes the weighted sums.
 static void normalise_rows(const float* shares, const RowJob& out) {
   const hn::Rebind<float, PointTag> half;
   for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
@@ -225,7 +225,7 @@ static bool inverse_distance_rows(const WeightJob<float>& job, const RowJob& out
 }
 
 static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
-  constexpr float least_total = 1e-30f;  // its inverse is accurate
+  constexpr float least_total = 1e-30f;  // the smallest sum with an accurate inverse
   const RowTag d;
   HWY_ALIGN float shares[row_lanes];
   for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(d)) {
@@ -240,7 +240,7 @@ static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
   return true;
 }
 
-// Four chains of sums hide the latency of each.
+// Four independent sums hide the latency of the additions.
 static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
   const RowTag d;
   RowV s[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};

@@ -13,8 +13,6 @@ HWY_BEFORE_NAMESPACE();
 
 namespace viete::deform::HWY_NAMESPACE {
 
-// Binding, compiled once per instruction set.
-
 static constexpr BindKernel bind = {.inverse_distance = inverse_distance,
                                     .inverse_distance_rows = inverse_distance_rows,
                                     .cut_off = cut_off,

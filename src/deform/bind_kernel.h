@@ -1,8 +1,7 @@
-// Binding in vector code: distances, weights and their compression. Internal.
+// Vector code of binding: distances, weights and the compression of weights. Internal.
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "deform/bind_jobs.h"
 #include "sym3/kernel.h"
@@ -10,29 +9,29 @@
 namespace viete::deform {
 
 struct BindKernel {
-  /// weights [triangle][8 lanes]: inverse_distance_weights().
+  /// Computes inverse_distance_weights() of eight points: weights [triangle][8 lanes].
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
-  /// The same for 16 lanes in floats, with their sums. Returns false, with rows undefined, if a point is too
-  /// near to a triangle for an accurate distance.
+  /// Computes inverse distance weights of 16 points in floats, and their sums. If a point is too near to a
+  /// triangle for an accurate distance, returns false and leaves the rows undefined.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// weights [triangle][8 lanes]: cut_off_weights(); totals [8 lanes]: its return values.
+  /// Computes cut_off_weights() of eight points: weights [triangle][8 lanes], return values totals [8 lanes].
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// As inverse_distance_rows, for cut-off weights.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// weights [corner][lane], each lane with sum 1. Returns a bit mask of lanes that need
-  /// mean_value_weights(): their point lies in or next to a triangle's plane, or the weights vanish.
+  /// Computes mean value weights [corner][8 lanes] that sum to 1 per lane. Returns a bit mask of the lanes
+  /// that need mean_value_weights() instead: the point is too near to a triangle's plane, or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
-  /// weights [handle][8 lanes] as floats, into eight lanes of the rows, and their sums.
+  /// Converts weights [handle][8 lanes] to floats, writes them to eight lanes of the rows, and computes sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
-  /// Subtracts from every row its projection on a unit row: coefficients [slot] of the projection,
-  /// squared_norms [slot] of the residuals.
+  /// Subtracts from every row its projection on a unit row. Writes the coefficients [slot] of the
+  /// projections, and the squared norms [slot] of the residuals.
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
-  /// Turns coefficients [tile][t][lane] into factors of the pivots' rows, in place: lower is [s][t], rank x
-  /// rank.
+  /// Replaces coefficients [tile][t][lane] by the factors of the pivots' rows. `lower` is the lower
+  /// triangular matrix of the pivots, rank x rank, row by row.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
 };
 
-/// The kernel for the same instruction set.
+/// The binding kernel for the instruction set of `kernel`.
 const BindKernel& bind_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

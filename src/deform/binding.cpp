@@ -1,9 +1,5 @@
 #include "deform/binding.h"
 
-#include <atomic>
-#include <new>
-#include <stdexcept>
-
 #include "deform/cage_state.h"
 #include "deform/maps.h"
 
@@ -33,7 +29,7 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
 
 namespace {
 
-// Number of cage triangles that mesh::one_sided() flipped or left out.
+// The number of cage triangles that mesh::one_sided() flipped or removed.
 std::size_t seen_otherwise(const Cage& cage) {
   const auto& [triangles, of, closed] = cage.sides;
   std::size_t alike = 0;

@@ -19,45 +19,44 @@ namespace viete::deform {
 
 struct TiledBinding;
 
-/// Share of the full motion for each vertex, 0 (stays) to 1. Multiplies sums of rows; the remaining share is
-/// filled up by the identity about the vertex. With a share s the offset is o = s (x - sum w c), and
-/// the centre s sum w c' + (1 - s) x. With shares, poses are relative to the middle of the rest cage. In the
-/// order of the model; empty: all 1.
+/// One factor s per vertex, from 0 (the vertex stays at rest) to 1 (full motion), in the model's order.
+/// Empty: all 1. The sums over the handles are multiplied by s. For weights w, rest centres c and posed
+/// centres c', a vertex x has the offset s (x - sum w c) and the centre s sum w c' + (1 - s) x. With shares,
+/// the origin of all poses is the middle of the rest cage.
 using Shares = std::vector<double>;
 
-/// The painted share of the deformation that each vertex follows; null: all 1. Independent of the binding.
+/// The painted factors of the deformation, 0 to 1 per vertex; null: all 1. They do not change the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
-/// Vertex positions before the cage deformation, one per vertex; null: at rest. Weights stay those of the
-/// rest positions.
+/// Vertex positions before the cage deforms them; null: the rest positions. Weights are always computed from
+/// the rest positions.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
-/// n vertices, k handles.
+/// The weights of n vertices for k handles, with the model at rest.
 struct Binding {
   Weighting weighting;
   std::size_t vertices = 0, handles = 0;
-  std::shared_ptr<const TiledBinding> tiles;  ///< for the fused engine; null if not bound for it
+  std::shared_ptr<const TiledBinding> tiles;  ///< for the fused and the stitched engine; null if missing
   std::vector<mesh::Point> rest;              ///< x, the model's positions
   std::vector<std::string> warnings;
 
-  // Members below are for the staged engine; empty if not bound for it.
+  // Only the staged engine uses the members below. They are empty in bindings for other engines.
   Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
-  std::vector<double> weights;  ///< n rows of k, each summing to 1, or to 0 where the share is 0
+  std::vector<double> weights;  ///< n rows of k weights; a row sums to 1, or to 0 if the vertex's share is 0
   Shares shares;                ///< empty unless weights are partial (see Weighting)
-  std::vector<mesh::Point>
-      offsets;  ///< x - sum w c, c the handles' rest centres: what weights do not reproduce
+  std::vector<mesh::Point> offsets;       ///< rest position minus the weighted mean of the handles' centres
   std::vector<mesh::Triangle> triangles;  ///< triangles of the model
   mesh::Adjacency around;
 };
 
-/// Displacements of a shape's vertices from rest; empty: at rest.
+/// Displacements of a shape's vertices from rest; empty if shape is null.
 std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
 
-/// The vertices of a binding in a frame. Refers to its parts.
+/// A view of a binding's vertices, with the shares and the shape of a frame. All members must outlive it.
 struct VertexBlock {
   const Binding& binding;
   std::span<const double> shares{};  ///< see Shares
-  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: at rest
+  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: all 0
 
   double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
   Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
@@ -69,7 +68,7 @@ private:
   }
 };
 
-/// The values at some vertices; empty if there are none.
+/// The values of the given vertices; empty if `values` is empty.
 template <class T, class Indices>
 std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   std::vector<T> some;
@@ -78,7 +77,7 @@ std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   return some;
 }
 
-/// Clears shares that are all 1.
+/// Clears the vector if all shares are 1.
 template <class Vector>
 void drop_whole(Vector& shares) {
   if (std::ranges::all_of(shares, [](auto s) { return s == 1; })) shares.clear();
@@ -87,15 +86,15 @@ void drop_whole(Vector& shares) {
 inline std::span<const float> values(const Mask& mask) {
   return mask ? std::span<const float>(*mask) : std::span<const float>();
 }
-/// Shares times the values of a mask.
+/// Multiplies each share by the mask's value. An empty argument counts as all 1.
 Shares product(Shares shares, std::span<const float> mask);
 
-/// Warnings about weights: mean value coordinates of a cage that is not closed, and the number of vertices
-/// that have none.
+/// Warnings about mean value coordinates: an open cage, flipped or ignored triangles, and the number `failed`
+/// of vertices without coordinates. Empty for other weights.
 std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std::size_t failed,
                                          std::size_t vertices);
 
-/// The memory of a binding of this many bytes, with the text of the error if it is not available.
+/// The memory of a binding of this many bytes, with the error text for insufficient memory.
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
 
 }  // namespace viete::deform

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <numeric>
 #include <utility>
@@ -16,28 +15,30 @@ namespace {
 
 using Rotations = std::span<const sym3::Mat3<double>>;
 
-// A rotation by theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k. Logs are
-// blended linearly, so neighbours need logs near each other. Along a spanning forest of the pairs with the
-// smallest relative rotations, every element takes the branch nearest to its parent's; the remaining choice
-// per part is the branch of its root, tried at the one nearest to the reference and one turn to either side.
+// A rotation by the angle theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k.
+// These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
+// spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
+// the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
+// nearest to the reference, and this branch plus or minus one turn.
 
 constexpr double turn = 2 * std::numbers::pi;
-// Half a turn from the reference two branches are equally near, and rounding would choose differently from
-// frame to frame and part to part. Within this many radians, half a degree, they count as equally near.
+// If the reference is half a turn away, two branches are equally near, and rounding would choose one at
+// random. Two distances count as equal if their difference is smaller than this number of radians.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root may increase the distances of neighbours by at most a tenth or, for rigid
-// rotations with distances of rounding size, by this many radians.
+// Another branch of the root may multiply the distances between neighbours' logs by at most `rougher`, and
+// add at most `rougher_at_rest` radians. Rigid rotations need the second limit: their distances are rounding
+// errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
-// Radians off the axis of a part's turns that exceed rounding.
+// A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
-// Neighbours' logs this many times farther apart are no longer coherent.
+// Logs are not coherent if neighbours are this many times farther apart than they are without turns.
 constexpr double incoherent = 3;
-// Safety margin in radians for comparisons that must hold despite rounding.
+// Safety margin in radians for comparisons that must be true despite rounding.
 constexpr double to_spare = 1e-6;
 
-// The maps connected to a root, parents first.
+// The maps connected to a root; each parent comes before its children.
 struct Tree {
-  std::vector<std::uint32_t> maps, parents;  // parents: indices of maps
+  std::vector<std::uint32_t> maps, parents;  // parents are indices into maps
 };
 
 Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
@@ -53,16 +54,15 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// The reference values of a tree's logs.
+// Two logs for comparison with a tree's logs: the turns of its part, and the mean log of the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
 
-// The logs of a tree for one branch of the root's log. Distances are root mean squares, which cannot cancel
-// as means can.
+// The logs of a tree for one branch of the root's log. All distances are root mean squares.
 struct Branching {
   std::vector<Vec3> logs;
-  double roughness = 0;  // distance from the parents
+  double roughness = 0;  // distance between the logs and their parents' logs
   double to_reference = 0, to_leader = 0;
 
   Vec3 mean() const {
@@ -91,7 +91,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// Half a turn from the reference two branches are equally near: prefers the one nearer to the leader.
+// True if `a` is smooth enough and nearer to the reference. If `a` and `b` are equally near to the reference,
+// the distance to the leader decides.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -99,7 +100,7 @@ bool better(const Branching& a, const Branching& b) {
   return a.to_leader < b.to_leader - half_turn_tie;
 }
 
-// Tries the branches of the root's log around the reference.
+// Returns the best of three branches of the root's log.
 Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchors& anchors) {
   const Vec3 log = nearest_branch(principal[tree.maps[0]], anchors.reference);
   Branching best = follow(tree, log, principal, anchors);
@@ -112,17 +113,17 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// True if nearest_branch(v, reference) is v, for |v| and |reference| up to half a turn, regardless of
-// rounding.
+// True if nearest_branch(v, reference) is certainly v. |v| and |reference| must be at most half a turn.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if all logs are principal for any forest: each is its neighbours' choice, and its other branches are
-// farther than the principal one from all values that roots are compared with, the references and the leader.
-// Let r be the length of the longest of these. The principal log v is at most |v| + r away from them; its
-// other branches, at least 2 pi - |v| long, are at least 2 pi - |v| - r away: more, if |v| + r < pi.
+// True if every log stays principal, whatever the forest is. This needs two conditions. First, the principal
+// log of each element must be the nearest to its neighbours' principal logs. Second, it must be the nearest
+// to all references and to the leader. Let r be the length of the longest reference. The distance between a
+// principal log v and a reference is at most |v| + r. Another branch has a length of at least 2 pi - |v|, so
+// its distance is at least 2 pi - |v| - r. This distance is larger if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -144,7 +145,7 @@ std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs) {
     sums[cage.parts[e]] = sums[cage.parts[e]] + logs[e];
     ++counts[cage.parts[e]];
   }
-  sums.pop_back();  // elements without area
+  sums.pop_back();  // removes the sum of the elements without area
   for (std::size_t p = 0; p < sums.size(); ++p) sums[p] = (1 / static_cast<double>(counts[p])) * sums[p];
   return sums;
 }
@@ -153,7 +154,7 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Kruskal's algorithm.
+// Uses Kruskal's algorithm.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());
   for (std::uint32_t n = 0; n < edges.size(); ++n) {
@@ -186,7 +187,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if the mean of a part's logs may differ from its turns.
+// True if a part's mean log may differ from its turns in the axis or in the number of whole turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -194,14 +195,13 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// Per part the sum of squared distances between neighbours' logs.
+// The sum of the squared distances between neighbours' logs, for each part.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
   return rough;
 }
 
-// Copies the logs of a part from another choice of branches.
 void take_logs(const Cage& cage, std::size_t part, const Branches& from, Branches& to) {
   for (std::size_t e = 0; e < to.logs.size(); ++e)
     if (cage.parts[e] == part) to.logs[e] = from.logs[e];
@@ -242,13 +242,14 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
 namespace {
 
 constexpr int most_sweeps = 30;
-constexpr double better_by = 1e-9;  // radians, above rounding
+constexpr double better_by = 1e-9;  // in radians, larger than rounding errors
 
 std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// The logs along the tree of least relative rotations, from the triangle of each part that rotates least.
+// Follows a spanning forest from the triangle with the smallest rotation of each part. Every other triangle
+// gets the branch nearest to its parent's log.
 std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
                             std::span<const Vec3> start) {
   const auto forest = mesh::adjacency(start.size(), spanning_forest(neighbours.pairs, rotations));
@@ -269,7 +270,8 @@ std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations
   return logs;
 }
 
-// Takes the other logs for each connected set of differing triangles, if that is better.
+// Compares `logs` with `others`. For each connected set of triangles with different logs, uses `others` if
+// they reduce the weighted sum of distances.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());
@@ -293,7 +295,7 @@ double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, s
   return sum;
 }
 
-// Switches a triangle to the branch nearest to its neighbours' logs.
+// Gives a triangle the branch with the lowest cost. Returns true if this changes its log.
 bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
   Vec3 best = logs[t];
   double least = cost(neighbours, t, best, logs);
@@ -313,7 +315,7 @@ bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
   return norm(logs[pair[0]] - logs[pair[1]]) > std::numbers::pi;
 }
 
-// Repeats until no triangle at a tear changes.
+// Improves the triangles of torn pairs until they no longer change.
 void smooth(const WeightedPairs& neighbours, std::vector<Vec3>& logs) {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool changed = false;

@@ -1,7 +1,6 @@
-// Consistent branches of the rotation logs: neighbouring elements take neighbouring logs.
+// Consistent branches of the rotation logs: neighbouring elements get logs that are near each other.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -18,59 +17,57 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   return sym3::nearest_branch(v, reference);
 }
 
-/// trace(A^T B) = 1 + 2 cos(angle between the two rotations).
+/// Returns trace(A^T B), which is 1 + 2 cos(angle between the rotations A and B).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
-/// The pairs of a spanning forest with the smallest relative angles; ties: lowest index.
+/// The edges of the spanning forest with the smallest relative angles. Equal angles: lowest index first.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
 /// The mean log of each part of the cage.
 std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs);
 
-/// Number of whole turns by which the rotation vector `turn` exceeds `least`, the shortest rotation vector of
-/// the same pose.
+/// The number of whole turns by which the rotation vector `turn` exceeds `least`, the shortest rotation
+/// vector of the same pose.
 double whole_turns(const Vec3& turn, const Vec3& least);
-/// This many turns about an axis of length 1, plus the component of the least rotation along it.
+/// The rotation vector of `count` turns about an axis of length 1, plus the component of `least` along it.
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
-  std::vector<Vec3> logs;  ///< log of each map
-  std::vector<Vec3>
-      turns;  ///< mean log of each part of the cage, or with_whole_turns() if logs cannot represent the turns
+  std::vector<Vec3> logs;  ///< one log per map
+  /// The mean log of each part, or with_whole_turns() if the logs cannot represent the turns.
+  std::vector<Vec3> turns;
 };
 
-/// Logs of the elements' rotations, from their principal logs. Within a component each follows its neighbour,
-/// from the root on, along a minimum spanning forest of the graph by relative angle (ties: lowest pair). All
-/// logs of a component together determine its whole turns: their root mean square distance to turns[its part]
-/// (missing: 0) is minimal among choices that keep neighbours as close, so that a single flipped map, even
-/// the root, does not rotate the others. Components half a turn from their references take the same side as
-/// the first one.
+/// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage, a spanning
+/// forest of the smallest relative angles starts at the root. Each log is the branch nearest to the parent's
+/// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part]
+/// (missing: 0), unless neighbours' logs become farther apart. Therefore, a single flipped map does not
+/// rotate the others. If two branches are equally near, the part uses the branch nearer to the first part's
+/// mean log.
 ///
-/// Logs can only have whole turns about the axes of their rotations. If a part's rotations are about another
-/// axis than its turns, and these are more than half a turn, their whole turns stay unchanged, and the logs
-/// are taken without them if only these are coherent. A pure function of its inputs. O(k log k).
+/// A log can have whole turns only about the axis of its rotation. If a part's turns are longer than half a
+/// turn and have another axis, Branches::turns keeps their whole turns. If the logs are then not coherent,
+/// the part gets the logs without turns. Takes O(k log k) time for k elements.
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
-/// Pairs of neighbouring triangles.
 struct WeightedPairs {
-  std::vector<mesh::Edge> pairs;  ///< i < j, sorted, each once
-  std::vector<double> weights;    ///< weight of each pair
-  mesh::Adjacency around;         ///< pairs of each triangle
+  std::vector<mesh::Edge> pairs;  ///< neighbouring triangles i < j, sorted, each pair once
+  std::vector<double> weights;    ///< one per pair: the square root of the smaller area
+  mesh::Adjacency around;         ///< for each triangle, the indices of its pairs
 };
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
-/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First tries the
-/// branches along the tree of least relative rotations, from the triangle of each part that rotates least,
-/// and takes them per connected set of changed triangles if the sum decreases; then the branch nearest to
-/// each triangle's neighbours. The sum never grows: coherent logs stay, bit for bit, and a single flipped
-/// triangle does not rotate others. Near a nonzero whole turn logs have no clear axis, and no choice is
-/// coherent. Thread-safe. O(n log n).
+/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First follows a
+/// tree of the smallest relative rotations, from the triangle with the smallest rotation of each part. If the
+/// sum decreases, each connected set of changed triangles keeps the result. Then tries the branches nearest
+/// to each triangle's neighbours. The sum never grows, and coherent logs stay bit for bit. Rotations near
+/// whole turns have no clear axis, so no choice is coherent there. Thread-safe. Takes O(n log n) time.
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 
-/// Number of pairs whose logs are more than half a turn apart.
+/// The number of pairs whose logs are more than half a turn apart.
 std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const mesh::Vec3> logs);
 
 }  // namespace viete::deform

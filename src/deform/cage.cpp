@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -29,7 +28,7 @@ void sort_unique(std::vector<mesh::Edge>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// Breadth-first search of the part of `start`: visiting order and distances.
+// Breadth-first search from `start` through its connected part.
 struct Sweep {
   std::vector<std::uint32_t> order, distance, parent;
 
@@ -81,7 +80,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
   for (const auto& [i, j] : pairs) {
     if (skip[i] && skip[j]) clusters.join(i, j);
   }
-  std::vector<mesh::Edge> kept, rim;  // rim: cluster and neighbour
+  std::vector<mesh::Edge> kept, rim;  // each pair of rim is a cluster of skipped elements and a neighbour
   for (const auto& [i, j] : pairs) {
     if (!skip[i] && !skip[j]) kept.push_back({i, j});
     if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
@@ -129,7 +128,7 @@ GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
 
 namespace {
 
-// N / sqrt|N|, N = u x v, formed at unit size to avoid over- and underflow; 0 without area.
+// Returns N / sqrt|N| for N = u x v, or 0 if N is 0. Scales u and v first to avoid overflow and underflow.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};
@@ -138,7 +137,7 @@ Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   return length > 0 ? (size / std::sqrt(length)) * area : Vec3{0, 0, 0};
 }
 
-// The corner between the two shorter edges: their cross product loses the fewest digits.
+// The corner between the two shorter edges, whose cross product has the smallest rounding error.
 int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
   int best = 0;
   double longest = -1;
@@ -184,7 +183,7 @@ Vec3 side_along(const Vec3& area) {
 
 namespace {
 
-constexpr double flat_shape = 1e-12;  // thickness to diagonal; below it the cage is a plane
+constexpr double flat_shape = 1e-12;  // a cage with a smaller ratio of thickness to diagonal is flat
 
 double largest_coordinate(const mesh::Surface& surface) {
   double largest = 0;
@@ -219,7 +218,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have no area and no influence: " + listed(found));
 }
 
-// Extent of the surface along the normal of its first triangle with an area, in diagonals of the cage.
+// Extent of the cage along the normal of its first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const auto& p = cage.surface.positions;
@@ -237,8 +236,7 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// A flat sheet has a boundary and deforms its surroundings; a squashed box has neither a boundary nor an
-// inside.
+// A flat sheet with a boundary is a valid cage. A flat closed surface is not: it has no inside.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
   throw base::Error("", "the cage is squashed flat: it encloses no volume",
@@ -268,12 +266,12 @@ void connect(Cage& cage) {
   cage.sides = mesh::one_sided(cage.surface);
   const auto warn = [&cage](std::size_t count, const char* what) {
     if (count == 0) return;
-    cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge is " : " cage edges are ") +
+    cage.warnings.push_back(std::to_string(count) + (count == 1 ? " cage edge has " : " cage edges have ") +
                             what);
   };
-  warn(graph.open, "of one triangle only: the cage is open");
-  warn(graph.nonmanifold, "of four or more triangles: parts of the cage touch there");
-  warn(graph.misoriented, "between triangles of opposite orientation");
+  warn(graph.open, "only one triangle: the cage is open");
+  warn(graph.nonmanifold, "four or more triangles: parts of the cage touch there");
+  warn(graph.misoriented, "triangles of opposite orientation");
 }
 
 }  // namespace
@@ -298,7 +296,7 @@ Cage no_cage(const mesh::Bounds& box) {
   cage.surface.positions = {box.low, box.high};
   cage.unused = {1, 1};
   cage.diagonal = box.diagonal();
-  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // a single point
+  if (!(cage.diagonal > 0)) cage.diagonal = 1;  // the box is a single point
   cage.size = cage.diagonal;
   return cage;
 }

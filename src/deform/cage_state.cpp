@@ -20,9 +20,9 @@ namespace {
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
 
-constexpr double cloud_radius = 0.1;  // relative to the cage's edges
+constexpr double cloud_radius = 0.1;  // relative to the root mean square of the edge lengths
 
-// l of moments.h: 10 % of the root mean square of the rest cage's edges.
+// The length l of moments.h.
 double moment_length(const Cage& cage) {
   const auto& p = cage.surface.positions;
   double sum = 0;
@@ -30,8 +30,7 @@ double moment_length(const Cage& cage) {
   return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
 }
 
-// Writers of rows; rest_center is relative to the middle of the rest cage. For the identity every entry but
-// the centre is exactly 0.
+// rest_center is relative to the middle of the rest cage. The first 9 entries of the identity's row are 0.
 void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
   for (int r = 0; r < 3; ++r) {
     double from_center = 0;
@@ -48,7 +47,8 @@ void write_log_row(const MapLog& log, std::span<double> row) {
   std::ranges::copy(log.center, row.begin() + log_shape.first_length);
 }
 
-// p / l, l A by rows and p' (from the pose's origin); map: of the point's patch, rest_center: p.
+// Writes p / l, l A (row by row) and p'. Here p is the rest centre, l the length, A the linear part of the
+// patch's map, and p' the posed centre relative to the pose's origin.
 void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
   for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
   for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
@@ -213,8 +213,8 @@ void CageState::write_row_of(std::uint32_t h) {
   form_ == RowForm::logs ? write_log_row(log, row) : write_map_row(map_of(log), rest_centers_[h], row);
 }
 
-// A map without moved vertices can still change the branch of its log. Logs that are equal as floats count as
-// unchanged: an axis may follow its neighbour's in the last bits.
+// The log of an element without moved vertices can still change: its branch follows the neighbours. Logs that
+// are equal as floats count as unchanged.
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());

@@ -1,4 +1,4 @@
-// A pose of the cage in log space: maps of its elements, their logs, and the rows that engines sum.
+// A pose of the cage: the maps of its elements, their logs, and the rows that engines sum.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +18,12 @@
 
 namespace viete::deform {
 
-/// Throws base::Error about a pose from `place` unless it has one position per cage vertex.
+/// Throws base::Error if a pose has another number of vertices than the cage. place: the source of the pose.
 void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
 
-/// 0, 1, ... count - 1.
+/// The numbers from 0 to count - 1.
 std::vector<std::uint32_t> first_numbers(std::size_t count);
 
-/// The row form for these elements and this blend.
 RowForm row_form(Elements elements, Blend blend);
 const RowShape& shape(RowForm form);
 
@@ -32,52 +31,51 @@ std::size_t handle_count(const Cage& cage, Elements elements);
 /// Rest centres of the handles.
 std::span<const mesh::Point> handle_centers(const Cage& cage, Elements elements);
 
-/// The rows of all handles in a pose; lengths are relative to origin.
+/// The rows of all handles in a pose. Positions are relative to origin.
 struct Rows {
   RowForm form = RowForm::positions;
   std::span<const double> values;  ///< [handle][column]
   Vec3 origin{0, 0, 0};
-  double moment_length = 1;  ///< l of moments.h, for moment forms
+  double moment_length = 1;  ///< the length l of moments.h; only used by moment forms
 
   std::size_t columns() const { return shape(form).columns; }
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// Owns the log-space data of a pose; independent of the model. Not thread-safe.
-///
-/// During a drag only the maps of the moved vertices' elements are recomputed, and the origin stays. All
-/// other rows keep their bits, unless their elements change branches or are raised to another floor.
+/// The maps, logs and rows of a pose. They do not depend on the model. During a drag, only the maps of
+/// elements with moved vertices are computed again, and the origin stays. Other rows keep their bits, unless
+/// the log of their element changes its branch or its lower limit. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, Blend blend)
       : CageState(std::move(cage), elements, row_form(elements, blend)) {}
-  /// If elements are points, the map of a point is that of the patch around it.
+  /// If the elements are points, each point has the map of the patch around it.
   CageState(std::shared_ptr<const Cage> cage, Elements elements, RowForm form);
 
   /// Throws base::Error unless pose.positions has one entry per cage vertex.
   void set_pose(const Pose& pose);
-  /// Until end_drag(), poses must differ from the last one in these vertices only.
+  /// Until end_drag(), poses must differ from the last pose only in these vertices.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
-  /// Applies to the next poses; the first of them must be set in full.
+  /// Applies to the next poses. The first of them is computed for all elements.
   void set_amounts(const Amounts& amounts);
-  /// True keeps the origin of the next poses at the middle of the rest cage.
+  /// True: the origin of the next poses is the middle of the rest cage.
   void keep_origin(bool keep);
 
   const Cage& cage() const { return *cage_; }
   Rows rows() const;
-  /// The handles that a drag moves, ascending; empty if there is no drag.
+  /// The handles that move in the current drag, in ascending order; empty if there is no drag.
   std::span<const std::uint32_t> moving() const { return moving_; }
-  /// Increases whenever rows of handles that are not dragged change.
+  /// Increases each time the row of a handle outside moving() changes.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// Report of the last pose, by handle. If the rows use no logs, it contains only the pose's turns.
+  /// The report of the last pose. If the rows do not use logs, it contains only the pose's turns.
   const LogReport& report() const { return report_; }
-  /// Milliseconds of the last pose.
+  /// Computing times of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:
-  // Each updates all handles, or only the dragged ones (`few`); true if rows of other handles changed.
+  // Update all handles or, if `few`, only the dragged ones. Return true if rows of other handles changed.
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
   bool takes_logs() const;
@@ -91,7 +89,7 @@ private:
   double moment_length_;
   Amounts amounts_;
   bool keeps_origin_ = false;
-  std::optional<VertexPatches> patches_;     // for points that have maps
+  std::optional<VertexPatches> patches_;     // only if the elements are points with maps
   std::vector<std::uint32_t> all_, moving_;  // handles
   Vec3 origin_{0, 0, 0};
   bool posed_ = false;
@@ -99,7 +97,7 @@ private:
   std::vector<MapSplit> splits_;
   std::vector<MapLog> logs_, logs_before_;
   std::vector<double> values_;
-  std::vector<Vec3> rest_centers_;  // from the middle of the rest cage
+  std::vector<Vec3> rest_centers_;  // relative to the middle of the rest cage
   unsigned long resting_revision_ = 0;
   LogReport report_;
   LinkTimes times_;

@@ -108,12 +108,8 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);
   ran_ = kind;
-  if (!layer_.moves()) carry_probes();
-}
-
-// Engines skip the layer while no probe moves, so that probes are carried here.
-void Deformer::carry_probes() {
-  layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
+  // While no probe moves the model, engines skip the layer. Then the probes follow the model here.
+  if (!layer_.moves()) layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
 
 std::span<const FrameVertex> Deformer::vertices() const {

@@ -1,4 +1,4 @@
-// One frame: a pose becomes rows, and an engine turns them into vertices.
+// Computes one frame: from a pose to rows, and from rows to vertices.
 #pragma once
 
 #include <memory>
@@ -17,44 +17,42 @@
 
 namespace viete::deform {
 
-/// One bound model with the engines that its binding and method allow. Method `fast`, and schemes without an
-/// exponential, use the fused engine if the binding has tiles; stitched schemes use the stitched engine with
-/// any method. Cage and binding are shared and constant, so a new binding can be made on another thread while
-/// this one is in use. Not thread-safe.
+/// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All others use the
+/// staged engine. Not thread-safe. The cage and the binding never change, so another thread can make a new
+/// binding meanwhile.
 class Deformer {
 public:
-  /// cage and binding must not be null and must belong together; the binding's weights must be those of the
-  /// scheme. stitching must be for the scheme's elements; null if the scheme is not stitched, or until it is
-  /// ready.
+  /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.
+  /// stitching must be for this scheme, or null if the scheme is not stitched or stitching is not ready.
   Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
-  /// Sets the amounts of the next frames; the rest of the scheme stays.
+  /// Applies to the next frames, as all setters below. Changes only the scheme's amounts.
   void set_amounts(const Amounts& amounts);
-  /// Sets the mask of the next frames: one factor per vertex, 0 (rests) to 1 (follows fully); null: all 1.
+  /// mask: one factor per vertex, from 0 (stays at rest) to 1 (full motion); null: all 1.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
-  /// The shape that the cage deforms in the next frames. Must fit the model; null: at rest.
+  /// The cage deforms this shape. It must have one position per vertex; null: the rest positions.
   void set_shape(const SharedShape& shape);
   const SharedShape& shape() const { return shape_; }
-  /// Sets the probes of the next frames, a layer applied after the cage.
+  /// The probes move the model after the cage.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// True: the next frames use only the staged engine if the blend takes exponentials, so that all methods
-  /// are compared on the same path.
+  /// True: all methods use the staged engine if the blend has exponentials, so that their times are
+  /// comparable.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// The engine that runs the method; nullopt if the binding does not support it, or if the scheme is
-  /// stitched and stitching is missing.
+  /// The engine for the method, or nullopt if its binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// Until end_drag(), poses must differ from the last one in these cage vertices only; the cost of the fused
-  /// engine's frames is then proportional to the number of moved handles.
+  /// Until end_drag(), poses must differ from the last pose only in these cage vertices. The cost of a frame
+  /// of the fused engine is then proportional to the number of moved handles.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
-  /// Computes one frame. Throws base::Error unless pose.positions has one entry per cage vertex. If
-  /// engine(method) is nullopt, falls back to the fused engine, which must exist.
+  /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
+  /// engine(method) is nullopt, uses the fused engine, which must then exist.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
@@ -65,15 +63,15 @@ public:
   std::optional<EngineKind> ran() const { return ran_; }
   LinkTimes times() const;
 
-  /// Copies of all positions and normals of the last frame. Double precision for the staged engine, and for
-  /// positions of the stitched engine unless probes move them; float precision for the fused engine.
+  /// Copies of all positions and normals of the last frame, with double precision from the staged engine and
+  /// float precision from others. Positions of the stitched engine are double unless probes move them.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
-  /// The matrices that the last frame exponentiated, for at most `limit` vertices spread evenly over the
-  /// model, recomputed from exact weights; empty if it took no exponentials. One or two microseconds each.
+  /// The matrices exponentiated in the last frame, for at most `limit` vertices spread evenly over the model.
+  /// Computes exact weights again, in one or two microseconds per matrix. Empty without exponentials.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// See deform::sampled_error(); 0 after a staged frame. For a stitched frame: the error of the blended
-  /// vertices, before stitching and probes, which use double precision.
+  /// See deform::sampled_error(); 0 after a staged frame. For a stitched frame, the error of the blended
+  /// vertices before stitching and before probes.
   double sampled_error() const;
 
 private:
@@ -82,7 +80,6 @@ private:
   void for_engines(const Act& act);
   void show_ways(std::span<const Vec3> ways);
   const Engine& last() const { return of(*ran_); }
-  void carry_probes();
 
   std::shared_ptr<const Cage> cage_;
   base::WorkerPool& pool_;
@@ -91,8 +88,8 @@ private:
   Mask mask_;
   SharedShape shape_;
   std::vector<Vec3> ways_;                   // displacements of the shape from rest
-  std::span<const Vec3> shown_ways_;         // the engines' displacements: ways_, or rotated
-  std::unique_ptr<ShapeFollower> follower_;  // null: not needed
+  std::span<const Vec3> shown_ways_;         // displacements passed to the engines: ways_ or rotated ways_
+  std::unique_ptr<ShapeFollower> follower_;  // rotates ways_; null if not needed
   CageState state_;
   Weigher weigher_;
   ProbeLayer layer_;

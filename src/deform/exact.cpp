@@ -14,13 +14,14 @@ namespace viete::deform {
 
 namespace {
 
-// Number of vertices with a megabyte of weights, within limits.
+// The number of vertices of a block, whose weights take about a megabyte: at most 4,096, a multiple of
+// bind_lanes.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-// The vertices [begin, end), without their triangles.
+// A binding of the vertices [begin, end), without triangles.
 Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   const auto rows = [&](const auto& values, std::size_t length) {
     const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };
@@ -46,7 +47,7 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
-// Memory of weights, offset and rest.
+// True if weights, offsets and rest positions of all vertices take less than a quarter of the free memory.
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);
@@ -99,7 +100,6 @@ std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& sh
   return follower_ ? follower_->followed({part, part.shares}, ways) : ways;
 }
 
-// Returns the error of place_vertices().
 double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::size_t begin,
                             std::span<mesh::Point> positions) {
   const std::size_t columns = state_.rows().columns();
@@ -110,7 +110,7 @@ double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::
   return place_vertices({part, part.shares, ways}, state_.rows(), method_, positions, sums);
 }
 
-// Stitches the pose, given the sums and the blended positions of all vertices.
+// Replaces the blended positions of all vertices by the stitched positions.
 void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
   const Rows rows = state_.rows();
   std::vector<Vec3> held;
@@ -134,7 +134,7 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
   exact.report = state_.report();
   exact.positions.resize(n);
   std::size_t done = 0, failed = 0;
-  std::mutex mutex;  // protects these and exp_error
+  std::mutex mutex;  // protects done, failed and exp_error
   pool_.for_blocks(n, at_once, [&](std::size_t begin, std::size_t end) {
     const std::size_t count = end - begin;
     BoundPart made;

@@ -1,4 +1,4 @@
-// The deformed model in double, block by block, for files.
+// The deformed model in double precision, for files. Computed block by block to save memory.
 #pragma once
 
 #include <memory>
@@ -25,28 +25,26 @@ struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   LogReport report;                    ///< as CageState::report()
   std::vector<std::string> warnings;   ///< as Binding::warnings
-  double exp_error = 0;                ///< largest over vertices, see place_vertices()
+  double exp_error = 0;                ///< largest error of all vertices, see place_vertices()
 };
 
-/// Deforms one model by any number of poses. Agrees with the staged engine to 1e-12 of the cage's diagonal
-/// (its weights come from vector code, see Weigher); the same bits for any number of threads and any earlier
-/// poses. Memory: the positions, and about a megabyte per thread, more for cages of more than 10,000
-/// elements; with weights along the surface those of all vertices. Not thread-safe.
+/// Deforms one model by any number of poses. The results differ from the staged engine by at most 1e-12 of
+/// the cage's diagonal. They do not depend on the number of threads or on earlier poses. Needs memory for the
+/// positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along the
+/// surface also need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// `kept` keeps the weights of all vertices for the next pose if they take at most a quarter of the free
-  /// memory.
+  /// `kept`: keeps all weights for the next pose if they need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
-  /// model and pool must outlive it; cage must not be null; a mask has one share per vertex. progress covers
-  /// the work before the first pose, and may be null. Throws base::Error if the model has no vertices, and
-  /// base::Cancelled.
+  /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
+  /// first pose, and may be null. Throws base::Error if the model has no vertices, and base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// The cage deforms the shape (null: the rest model), then the probes deform the result, see ProbeLayer.
-  /// Throws base::Error unless the pose has one position per cage vertex, and base::Cancelled.
+  /// The cage deforms the shape (null: the rest model). Then the probes deform the result, see ProbeLayer.
+  /// Throws base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);
 
@@ -66,12 +64,12 @@ private:
   CageState state_;
   Weigher weigher_;
   std::optional<Stitching> stitching_;
-  std::vector<double> sums_;      // row sums of all vertices, for stitching
-  Shares shares_;                 // likewise
-  Binding surface_weights_;       // all vertices, for weights along the surface
-  std::vector<BoundPart> parts_;  // block by block, if weights are kept
+  std::vector<double> sums_;      // row sums of all vertices, only for stitching
+  Shares shares_;                 // shares of all vertices, only for stitching
+  Binding surface_weights_;       // all vertices; empty unless the weights are along the surface
+  std::vector<BoundPart> parts_;  // one per block; empty unless weights are kept
   ProbeLayer layer_;
-  std::optional<ShapeFollower> follower_;  // for shapes, if elements only translate
+  std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate
 };
 
 /// Deforms a model by one pose.

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
@@ -22,13 +21,12 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
-constexpr std::size_t blocks_at_once = 128;  // their sums are added in order, for any number of threads
-
-constexpr double longest_step = 0.7;  // change of a weight, or rotation in radians
+constexpr std::size_t blocks_at_once = 128;  // fixed, so that sums do not depend on the number of threads
+constexpr double longest_step = 0.7;         // largest change of a weight, and of the rotation in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
-constexpr double at_rest = 1e-5;  // shorter steps count as none
+constexpr double at_rest = 1e-5;  // solve() ends after a shorter step
 
-// True if the nearest rotation to a matrix is unique.
+// True if the rotation nearest to a matrix is unique.
 bool tells_rotation(const Mat& m) {
   const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
   return singular[0] + singular[1] > 1e-6 * singular[2];
@@ -43,7 +41,7 @@ Vec3 vec(const Eigen::Vector3d& v) {
   return {v[0], v[1], v[2]};
 }
 
-// Two orthogonal directions in the plane of a triangle, and its normal.
+// Unit vectors: two orthogonal directions u and v in the plane of a triangle, and the normal n.
 struct Axes {
   Vec3 u, v, n;
 };
@@ -55,8 +53,8 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 
 }  // namespace
 
-// Positions of the pins in the blend, one row each, without the translations of their parts, and derivatives
-// by the weights and the rotation.
+// The positions of the pinned vertices in the blend of examples, without the translations of their parts. The
+// derivatives of these positions by the weights and by the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
@@ -91,7 +89,7 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // initial value of the first step
+  work_.ways.resize(shape.size());  // tells show() to fit to positions_
 }
 
 std::size_t ExamplePosing::blocks() const {
@@ -160,7 +158,8 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   fill_stiffness();
 }
 
-// q = sum_k c_k e_k (z_a - z_b) for each triangle and column z, over its edges e.
+// Computes q = sum_k c_k e_k (z_a - z_b) for each triangle and each column z of columns_. The sum is over the
+// edges e_k from b to a, and c_k are half cotangents.
 void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -181,8 +180,10 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// Forces f at pins move them from their free positions: (1 / c + Z) f + translation of the part = d; forces
-// of a part are in balance. Two constraints on vertices at one place are met in the least-squares sense.
+// The forces f at the pins move them by the distances d from their free positions to their targets:
+// (1 / c + Z) f + t = d. The forces of each part must sum to 0. Here c is the firmness, Z are the pins' rows
+// of columns_, and t is the translation of the part. If hard constraints contradict each other, the solution
+// is the least squares solution.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -217,7 +218,7 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
-// Positions of the pins in the blend of the triangles of some blocks, and derivatives by the weights.
+// The contribution of the blocks [begin, end) to the pins' positions and their derivatives by the weights.
 std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
   const PlaneKernel& kernel = plane_kernel(sym3::kernel());
   const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
@@ -241,11 +242,9 @@ std::vector<LogTerm> ExamplePosing::terms() const {
   return terms;
 }
 
-// Positions of the pins in the blend rotated by `turn`, without the translations of their parts, and
-// derivatives.
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
-  // Sums over triangles, [example, last the blend itself][pin][3].
+  // Sums over all triangles: [example][pin][3]. The blend itself follows the last example.
   std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
@@ -267,14 +266,14 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
     for (std::size_t e = 0; e < m; ++e)
       reach.changes.block<3, 1>(Eigen::Index(3 * k), Eigen::Index(e)) =
           column(times(g, at(e) + leftovers_[e][pins_[k].vertex]));
-    Eigen::Matrix3d about;  // matrix of the cross product with the position
+    Eigen::Matrix3d about;  // the derivative by the rotation: the matrix of a cross product
     about << 0, place[2], -place[1], -place[2], 0, place[0], place[1], -place[0], 0;
     reach.changes.block<3, 3>(Eigen::Index(3 * k), Eigen::Index(m)) = about;
   }
   return reach;
 }
 
-// Starts from the rotation that best fits the pins at rest, if it is unique.
+// Starts from the rotation that best moves the pins at rest to their targets, if it is unique.
 void ExamplePosing::begin_turn(std::span<const mesh::Point> targets) {
   turns_ = true;
   const auto& rest = space_.logs().rest();
@@ -305,7 +304,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
-  if (energy > energy_) {  // overshoot: step back, increase damping
+  if (energy > energy_) {  // the last step was too long: undoes it and increases the damping
     weights_ = last_weights_, turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();
@@ -315,7 +314,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
   energy_ = energy;
   last_weights_ = weights_, last_turn_ = turn_;
 
-  Eigen::MatrixXd pulled(3 * n, m + 3);  // B J
+  Eigen::MatrixXd pulled(3 * n, m + 3);  // the stiffness times the derivatives
   for (Eigen::Index c = 0; c < m + 3; ++c) {
     const Eigen::MatrixXd column = reach.changes.col(c).reshaped(3, n).transpose();
     pulled.col(c) = (stiffness * column).transpose().reshaped();
@@ -344,7 +343,8 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
   return most;
 }
 
-// Returns the displacement by fitting alone, relative to the square root of the area.
+// Computes positions_. If it fits rotations, returns the largest change of a position, divided by the square
+// root of the area; otherwise 0.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -373,7 +373,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
   return std::sqrt(farthest / std::max(area_, 1e-300));
 }
 
-// Moves the pins to their targets by forces.
+// Moves the pins towards their targets by forces, and the other vertices of their parts with them.
 void ExamplePosing::reach_targets() {
   Eigen::MatrixXd off(pins_.size(), 3);
   for (std::size_t k = 0; k < pins_.size(); ++k)
@@ -399,7 +399,7 @@ void ExamplePosing::reach_targets() {
   }
 }
 
-// Parts without pins keep the mean of their straight positions; loose vertices take theirs.
+// Moves each part without pins to the mean of its linearly blended positions. Loose vertices move linearly.
 void ExamplePosing::place_other_parts() {
   const LogSpace& logs = space_.logs();
   const auto straight = [&](std::size_t v) {

@@ -1,11 +1,10 @@
-// Posing by examples: finds the shape near blends of examples that moves given vertices to given targets (R.
-// W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005).
+// Posing by examples: moves given vertices to their targets with a shape near the blends of examples.
+// R. W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <memory>
 #include <span>
 #include <vector>
 
@@ -14,65 +13,66 @@
 
 namespace viete::deform {
 
-/// A vertex with a target position.
+/// A vertex that is pulled to a target position.
 struct PosingPin {
   std::uint32_t vertex;
-  /// Strength of the pull. About 1 equals the stiffness between neighbours; infinity is a hard constraint.
+  /// Strength of the pull: 1 is about the stiffness between neighbours, infinity is a hard constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
 };
 
-/// Firmness of a hard constraint, and of a pull about as strong as that between neighbours.
+/// The firmness of a hard constraint, and of a soft one.
 inline constexpr double holding = std::numeric_limits<double>::infinity(), usual_pull = 0.3;
 
-/// Limit of the size of the dense system; larger ones take minutes.
+/// The maximum number of pins. The dense system of more pins would take minutes.
 inline constexpr std::size_t most_pins = 1000;
 
 struct PosingSettings {
-  /// How strongly the examples' weights are kept near 0, or near their initial values, relative to the
-  /// elastic energy of one unit of the model's area.
+  /// Strength of the force that keeps the examples' weights near their initial values (usually 0), relative
+  /// to the elastic energy of one unit of the model's area.
   double restraint = 1e-3;
-  /// Freedom of triangles to rotate off the blend of examples, 0 to 1. Without examples 1 is ARAP.
+  /// How freely triangles may rotate away from the blend of examples, 0 to 1. Without examples, 1 is ARAP.
   double freedom = 0.3;
 };
 
-/// Example weights w, also below 0 and above 1, a global rotation G, and positions x minimise
+/// Finds the examples' weights w, a global rotation G and positions x that minimize
 ///
 ///     sum_t area_t |(grad x - G M_t(w)) T_t|^2 + sum_k c_k |x_k - target_k|^2 + restraint area |w - w0|^2
 ///
-/// without the part of the first sum that does not depend on the pins. M_t(w) is the blend in log space (see
-/// LogSpace). x is eliminated by the pins' columns of the inverse Laplacian; w and G are found by
-/// Gauss-Newton steps with exact derivatives of both exponentials. One step per frame is fast enough for
-/// interactive dragging. Not thread-safe; the same bits for any number of threads.
+/// without the part of the first sum that does not depend on the pins. M_t(w) is the blend of the maps of
+/// triangle t (see LogSpace), T_t the projection onto its plane, c_k the firmness of pin k, and w0 the
+/// initial weights. Weights may be below 0 and above 1. The pins' columns of the inverse Laplacian eliminate
+/// x. Gauss-Newton steps with exact derivatives find w and G; one step per frame is enough while dragging.
+/// Not thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
-  /// Examples must be vectors of the space, made without `before`. Space, vectors and pool must outlive this.
+  /// examples: results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Replaces the pins, at most most_pins, each vertex once; weights, rotation and positions stay. Some
-  /// milliseconds per pin. Throws base::Error, before any change, if there are too many pins, a vertex has no
-  /// triangle with area, or memory is short.
+  /// Replaces the pins. Weights, rotation and positions stay. Each vertex may occur once. Takes some
+  /// milliseconds per pin. Throws base::Error before any change, if there are more than most_pins pins, a
+  /// vertex has no triangle with area, or memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 
-  /// Displacement of each vertex relative to that of these pins (by number) when their targets move slightly
-  /// and those of the other pins stay, without changes of weights and rotation. 1 if a whole part moves
-  /// along.
+  /// How strongly each vertex follows a small move of these pins (given by number) while the other pins stay:
+  /// its displacement divided by the displacement of the targets. Weights and rotation stay.
   std::vector<double> reach(std::span<const std::size_t> pins) const;
 
-  /// One step towards the targets, one per pin. Returns its size: the largest change of weights, rotation
-  /// (radians) and fitted positions (relative to the square root of the area).
+  /// Makes one step towards the targets (one per pin) and returns its size: the largest change of a weight,
+  /// of the rotation in radians, and of a fitted position divided by the square root of the area.
   double step(std::span<const mesh::Point> targets, const PosingSettings& settings);
-  /// Steps until they are shorter than 1e-5, at most `most` times. Returns the number of steps. progress may
-  /// be null. Throws base::Cancelled.
+  /// Makes at most `most` steps, until the size of a step is below 1e-5. Returns the number of steps.
+  /// progress may be null. Throws base::Cancelled.
   int solve(std::span<const mesh::Point> targets, const PosingSettings& settings, int most,
             base::Progress* progress = nullptr);
 
   const std::vector<double>& weights() const { return weights_; }
   std::span<const mesh::Point> positions() const { return positions_; }
-  /// Resets weights and rotation.
+  /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
-  /// Restarts from the shape that these weights (one per example) blend; weights are kept near them.
+  /// Restarts from these weights (one per example) and the shape that they blend. Later steps keep the
+  /// weights near these values.
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:
@@ -94,29 +94,30 @@ private:
   const ShapeSpace& space_;
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
-  std::vector<std::vector<Vec3>> leftovers_;  // leftovers of the examples, before the whole turns
-  base::AlignedVector<double> groups_;        // per-triangle input of PlaneKernel::derive
+  std::vector<std::vector<Vec3>> leftovers_;  // leftovers of each example, rotated back by its whole turn
+  base::AlignedVector<double> groups_;        // input of PlaneKernel::derive for all triangles
   double area_ = 0;
 
   std::vector<PosingPin> pins_;
-  std::vector<std::vector<double>> columns_;  // columns of the inverse Laplacian, one per pin, [vertex]
-  base::AlignedVector<double>
-      gradients_;  // gradients of columns_, by area, along u and v: [block][pin][2][triangle]
+  std::vector<std::vector<double>> columns_;  // one column of the inverse Laplacian per pin, [vertex]
+  // Gradients of columns_ times area, along u and v: [block][pin][2][triangle].
+  base::AlignedVector<double> gradients_;
   std::vector<std::uint32_t> part_of_pin_;
-  std::vector<std::uint32_t> pinned_parts_;  // ascending
-  std::vector<double> forces_;  // [pin, then pinned part][pin]: from distances of pins to forces at them, and
-                                // displacements of parts
+  std::vector<std::uint32_t> pinned_parts_;  // parts with pins, in ascending order
+  // Matrix [pin, then pinned part][pin] that converts the pins' distances from their targets to forces at the
+  // pins, and to translations of the parts.
+  std::vector<double> forces_;
 
-  std::vector<double> weights_, usual_weights_;  // current, and the values that they are kept near to
+  std::vector<double> weights_, usual_weights_;  // usual_weights_: see begin()
   Vec3 turn_{0, 0, 0};
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};
   std::vector<mesh::Point> targets_;
-  double damping_ = 1e-3, energy_ = 0;  // energy: of the targets and the pulls
-  bool turns_ = false;                  // turn_ is initialised
+  double damping_ = 1e-3, energy_ = 0;  // energy_: the minimized energy after the last step
+  bool turns_ = false;                  // true if turn_ is initialized
   LogSpace::Work work_;
   std::vector<mesh::Point> positions_, before_;
-  std::vector<Vec3> left_;  // leftovers of the blend, rotated
+  std::vector<Vec3> left_;  // leftovers of the blend, rotated by turn_
 };
 
 }  // namespace viete::deform

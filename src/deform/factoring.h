@@ -1,4 +1,4 @@
-// The weights of a leaf as factors of a few of its rows.
+// Compression: writes the weights of a leaf as linear combinations of a few of its rows.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 namespace viete::deform {
 
 struct Factors {
-  std::vector<std::size_t> pivots;     ///< slots of the leaf; empty if it has no points
-  base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of factor times the pivot's row
+  std::vector<std::size_t> pivots;     ///< slots of the rows to combine; empty if too many are needed
+  base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of (factor * row of the pivot)
 };
 
-/// Row interpolative decomposition with pivoting: eliminates the largest remaining row until all residuals
-/// are at most `tolerance`; gives up after `most` rows. rows [tile][column][lane] is destroyed; only the
-/// first `vertices` slots count.
+/// Row interpolative decomposition with pivoting: eliminates the largest remaining row until the norms of all
+/// residuals are at most `tolerance`. If that takes more than `most` rows, returns empty factors. Overwrites
+/// `rows`. Only the residuals of the first `vertices` slots count.
 Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                     const BindKernel& kernel);
 

@@ -1,4 +1,4 @@
-// The data that frame kernels work on. Internal.
+// Input and output of the frame kernels. Internal.
 #pragma once
 
 #include <cstddef>
@@ -9,46 +9,45 @@
 
 namespace viete::deform {
 
-/// Vertices per 64-byte cache line: the block size of weights, offsets and sums.
+/// The number of vertices of a tile. A cache line of 64 bytes contains one number for each vertex.
 template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
-inline constexpr std::size_t lanes = tile_lanes<float>;  ///< block size of the stored weights
+inline constexpr std::size_t lanes = tile_lanes<float>;
 
-/// Consecutive tiles whose vertices share a table. Everything is aligned to 64 bytes.
+/// Consecutive tiles with the same table. All arrays are aligned to 64 bytes.
 struct TileRun {
-  std::size_t tiles = 0;           ///< even
-  std::size_t rows = 0;            ///< rows of weights
-  const float* weights = nullptr;  ///< [tile][row][lane]
-  const float* table = nullptr;    ///< [row][column]
-  const float* base = nullptr;     ///< sums to start from, [tile][sum][lane]; null: zero
-  const float* mean = nullptr;     ///< [RowShape::with_mean], what `place` adds to the sums; null: zero
-  const float* shares = nullptr;   ///< [tile][lane], for `place`: see Shares; null: all 1
-  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: in order
-  const float* rest_moments = nullptr;    ///< forms with moments only: [tile][rest_moment_lines][lane]
+  std::size_t tiles = 0;                  ///< must be even
+  std::size_t rows = 0;                   ///< rows of weights per tile
+  const float* weights = nullptr;         ///< [tile][row][lane]
+  const float* table = nullptr;           ///< [row][column]
+  const float* base = nullptr;            ///< initial values of the sums, [tile][sum][lane]; null: 0
+  const float* mean = nullptr;            ///< [RowShape::with_mean]: `place` adds it to the sums; null: 0
+  const float* shares = nullptr;          ///< [tile][lane], used by `place`, see Shares; null: all 1
+  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: equal numbers
+  const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
-/// n, s, dual, scale of RestMoment, lengths in l.
+/// The numbers n, s, dual and scale of RestMoment, with lengths in units of l (see moments.h).
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf, each as x y z x: its slots, then its ghosts, which must have been copied from
-/// other leaves' slots.
+/// The positions of one leaf, each as x y z x. The slots come first, then the ghosts (slots of other leaves).
 struct RingRun {
   float* positions;                 ///< all positions of the model
   std::size_t first, slots, count;  ///< first position of the leaf; slots; slots plus ghosts
-  std::size_t vertices;             ///< number of slots without padding
-  bool moved;                       ///< true if slots moved since the last normals
-  const std::uint32_t* ghosts;
-  std::size_t ghosts_left;  ///< ghosts of this leaf and of all later ones: the limit of prefetching
+  std::size_t vertices;             ///< the number of slots without padding
+  bool moved;                       ///< true if slots moved since normals were last computed
+  const std::uint32_t* ghosts;      ///< for each ghost, the index of the position that it copies
+  std::size_t ghosts_left;          ///< the number of ghosts in this and all later leaves; limits prefetching
   const std::uint32_t* order;
   const std::uint16_t *neighbours, *lengths;  ///< as in Rings, for this leaf
   float unit;
 };
 
-/// From weights to sums or positions, for rows of one form.
+/// Computes sums or positions from weights, for one row form.
 struct TileKernel {
-  std::size_t sums;  ///< sums per vertex: the columns of a row, except for moments
-  /// sums [tile][sum][lane].
+  std::size_t sums;  ///< the number of sums per vertex: the columns of a row, except for moment forms
+  /// Writes the weighted sums of rows to sums [tile][sum][lane].
   void (*blend)(const TileRun& run, float* sums);
-  /// rest, offsets [tile][3][lane]: x and o of RowForm; out [slot] as x y z x.
+  /// Writes positions to out [slot] as x y z x. rest and offsets [tile][3][lane]: x and o of RowForm.
   void (*place)(const TileRun& run, const float* rest, const float* offsets, float* out);
 };
 

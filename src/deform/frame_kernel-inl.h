@@ -1,5 +1,4 @@
-// From weights and logs to positions in vector registers: included by frame_kernel.cpp for each instruction
-// set. Internal. (No #pragma once: see sym3/exp-inl.h.)
+// Vector code of the frame. frame_kernel.cpp includes this file once per instruction set, see sym3/exp-inl.h.
 #if defined(VIETE_DEFORM_FRAME_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_FRAME_KERNEL_INL_H
 #undef VIETE_DEFORM_FRAME_KERNEL_INL_H
@@ -17,7 +16,7 @@ namespace viete::deform::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
-// Number of vectors blended at once: sums and inputs must fit the registers.
+// The number of vectors blended at once. Their sums and inputs must fit into the registers.
 #if HWY_TARGET <= HWY_AVX3
 constexpr int vectors_at_once = 2;
 #else
@@ -27,22 +26,21 @@ constexpr int vectors_at_once = 1;
 inline constexpr std::size_t line_lanes = tile_lanes<float>;
 using Tag = hn::CappedTag<float, line_lanes>;
 
-// Prefetch distance of weights in lines: a row takes 12 cycles at two multiply-adds of 16 lanes per cycle,
-// memory access some 300.
+// Prefetch distance of weights, in cache lines. A row takes about 12 cycles, a memory access about 300.
 constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 
 template <std::size_t Columns>
 using Sums = hn::Vec<Tag>[vectors_at_once][Columns];
 
-// Index of lane group g of a run in an array of tiles with `rows` lines each: tiles are cut into vectors.
+// Index of a group of lanes in an array of tiles with `rows` cache lines each. A group is one vector.
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag());
   return lane / line_lanes * rows * line_lanes + lane % line_lanes;
 }
 
-// Prefetches, in an array with `rows` lines per tile, the data of the vector that follows this one.
+// Prefetches the data of the next vectors in an array with `rows` cache lines per tile.
 static HWY_INLINE void prefetch_next(const float* array, std::size_t vector, std::size_t rows) {
-  // An integer, since the address may be beyond the array.
+  // The address is an integer because it may be beyond the array.
   const auto next = reinterpret_cast<std::uintptr_t>(array + index_of(vector, rows));
   const std::size_t ahead = index_of(vector + vectors_at_once, rows) - index_of(vector, rows);
 #pragma GCC unroll 24
@@ -64,7 +62,7 @@ static HWY_INLINE void load_base(const TileRun& run, std::size_t group, Sums<Col
   }
 }
 
-// The product of the frame: sums += weights * table, with the sums in registers.
+// Computes sums += weights * table, with the sums in registers.
 template <bool Listed, std::size_t Columns>
 static HWY_INLINE void blend_rows(const TileRun& run, std::size_t group, Sums<Columns>& sums) {
   const Tag d;
@@ -187,7 +185,7 @@ static HWY_INLINE Vector3 load_offset(const TileRun& run, const float* offsets, 
   return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
 }
 
-// Each step processes all vectors of a batch before the next step starts, which hides latency.
+// Every operation is applied to all vectors of a batch before the next operation, which hides latency.
 #if HWY_TARGET <= HWY_AVX3
 using Batch = lanes::Two<hn::Vec<Tag>>;
 
@@ -223,8 +221,7 @@ static HWY_INLINE void store_positions(const Vector3& p, std::size_t group, floa
 }
 #endif
 
-// How sums of rows, by column, move vertices from their rest position x, or from their offset o: one per
-// RowForm.
+// Function objects, one per RowForm: compute positions from sums of rows and rest positions or offsets.
 struct ByLogs {
   static constexpr RowShape shape = log_shape;
 

@@ -16,8 +16,6 @@ HWY_BEFORE_NAMESPACE();
 
 namespace viete::deform::HWY_NAMESPACE {
 
-// The fused frame, compiled once per instruction set.
-
 static constexpr TileKernel kernel_of(RowForm form) {
   switch (form) {
     case RowForm::logs: return tile_kernel<ByLogs>();

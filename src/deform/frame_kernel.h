@@ -1,4 +1,4 @@
-// The fused frame in vector code, from weights and logs to positions. Internal.
+// Vector code of the fused engine: from weights and rows to positions and normals. Internal.
 #pragma once
 
 #include <cstddef>
@@ -9,20 +9,20 @@
 
 namespace viete::deform {
 
-/// One compilation of the frame. Each lane is computed independently, in an order that does not depend on the
-/// vector width: all kernels with fused multiply-add give the same bits, and so do all without.
+/// The functions for one instruction set. The results are equal bit for bit for all vector widths, but differ
+/// between instruction sets with and without fused multiply-add.
 struct FrameKernel {
-  TileKernel forms[row_forms];  ///< by RowForm
-  /// Writes vertices[order[slot]]: position times unit, and the unit normal of the one-ring, (0, 0, 1)
-  /// without area. Skips vertices whose slots and ghosts are bitwise unchanged. Leaves write to different
-  /// places and vertices.
+  TileKernel forms[row_forms];  ///< one per RowForm
+  /// Copies the ghosts, then writes vertices[order[slot]]: position times unit, and the unit normal, or
+  /// (0, 0, 1) if the triangles have no area. Does nothing if neither slots nor ghosts have changed.
+  /// Different leaves may be processed at the same time.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
-  /// The normal of a vertex of high valence (see Rings), which ring_vertices skips.
+  /// Writes the normal of a vertex of high valence (see Rings), which ring_vertices() does not compute.
   void (*ring_high_valence)(const float* positions, const std::uint32_t* neighbours, std::size_t length,
                             std::uint32_t position, FrameVertex& vertex);
 };
 
-/// The kernel for the same instruction set.
+/// The frame kernel for the instruction set of `kernel`.
 const FrameKernel& frame_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

@@ -13,10 +13,10 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t few = 4;               // up to one handle in this many counts as few
+constexpr std::size_t few = 4;               // a drag is incremental if at most a quarter of the handles move
 constexpr std::size_t skeleton_block = 256;  // slots per task
 
-// Converts sums [tile][column][lane] of `slots` slots to rows of a table.
+// Converts sums [tile][column][lane] to a table [slot][column].
 void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
   for (std::size_t s = 0; s < slots; ++s) {
     const float* from = sums + s / lanes * lanes * columns + s % lanes;
@@ -24,7 +24,7 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
-// Access by slot to an array [tile][line][lane] of floats.
+// Access by slot to an array [tile][line][lane].
 template <class T>
 struct TileLines {
   T* data;
@@ -41,7 +41,8 @@ struct TileLines {
   }
 };
 
-// Moment rows whose first three sums are sum v (p - near) and whose fourth is sum v.
+// Fills moment rows so that the first three sums are sum v (p - near), and the fourth sum is sum v. Here v
+// are weights, p are the handles' rest centres, and `near` are the first three rest moments of the slot.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -49,7 +50,7 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Moment rows whose first nine sums are sum v ((p - middle)(p - near)^T + I).
+// Fills moment rows so that the first nine sums are sum v ((p - middle)(p - near)^T + I).
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -128,7 +129,6 @@ void FusedEngine::finish(base::Stopwatch& watch) {
   times_[Link::normals] += watch.lap_ms();
 }
 
-// All steps before the leaves.
 void FusedEngine::prepare(const CageState& state) {
   times_ = {};
   base::Stopwatch watch;
@@ -164,7 +164,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// As apply_shares(), for one slot.
+// Applies the share of one slot to its sums, see apply_shares().
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
@@ -213,8 +213,8 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
   knows_rest_ = true;
 }
 
-// Computed by the blend kernel: first the difference between the points' mean and that of the offsets, exact
-// without negative weights, then its remainder, then moments about a point of the leaf.
+// Uses the blend kernel three times: for the weighted mean of the handles' centres, for the remaining error
+// of this mean, and for the moments about a point of the leaf.
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
@@ -246,9 +246,9 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// See RowShape::with_mean: rotations of the whole cage are exact in float for any tolerance. A drag keeps the
-// mean of its sums. Uncompressed weights take the mean rounded to halves, which edits rarely change, so that
-// vertices outside an edit's reach keep their bits.
+// Subtracting the mean of the rows makes rotations of the whole cage exact (see RowShape::with_mean). The
+// mean stays during a drag. For uncompressed weights, the mean is rounded to a multiple of 0.5. Edits rarely
+// change this value, so vertices that an edit does not influence keep their bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -258,7 +258,7 @@ void FusedEngine::choose_mean() {
   }
 }
 
-// Decides whether this frame adds to cached sums, and fills the moving rows.
+// Decides whether this frame uses cached sums, and if so, copies the rows of the moving handles.
 void FusedEngine::follow_drag(const CageState& state) {
   const Handles moving = state.moving();
   dragging_ = false;
@@ -268,7 +268,7 @@ void FusedEngine::follow_drag(const CageState& state) {
     begin_drag(moving);
     drag_.resting = state.resting_revision();
   } else if (drag_.resting != state.resting_revision()) {
-    drag_ = {};  // rebuilt in the next frame
+    drag_ = {};  // the next frame rebuilds the cache
     return;
   }
   dragging_ = true;
@@ -293,7 +293,7 @@ void FusedEngine::begin_drag(Handles moving) {
   });
 }
 
-// Lists the moving handles with weight in each leaf. Returns the number of their weights.
+// For each leaf, lists the moving handles that have weights there. Returns the number of these weights.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
   drag_.starts = {0};
@@ -325,10 +325,10 @@ void FusedEngine::pack_whole(std::size_t leaf) {
   }
 }
 
-// The columns W_m of a leaf's n x k weights W that belong to the moving handles m. W is stored whole or as W
-// = F P, F its n x r factors and P the r x k weights of its pivots, so W_m = F P_m; with W whole, F = W and P
-// = I. This is the product that blends a pose, with P_m as the table of rows: the same kernel computes it, as
-// many handles at once as it has columns, the last ones padded with 0. (Uncompressed weights are copied.)
+// Writes the columns W_m of a leaf's weights W for the moving handles m. Compressed weights are W = F P, with
+// factors F and the weights P of the pivots, so W_m = F P_m. For a dense leaf, F = W and P = I. The blend
+// kernel computes this product with P_m as its table, for as many handles at once as a row has columns; the
+// last columns are padded with 0. Uncompressed weights are copied.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);
@@ -384,7 +384,7 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// The run of this frame's rows: all of them, or the moving ones added to the sums of the others.
+// The input of the kernel in this frame: all rows, or only the moving rows and the sums of all others.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;
@@ -400,7 +400,7 @@ TileRun FusedEngine::frame_run(std::size_t leaf) const {
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  // Positions moved by the layer must be recomputed in the next frame.
+  // If the probes move positions in this frame, the next frame must recompute them.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);

@@ -1,4 +1,4 @@
-// The frame at memory bandwidth: cage rows in, vertices out, no intermediate arrays.
+// The fastest engine: computes vertices from cage rows in one pass, without intermediate arrays.
 #pragma once
 
 #include <memory>
@@ -13,21 +13,18 @@
 
 namespace viete::deform {
 
-/// The staged chain with method `fast`, in float: one pass over the weights from the blend to the positions,
-/// with the sums in registers. Agrees with the staged engine to 1e-6 of the diagonal, and to twice the
-/// binding's tolerance if that is compressed.
+/// Computes the same frame as the staged engine with method `fast`, but in float and in one pass over the
+/// weights. The difference is at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
 ///
-/// The cost of a drag is proportional to the number of moved handles: the first frame of a drag stores the
-/// sums of all other handles, and later frames only add the rows that move. Errors do not accumulate. Leaves
-/// whose lists contain no moved handle are skipped.
+/// The cost of a drag is proportional to the number of moved handles. The first frame of a drag stores the
+/// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves without
+/// weights of moved handles are skipped. Apart from float rounding, the results are those of full frames.
 ///
-/// Unless weights are compressed, vertices outside the reach of the moved handles keep their bits, in a drag
-/// and in full frames, while the origin of the pose (see pose_origin) and the mean of its rows stay.
+/// If weights are not compressed, vertices without weights of moved handles keep their bits, as long as the
+/// origin of the pose (see pose_origin) and the mean of the rows stay.
 ///
-/// Results depend only on the rows, except for float rounding during a drag.
-///
-/// Maps that are fitted to points (see moments.h) need uncompressed weights. Their first frame takes three
-/// times as long as later ones: it precomputes all data that does not depend on the pose.
+/// Moment forms (see moments.h) need uncompressed weights. Their first frame takes three times as long as
+/// later ones, because it computes the data that do not depend on the pose.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.
@@ -36,15 +33,15 @@ public:
 
   void set_mask(const Mask& mask) override;
   void set_shape(std::span<const Vec3> ways) override;
-  /// Ignores the method: always `fast`.
+  /// Always uses method `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// First half of a frame: sums of rows with shares applied, [vertex][column] in the file's order, lengths
-  /// in the file's unit. Dragging as in run().
+  /// The first half of a frame: computes the sums of rows [vertex][column], multiplied by shares, in the
+  /// file's order and unit.
   void blend(const CageState& state, std::span<double> sums);
-  /// Second half with other positions: vertices() take these, relative to the rows' origin, and get normals.
+  /// The second half of a frame, for other positions, relative to the rows' origin: fills vertices().
   void show(std::span<const Vec3> positions);
-  /// True if the last frame added the moved handles alone.
+  /// True if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }
   /// Bytes of weights or factors that the last frame read.
   std::size_t bytes() const;
@@ -84,36 +81,35 @@ private:
   std::shared_ptr<const TiledBinding> binding_;
   base::WorkerPool& pool_;
   const FrameKernel& kernel_;
-  const TileKernel& tiles_;  // for the rows' form
+  const TileKernel& tiles_;  // the functions for form_
   RowForm form_;
   std::size_t columns_, sums_;                 // columns of a row, and sums per vertex
-  std::vector<double> entries_;                // [handle][column], lengths in units
-  base::AlignedVector<float> table_;           // [handle][column], less the mean of its column
+  std::vector<double> entries_;                // [handle][column], lengths divided by the binding's unit
+  base::AlignedVector<float> table_;           // [handle][column], entries_ minus mean_
   std::array<float, most_columns> mean_{};     // [column]
-  base::AlignedVector<float> rest_moments_;    // for forms with moments, see TileRun
-  bool knows_rest_ = false;                    // rest_moments_ are computed, by the first frame
+  base::AlignedVector<float> rest_moments_;    // only for moment forms, see TileRun
+  bool knows_rest_ = false;                    // true after rest_moments_ were computed
   base::AlignedVector<float> skeleton_sums_;   // [tile][column][lane]
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
-  base::AlignedVector<float> positions_;       // slots and ghosts (see Rings), x y z x in units
+  base::AlignedVector<float> positions_;       // slots and ghosts as x y z x, see Rings
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;          // [slot]; empty: all 1
-  base::AlignedVector<float> rest_, offsets_;  // the shape, laid out as in the binding; empty: at rest
-  std::vector<std::uint8_t> leaf_moved_;       // [leaf] true if its slots moved in this frame
-  std::vector<std::uint32_t> slots_;           // slot of each vertex, if there are probes
-  ProbeTiles probes_;                          // tiles of the layer
+  base::AlignedVector<float> rest_, offsets_;  // the binding's values plus the shape; empty without a shape
+  std::vector<std::uint8_t> leaf_moved_;       // [leaf] 1 if its slots moved in this frame
+  std::vector<std::uint32_t> slots_;           // slot of each vertex; only filled if there are probes
+  ProbeTiles probes_;
   bool dragging_ = false;
   Vec3 origin_{0, 0, 0};  // origin of the frame's rows
 
-  /// During a drag: the sums of the resting handles, and the weights of the moving ones.
   struct DragCache {
-    std::vector<std::uint32_t> moving;
-    unsigned long resting = 0;           // revision of the resting handles
-    std::vector<std::size_t> starts;     // in `listed`, one more than leaves
-    std::vector<std::uint32_t> listed;   // moving handles with weight in a leaf, leaf by leaf
-    base::AlignedVector<float> sums;     // [tile][sum][lane] of resting handles, for leaves to update
-    base::AlignedVector<float> weights;  // [tile][sum][lane] of resting handles, for leaves in reach
-    base::AlignedVector<float> rows;     // the moving handles' rows of the table
-    bool placed = false;                 // a frame used this cache: leaves without rows are up to date
+    std::vector<std::uint32_t> moving;   // handles
+    unsigned long resting = 0;           // CageState::resting_revision()
+    std::vector<std::size_t> starts;     // leaf l has the entries [starts[l], starts[l + 1]) of listed
+    std::vector<std::uint32_t> listed;   // moving handles with weights in the leaf, as indices of `moving`
+    base::AlignedVector<float> sums;     // [tile][sum][lane] of the handles that do not move
+    base::AlignedVector<float> weights;  // [tile][row][lane] of the moving handles
+    base::AlignedVector<float> rows;     // the moving handles' rows of table_
+    bool placed = false;                 // true if leaves without moving handles are up to date
     std::size_t row_count() const { return moving.size(); }
     std::size_t row_count(std::size_t leaf) const { return starts[leaf + 1] - starts[leaf]; }
   } drag_;

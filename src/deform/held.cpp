@@ -2,29 +2,28 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 
 namespace viete::deform {
 
 namespace {
 
-// Relative to the largest motion, squared and added to all: resting vertices count 1e14 times as much as
-// those that move most.
+// Added to the squared motion of each vertex, relative to the largest one. A resting vertex therefore has
+// 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
-// Maps that rotate or stretch less have their fixed point so far away that paths are nearly straight.
+// If a map rotates and stretches less than this, its fixed point is too far away to matter.
 constexpr double least_motion = 1e-4;
-// Relative: directions with less spread of the weighted vertices are ignored.
+// Directions with a smaller spread of vertices, relative to the largest spread, are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-// The affine map that fits the displacements of weighted vertices: mean + slope (x - center).
+// The affine map mean + slope (x - center) that best fits the displacements of weighted vertices.
 struct AffineFit {
   Vec3 center{0, 0, 0};
-  Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // of the places, where they are spread
-  Eigen::Vector3d to_fixed_point{0, 0, 0};  // from the centre, scaled by the quality of the fit
+  Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // inverse covariance of the positions
+  Eigen::Vector3d to_fixed_point{0, 0, 0};  // vector from the centre; shorter if the map fits badly
 };
 
 double smooth_step(double from, double to, double x) {
@@ -32,7 +31,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Inverse of a symmetric matrix, restricted to directions with large eigenvalues.
+// The inverse of a symmetric matrix in the directions of its large eigenvalues, and 0 in other directions.
 Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
   Eigen::Vector3d inverse{0, 0, 0};
@@ -64,7 +63,7 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
   const double explained = (slope * across.transpose()).trace();
   if (!(all > 0)) return fit;
   Eigen::JacobiSVD<Eigen::Matrix3d> svd(slope, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.info() != Eigen::Success) return fit;  // infinite or NaN input
+  if (svd.info() != Eigen::Success) return fit;  // the input is infinite or NaN
   for (int k = 0; k < 3; ++k) {
     const double s = svd.singularValues()[k];
     if (s > least_motion)
@@ -76,8 +75,8 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 }  // namespace
 
-// Weights of the vertices, corrected by a linear function of their positions so that their mean is the fixed
-// point of the affine map that fits the displacements.
+// Multiplies the weights by a linear function of the positions. This moves their mean to the fixed point of
+// the fitted affine map.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());

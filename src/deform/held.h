@@ -1,7 +1,6 @@
-// The anchor of each part of a moving shape, since the logs of triangles do not determine translations.
+// The anchor of each part of a moving shape. It determines the translation, which the triangles' logs do not.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,25 +9,24 @@
 
 namespace viete::deform {
 
-/// Connected parts of a mesh.
 struct HangingParts {
-  mesh::Adjacency vertices;  ///< vertices of each connected part, without loose ones
-  std::vector<bool> loose;   ///< vertices of no triangle
+  mesh::Adjacency vertices;  ///< vertices of each connected part
+  std::vector<bool> loose;   ///< true for a vertex without triangles, which belongs to no part
 
   std::size_t count() const { return vertices.starts.size() - 1; }
 };
 
-/// Shares of each vertex in the anchor of its part, the point that moves on a straight line. The anchor is a
-/// mean of vertices that favours those that move least: a resting region stays, and a limb rotates about its
-/// joint. If the part moves by an affine map, the anchor is the point that this map moves least: a part that
-/// rotates as a whole rotates about its axis.
+/// The weight of each vertex in the anchor of its part. The anchor is a weighted mean of the vertices and
+/// moves on a straight line. Vertices that move little have large weights, so a resting region stays, and a
+/// limb rotates about its joint. If the part moves by an affine map, the anchor is the point that moves
+/// least, so a rotating part rotates about its axis.
 using Held = std::vector<double>;
 
-/// from: positions; ways: displacements; squares: squared lengths of displacements, or sums of such.
+/// from: positions. ways: displacements. squares: squared lengths of displacements, or sums of such squares.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 
-/// Translates each part so that its anchor follows its straight line.
+/// Translates each part so that its anchor has the displacement that `straight` gives it.
 void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
 
 /// Translates each part so that the mean of its displacements is 0.

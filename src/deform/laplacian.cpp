@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
 
 #include "mesh/half_edges.h"
 #include "mesh/triangle.h"
@@ -13,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-// The sides opposite the corners, scaled to a size near 1; all 0 if the corners coincide.
+// The sides opposite to the corners, scaled to a size near 1. All are 0 if the corners coincide.
 std::array<Vec3, 3> scaled_sides(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   std::array<Vec3, 3> sides{c - b, a - c, b - a};
   const double largest = std::max({largest_abs(sides[0]), largest_abs(sides[1]), largest_abs(sides[2])});
@@ -38,7 +36,7 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
 }
 
-// The cotangent of a corner is the dot product of its two sides over twice the area of the triangle.
+// The cotangent at a corner is the dot product of its two sides divided by twice the area of the triangle.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   const auto s = scaled_sides(a, b, c);
   const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));
@@ -67,23 +65,24 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
 
 namespace {
 
-constexpr double least_excess = 1e-5;    // excess of two sides of a triangle over the third, in mean edges
+constexpr double least_excess = 1e-5;    // of two sides' length over the third side, in mean edge lengths
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
-constexpr std::size_t most_flips = 100;  // per half-edge; only a safety limit
+constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
 
-// Area from sides a, b, c. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
+// The area of a triangle with the side lengths a, b, c. W. Kahan, Miscalculating Area and Angles of a
+// Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b < c) std::swap(b, c);
   if (a < b) std::swap(a, b);
   const double square = (a + (b + c)) * (c - (a - b)) * (c + (a - b)) * (a + (b - c));
-  constexpr double least = 1e-12;  // relative to a^2: keeps cotangents finite
+  constexpr double least = 1e-12;  // smallest area divided by a^2, so that cotangents stay finite
   return std::max(0.25 * std::sqrt(std::max(square, 0.0)), least * a * a);
 }
 
-/// Triangles given by edge lengths and adjacency, without positions. Half-edge h runs from tail[h] to
-/// tail[next[h]].
+// Triangles without positions, given by edge lengths and adjacency. Half-edge h runs from tail_[h] to
+// tail_[next_[h]].
 class IntrinsicTriangles {
 public:
   IntrinsicTriangles(const std::vector<mesh::Point>& positions,
@@ -152,8 +151,8 @@ private:
     return true;
   }
 
-  // Half-edge i of triangle t is 3 t + i; those of its back follow those of all fronts, and run in the
-  // opposite direction.
+  // Half-edge i of triangle t has the index 3 t + i. If the surface is doubled, the half-edges of the back
+  // sides follow, in opposite direction.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());
     next_.resize(sides_ * front);
@@ -169,8 +168,8 @@ private:
     }
   }
 
-  // Each triangle at an edge has a half-edge along it on its front and an opposite one on its back: the
-  // forward one of each is the twin of the backward one of the next triangle around the edge.
+  // On a doubled surface, each triangle at an edge has a forward and a backward half-edge there, on its front
+  // and its back. A triangle's forward half-edge is the twin of the next triangle's backward half-edge.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
@@ -188,7 +187,7 @@ private:
     }
   }
 
-  // Lengths in units of the mean edge.
+  // Computes lengths in units of the mean edge length.
   void set_lengths(const std::vector<mesh::Point>& positions) {
     double sum = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h) {
@@ -199,7 +198,7 @@ private:
     for (double& l : length_) l = mean > 0 ? l / mean : 1;
   }
 
-  // Lengthens all edges equally, so that every triangle has an area.
+  // Adds the same length to all edges, so that every triangle has an area.
   void lengthen() {
     double missing = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h)
@@ -209,7 +208,7 @@ private:
 
   std::uint32_t previous(std::uint32_t h) const { return next_[next_[h]]; }
   double area(std::uint32_t h) const { return area_of(length_[h], length_[next_[h]], length_[previous(h)]); }
-  // Cotangent of the opposite angle.
+  // Cotangent of the angle opposite to h.
   double cotangent(std::uint32_t h) const {
     const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
     return ((b - a) * (b + a) + c * c) / (4 * area(h));
@@ -221,13 +220,13 @@ private:
     return g != next_[h] && g != previous(h) && weight(h) < -least_weight;
   }
 
-  // Position of the third corner in coordinates along h from its tail.
+  // The third corner of a triangle in 2D coordinates: the tail of h is the origin, h is the x axis.
   std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
     const double l = length_[h];
     return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area(h) / l};
   }
 
-  // Replaces edge ab of triangles abc and bad by cd, of cdb and dca.
+  // Replaces the triangles abc and bad with the common edge ab by the triangles cdb and dca with the edge cd.
   void flip(std::uint32_t h) {
     const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
     const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);

@@ -1,5 +1,4 @@
-// The model's vertices in leaves of neighbours, cut into tiles, and the one-ring of each vertex in that
-// order.
+// The model's vertices, grouped into leaves of neighbouring vertices, and the one-ring of each vertex.
 #pragma once
 
 #include <algorithm>
@@ -13,11 +12,11 @@
 namespace viete::deform {
 
 inline constexpr std::size_t leaf_slots = 512;
-inline constexpr std::size_t slot_block = 32;  ///< leaves are padded to multiples of it
+inline constexpr std::size_t slot_block = 32;  ///< the number of slots is a multiple of this
 
-/// Slot s stores vertex order[s] of the file. Leaf l owns slots [512 l, 512 (l + 1)); all leaves are full
-/// except the last, which is padded to a multiple of 32 by repeating its last vertex. Within a leaf vertices
-/// are sorted by their number of triangles, so that neighbouring slots have rings of equal length.
+/// Slot s contains vertex order[s] of the file. Leaf l has the slots [512 l, 512 (l + 1)). Only the last leaf
+/// may be smaller; it repeats its last vertex up to a multiple of 32 slots. In each leaf, vertices are sorted
+/// by their number of triangles, so that neighbouring slots have rings of equal length.
 struct Leaves {
   std::vector<std::uint32_t> order;  ///< slot_count() entries
   std::size_t vertices = 0;          ///< slots [vertices, slot_count()) are padding
@@ -31,38 +30,38 @@ struct Leaves {
 /// The slot of each vertex.
 std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 
-/// Builds a kd tree, split in halves along the longest side of the box. triangles_around: number of triangles
-/// per vertex. O(n log n). positions must not be empty.
+/// Makes leaves with a kd tree that splits the longest side of the bounding box. positions must not be empty.
+/// triangles_around: the number of triangles of each vertex. O(n log n).
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
 inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are processed together
-/// Neighbours are stored as offsets in floats divided by this: half the four floats of a position, so that
-/// address modes of the processor can scale them.
+/// A position has four floats, so neighbour i has the offset 4 i. It is stored as 4 i / index_floats, because
+/// processors can multiply by this number within an address.
 inline constexpr std::size_t index_floats = 2;
-inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length of a group of closed rings
+inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the length of a closed group
 
-/// The normal of a vertex v with neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x (n_i+1 -
-/// v), each twice the area vector of a triangle. If the triangles form several fans, their lists are
-/// concatenated with v itself in between, which makes those products 0. So the lists work for nonmanifold
-/// surfaces, and each vertex is independent.
+/// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of
+/// (n_i - v) x (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form
+/// several fans, v itself is inserted between the lists, so that the products there are 0. The lists
+/// therefore work for nonmanifold surfaces too.
 ///
-/// Four slots form a group, padded to one length. A group is closed if all four rings are closed and equally
-/// long; the last neighbour is then followed by the first. Otherwise it is open: a closed ring repeats its
-/// first neighbour at the end, and all rings are padded with v to the same odd number of neighbours.
-/// (Vertices of a leaf are sorted by their number of triangles, so padding is small.)
+/// Four slots form a group with one common length. If all four rings are closed and have the same length, the
+/// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings
+/// repeat their first neighbour, and v is appended to all rings up to the same odd length.
 ///
-/// All positions are in one array, leaf after leaf: first the leaf's slots, then its ghosts, which are copies
-/// of neighbours in other leaves, padded to whole groups. Leaf l has positions [position_starts[l],
-/// position_starts[l + 1]), and its neighbour indices are relative to the first of them.
+/// All positions are in one array, leaf after leaf: first the slots of the leaf, then its ghosts, which are
+/// copies of neighbours in other leaves. The positions of leaf l begin at position_starts[l], and its
+/// neighbour indices are relative to this start.
 struct Rings {
   std::vector<std::uint32_t> position_starts;  ///< size: number of leaves + 1
-  std::vector<std::uint32_t> ghosts;  ///< copied positions; first of leaf l: position_starts[l] - begin(l)
+  /// For each ghost the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
+  std::vector<std::uint32_t> ghosts;
   std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
-  std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring for closed groups
+  std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring if it is closed
 
-  /// A vertex with so many neighbours that 16-bit indices could overflow in its leaf. Its group treats it as
-  /// a vertex without triangles. Its own list is open and holds indices of positions.
+  /// A vertex with so many neighbours that 16-bit indices could overflow. Its group treats it as a vertex
+  /// without triangles. Its own list is open and contains indices of positions.
   struct HighValence {
     std::uint32_t slot, position;
     std::vector<std::uint32_t> neighbours;
@@ -73,7 +72,7 @@ struct Rings {
   std::size_t bytes() const;
 };
 
-/// Linear time. Ignores triangles that repeat a corner.
+/// Takes linear time. Ignores triangles that repeat a corner.
 Rings make_rings(const Leaves& leaves, std::span<const mesh::Triangle> triangles);
 
 }  // namespace viete::deform

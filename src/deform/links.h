@@ -1,4 +1,4 @@
-// The links of a frame, and their times.
+// Links: the steps that compute a frame, and their times.
 #pragma once
 
 #include <array>
@@ -8,9 +8,9 @@
 
 namespace viete::deform {
 
-/// `fused` is blend, exp and apply in one pass; `skeleton` the blend of the vertices that compressed weights
-/// interpolate; `triangle_maps` and `solve` belong to stitching and cover all iterations; `probes` is their
-/// layer.
+/// `fused` combines blend, exp and apply in one pass. `skeleton` blends the vertices from which compressed
+/// weights interpolate. `triangle_maps` and `solve` are the iterations of stitching. `probes` moves the model
+/// by probes.
 enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, probes, normals };
 inline constexpr std::size_t link_count = 11;
 
@@ -21,14 +21,13 @@ constexpr std::string_view name(Link link) {
   return names[static_cast<std::size_t>(link)];
 }
 
-/// Wall milliseconds of each link in one frame; links that the frame does not have stay 0.
+/// Elapsed milliseconds of each link in one frame; 0 for links that the frame does not use.
 struct LinkTimes {
   std::array<double, link_count> ms{};
 
   double& operator[](Link link) { return ms[static_cast<std::size_t>(link)]; }
   double operator[](Link link) const { return ms[static_cast<std::size_t>(link)]; }
   double total() const { return std::accumulate(ms.begin(), ms.end(), 0.0); }
-  /// Adds the times of another part of the same frame.
   LinkTimes& operator+=(const LinkTimes& other) {
     for (std::size_t i = 0; i < link_count; ++i) ms[i] += other.ms[i];
     return *this;

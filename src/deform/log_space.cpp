@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 constexpr std::size_t places_per_block = 1024;
 
-// For each vertex the first one at the same place.
+// For each vertex, the first vertex at the same position.
 std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
   mesh::PointIndex index;
   std::vector<mesh::Point> places;
@@ -49,13 +49,13 @@ public:
   Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
-  // Computes the pull of each side of the triangles on its first end (its second gets the negative): for the
-  // block of triangles that starts at `first` in triangles_,
+  // Computes the pull of each side of the triangles on the side's first end. The pull on its second end is
+  // the negative. Uses the block of triangles that starts at `first` in triangles_.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
   }
-  // or for some triangles there.
+  // Computes the pulls for a list of indices of triangles_.
   void pull_by_logs(std::span<const std::uint32_t> places) {
     if (places.size() < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -66,8 +66,9 @@ public:
     pull_by_logs_of(places.size(), [places](std::size_t i) { return places[i]; });
   }
 
-  // After pull_by_logs() of the same triangles: pulls by the rotations that best fit the displacements, R =
-  // the one nearest to sum_k c_k e'_k (S e_k)^T, with the sides e at rest and e' now.
+  // Must follow pull_by_logs() for the same triangles. Computes the pulls for the rotations that best fit the
+  // displacements: the rotation nearest to sum_k c_k e'_k (S e_k)^T. Here e_k are the sides at rest, e'_k the
+  // sides now, c_k the half cotangents, and S is the stretch.
   template <class At>
   void pull_by_fit(std::size_t count, const At& at) {
     for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);
@@ -80,7 +81,7 @@ public:
   }
 
   Vec3 pulled(std::size_t triangle, std::size_t side) const { return of(pulls_, triangle, side); }
-  // Change of a pull by the fitted rotation.
+  // The change of a pull caused by the fitted rotation.
   Vec3 fit(std::size_t triangle, std::size_t side) const {
     return of(fitted_, triangle, side) - of(pulls_, triangle, side);
   }
@@ -100,7 +101,7 @@ private:
     return {pulls[3 * side][triangle], pulls[3 * side + 1][triangle], pulls[3 * side + 2][triangle]};
   }
 
-  // Initialises lanes without a triangle to finite numbers.
+  // Sets the lanes without triangles to finite numbers.
   void fill_up() {
     for (Plane* planes : {logs_, rotations_, posed_}) std::fill_n(planes[0], 9 * plane_stride, 0.0);
     std::fill_n(stretches_[0], 6 * plane_stride, 0.0);
@@ -115,7 +116,7 @@ private:
     }
   }
 
-  // Sums logs of consecutive triangles.
+  // Adds up the logs of consecutive triangles.
   void add_logs(std::uint32_t first, std::size_t count, double* sums) const {
     constexpr std::size_t at_once = 8;
     ScaledRows rows[at_once];
@@ -169,7 +170,7 @@ LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* pro
       places_(first_at_place(rest_)),
       factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
-// Returns the stiffness matrix of the places, with one place of each part grounded.
+// Returns the stiffness matrix of the places (see places_), with one fixed place in each part.
 SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   index_of_.resize(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -194,7 +195,6 @@ SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   return grounded(stiffness, free);
 }
 
-// The sides opposite to the corners, and their weights.
 void LogSpace::fill_sides() {
   sides_.resize((corners_.size() / plane_size + 2) * 12 * plane_stride);
   std::ranges::fill(sides_, 0.0);
@@ -267,7 +267,7 @@ void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base:
   solve(work);
 }
 
-// Loads of all triangles, with rotations fitted by a share.
+// Computes work.right. The factor `share` moves the rotations towards fitted rotations.
 void LogSpace::load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const {
   add_pulls(
       [&](std::size_t first, std::size_t count, const auto& take) {
@@ -280,7 +280,6 @@ void LogSpace::load(std::span<const LogTerm> terms, double share, base::WorkerPo
       pool, work);
 }
 
-// Adds in the order of the sides.
 template <class Pull>
 void LogSpace::add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> right) const {
   const Vec3 p0 = pull(0), p1 = pull(1), p2 = pull(2);
@@ -288,7 +287,7 @@ void LogSpace::add_pulls_of(std::size_t i, const Pull& pull, std::span<Vec3> rig
   a = (a - p1) + p2, b = (b + p0) - p2, c = (c - p0) + p1;
 }
 
-// Adds to each place in the order of triangles and their sides.
+// Sums the pulls at each place in a fixed order, so that results do not depend on the number of threads.
 template <class Make>
 void LogSpace::add_pulls(const Make& make, base::WorkerPool& pool, Work& work) const {
   work.pulls.resize(3 * triangles_.size());
@@ -330,7 +329,7 @@ void LogSpace::spread_places(Work& work) const {
   for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
 }
 
-// Adds the changes of pulls by fitted rotations.
+// Adds the changes of the pulls of doubtful triangles caused by their fitted rotations.
 void LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
   Block block(*this, work, terms);
   for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {
@@ -372,7 +371,7 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
     vector.ways[v] = positions[v] - rest_[v];
     vector.leftovers[v] = vector.ways[v] - work.ways[v];
   }
-  center(parts_, vector.leftovers);  // translations follow from the anchor
+  center(parts_, vector.leftovers);  // the anchor determines the translations
 }
 
 void LogSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {

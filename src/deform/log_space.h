@@ -1,6 +1,5 @@
-// Shapes of one triangle mesh as vectors: the logs of its triangles' maps, which can be added, scaled and
-// averaged, and the shape that fits given logs. The midpoint of a half turn is a quarter turn, where linear
-// interpolation would collapse.
+// Converts shapes of a triangle mesh to vectors of logs, which can be added and scaled, and back. Half of a
+// half turn is a quarter turn; linear interpolation of positions would collapse there.
 #pragma once
 
 #include <array>
@@ -21,15 +20,16 @@
 
 namespace viete::deform {
 
-/// A shape as a vector; rest is 0. Sums and multiples are componentwise.
+/// A shape as a vector; the rest shape is 0. Sums and multiples are componentwise.
 struct LogVector {
   std::vector<std::array<double, 9>> logs;  ///< per triangle: log of stretch (6), rotation vector (3)
-  std::vector<Vec3>
-      leftovers;             ///< per vertex: the error of the shape that fits the logs, without translation
+  /// Per vertex: the shape minus the shape reconstructed from the logs, without translation.
+  std::vector<Vec3> leftovers;
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
   std::vector<Vec3> turns;   ///< per part of a cage: its mean rotation vector; empty for other meshes
-  std::vector<Vec3> wholes;  ///< per rotating part: the rotation vector that is not in its logs
-  /// A triangle whose log is far from its neighbours', and the share by which its rotation is refitted.
+  std::vector<Vec3> wholes;  ///< per part: a rotation vector that is applied in addition to the logs
+  /// A triangle whose log is far from its neighbours' logs. share: how far its rotation is moved to the
+  /// rotation that best fits the positions, from 0 to 1.
   struct Doubt {
     std::uint32_t triangle;
     double share;
@@ -37,87 +37,84 @@ struct LogVector {
   std::vector<Doubt> doubts;  ///< only triangles with area
 };
 
-/// A vector and its factor in a sum. The vector must outlive it.
+/// A vector and its factor in a sum.
 struct LogTerm {
   const LogVector* vector;
   double factor;
 };
 
-/// Converts logs of one mesh to shapes. Constant after construction: thread-safe.
+/// Converts logs of one mesh to shapes. Thread-safe: constant after construction.
 ///
-/// The target map of triangle t is M_t = exp(W) exp(Y_t) exp(X_t), W the whole turn of its part; positions p
-/// minimise
+/// The target map of triangle t is M_t = exp(W) exp(Y_t) exp(X_t), with the whole turn W of its part, the
+/// rotation vector Y_t and the log of stretch X_t. The positions p minimize
 ///
-///     sum_t area_t |(grad p - M_t) T_t|^2,
+///     sum_t area_t |(grad p - M_t) T_t|^2.
 ///
-/// T_t projecting onto the triangle's plane at rest: a Poisson problem (Y. Yu et al., Mesh editing with
-/// Poisson-based gradient field manipulation, 2004), factored once. Vertices at the same place count as one.
-/// The difference between p and a shape (logs cannot represent triangles that collapse, mirror or have no
-/// area) is part of its vector, so that a shape is reproduced up to rounding.
+/// T_t projects onto the triangle's plane at rest. This is a Poisson problem (Y. Yu et al., Mesh editing with
+/// Poisson-based gradient field manipulation, 2004); its matrix is factored once. Vertices at the same
+/// position count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a
+/// vector also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
 ///
-/// Doubtful rotations are then replaced, by a share, by those that best fit the positions, and these are
-/// solved for once more (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007): edges keep their
-/// blended lengths where neighbours rotate strongly against each other.
-///
-/// The translation of each connected part remains free: see Held.
+/// Then the rotations of doubtful triangles are moved towards rotations that best fit the positions, and the
+/// positions are solved again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This keeps
+/// edge lengths if neighbours rotate strongly against each other. Held determines the parts' translations.
 class LogSpace {
 public:
-  /// Input of the constructor; not stored.
   struct Mesh {
     std::span<const mesh::Point> positions;
     std::span<const mesh::Triangle> triangles;
-    std::span<const std::uint8_t> degenerate;  ///< 1: a triangle without area, which is ignored
-    std::span<const std::uint32_t> parts;      ///< per triangle, an index of LogVector::wholes
+    std::span<const std::uint8_t> degenerate;  ///< 1: the triangle has no area and is ignored
+    std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
   };
-  /// The buffers of a shape. One per thread; after the first shape nothing is allocated.
+  /// Buffers. Each thread needs its own. Reuse avoids memory allocation.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
-    std::vector<Vec3> wholes;                // whole turns of the sum
-    std::vector<sym3::Mat3<double>> turned;  // by them, per part; empty: no rotation
-    std::vector<double> doubts;              // doubts of the sum, per triangle
-    std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubt
-    std::vector<std::uint32_t> doubted;      // the places of their corners
+    std::vector<Vec3> wholes;                // whole turns of the sum, per part
+    std::vector<sym3::Mat3<double>> turned;  // rotation matrices of wholes; empty if all wholes are 0
+    std::vector<double> doubts;              // per triangle: weighted sum of Doubt::share
+    std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubts
+    std::vector<std::uint32_t> doubted;      // places of the corners of doubtful triangles
     SparseCholesky::Workspace solve;
   };
 
-  /// Throws base::Error if the mesh is so large or so small (beyond 1e75 and 1e-75) that it cannot be
-  /// factored; base::Cancelled.
+  /// Throws base::Cancelled. Throws base::Error if the size of the mesh is not between 1e-75 and 1e75.
   LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
   const HangingParts& parts() const { return parts_; }
 
   LogVector at_rest() const;
-  /// Fills ways and leftovers of a vector that already has logs and wholes.
+  /// Computes ways and leftovers of a vector from its logs and wholes.
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
-  /// Anchors of the motion from a shape along a sum of others; continuous in the factors.
+  /// The anchors of a motion from a shape along a sum of vectors; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  /// Anchors of the motion from one shape to another.
+  /// The anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
-  /// The shape of a sum; the same bits for any number of threads. positions.size() == rest().size().
+  /// Computes the shape of a sum. positions must have the size of rest(). The result does not depend on the
+  /// number of threads.
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// A step of shape(): work.ways become the displacements from rest that fit the sum's logs, without
-  /// leftovers; one vertex of each part is fixed. `whole`: replaces the sum's whole turns.
+  /// A step of shape(): sets work.ways to the displacements that fit the sum's logs, without leftovers. One
+  /// vertex of each part does not move. If `whole` is not null, it replaces the sum's whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// As follow(), with rotations moved by `share`, 0 to 1, towards those that best fit work.ways.
+  /// As follow(), but moves the rotations by a factor `share`, 0 to 1, towards a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// work.ways become the solution of the Poisson problem for work.right, which must be 0 except at places;
-  /// one vertex of each part is fixed. Solves three columns at once.
+  /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and
+  /// writes the solution to work.ways. One vertex of each part does not move. Solves three columns at once.
   void solve(Work& work) const;
 
-  /// Triangles with area: corners, half cotangents, and indices in the mesh.
+  /// The triangles with area: their corners, half cotangents and indices in the mesh.
   std::span<const mesh::Triangle> corners() const { return corners_; }
   std::span<const Vec3> cotangents() const { return cotangents_; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
   std::uint32_t place(std::uint32_t vertex) const { return places_[vertex]; }
 
-  /// The linear sum: every vertex moves on a straight line.
+  /// Computes the linear sum, in which every vertex moves on a straight line.
   void straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
 
 private:
@@ -144,18 +141,18 @@ private:
 
   std::vector<mesh::Point> rest_;
   std::size_t part_count_;
-  std::vector<std::uint32_t> index_of_;   // per triangle with area: its index in the arrays below
+  std::vector<std::uint32_t> index_of_;   // per triangle of the mesh: its index in the arrays below
   std::vector<std::uint32_t> triangles_;  // triangles with area
   std::vector<mesh::Triangle> corners_;   // corners of triangles_
-  std::vector<mesh::Triangle> placed_;    // corners_ as places
-  std::vector<std::uint32_t> part_of_;    // part of triangles_
-  std::vector<Vec3> cotangents_;       // half cotangents of triangles_, each of the edge opposite to a corner
-  base::AlignedVector<double> sides_;  // edges, then cotangents, by blocks in planes: PlaneKernel::pull
-  std::vector<std::uint32_t> places_;  // per vertex the first vertex at its place: the unknowns
-  mesh::Adjacency around_;             // 3 i + corner, for each place
+  std::vector<mesh::Triangle> placed_;    // places of corners_
+  std::vector<std::uint32_t> part_of_;    // parts of triangles_
+  std::vector<Vec3> cotangents_;          // half cotangents of triangles_, one per corner
+  base::AlignedVector<double> sides_;     // sides and half cotangents, block by block, see PlaneKernel::pull
+  std::vector<std::uint32_t> places_;     // per vertex: its place, the first vertex at the same position
+  mesh::Adjacency around_;                // per place: 3 i + corner for each index i of triangles_
   HangingParts parts_;
-  std::vector<std::uint32_t> copies_;    // vertices that are not the first at their place
-  std::vector<std::uint32_t> grounded_;  // per part one fixed place
+  std::vector<std::uint32_t> copies_;    // vertices that are not places
+  std::vector<std::uint32_t> grounded_;  // one fixed place per part
   SparseCholesky factors_;
 };
 

@@ -169,13 +169,13 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
       {"between rest.obj a.obj -o m.obj", "this format stores a single frame; write numbered"},
       {"between rest.obj a.obj -o m.png", "unknown extension .png"},
       {"between rest.obj a.obj -o m.pc2 --at 1", "unknown extension .pc2"},
-      {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are fewer than the shapes"},
+      {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are too few for 3 shapes"},
       {"between rest.obj a.obj -o m.ply --at 1.5", "is beyond the last shape, which is at 1"}};
   for (const auto& [words, said] : cases) f.refused(words, 1, said);
   Points large = f.cube.positions;
   for (auto& p : large) p = 1e12 * p;
   f.write("large.obj", large);
-  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is too large to be drawn");
+  f.refused("mix rest.obj --shape large.obj=3 -o m.ply", 1, "m.ply: the mix is too large to draw");
   CHECK_FALSE(fs::exists(f / "m.ply"));
 }
 
@@ -205,7 +205,7 @@ TEST_CASE("pose_finds_the_example_that_its_pins_are_of") {
   }
   const Outcome outcome = f.done("pose --examples a.obj --examples b.obj" + pins +
                                  " --restraint 0 -o p.obj --digits all rest.obj");
-  CHECK(mentions(outcome, "pins off by 0.00 %"));
+  CHECK(mentions(outcome, "largest distance of a pin to its target 0.00 %"));
   CHECK(mentions(outcome, "  b"));
   CHECK(distance(f.read("p.obj"), bent) < 1e-4);
   f.done("pose rest.obj --pin 0=5,5,5 --pull 7=9,9,9 -o q.ply");
@@ -225,7 +225,7 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
                {"--pin 1=1,2,3 --freedom 2", 2, "--freedom"},
                {"--pin 999=1,2,3", 1, "vertex 999"},
                {"--pin 1=1,2,3 --pull 1=3,2,1", 1, "pinned twice"},
-               {"--pin 1=1e60,2,3 --pin 2=0,0,0", 1, "too large to be drawn"}};
+               {"--pin 1=1e60,2,3 --pin 2=0,0,0", 1, "too large to draw"}};
   for (const auto& c : cases) f.refused(std::string("pose rest.obj -o p.obj ") + c.pins, c.code, c.said);
   f.refused("pose rest.obj --pin 1=1,2,3 -o rest.obj", 1, "rest.obj");
   CHECK(!fs::exists(f / "p.obj"));

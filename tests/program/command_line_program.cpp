@@ -80,8 +80,8 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
   CHECK(file_bytes(scratch / "frames").size() == 12 * formats::read(dragon).surface.positions.size());
   if (fs::exists("/dev/full"))
     CHECK(mentions(streamed(scratch, "/dev/full"), "standard output: it cannot be written"));
-  for (const auto& [number, said] : {std::pair{std::nan(""), "pose 1: vertex 5 has no finite position"},
-                                     {1e50, "pose 1: a position is out of the range of float32"}}) {
+  for (const auto& [number, said] : {std::pair{std::nan(""), "pose 1: vertex 5 is not finite or too large"},
+                                     {1e50, "pose 1: a deformed position is too large for float32"}}) {
     std::memcpy(poses.data() + 5 * sizeof(mesh::Point), &number, sizeof number);
     put_file(scratch / "poses", poses);
     CHECK(mentions(streamed(scratch), said));
@@ -189,7 +189,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(partly > 200);
   // An unavailable map is reported.
   CHECK(mentions(f.done("render " + quoted(dragon) + " --size 200x100 --map volume -o without.png"),
-                 "no map of volume here"));
+                 "the map volume is not available"));
   f.refused("render " + quoted(dragon) + " -o no.png --camera none.viete", 1, "none.viete");
   for (const std::string wrong : {"--compare smooth,none", "--map blue"})
     f.refused("render " + quoted(dragon) + " -o no.png " + wrong, 2, wrong.substr(0, wrong.find(' ')));

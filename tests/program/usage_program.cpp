@@ -73,7 +73,7 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
       {"render a b -o x.png --scale", "--scale needs a value\n"},
       {"render a b -o x.png -o y.png", "--output is given more than once\n"},
       {"render a b -o x.png --compare smooth", "--compare needs 2 or more values\n"},
-      {"render a b -o x.png --compare smooth,paper,rigid,arap,local", "--compare takes at most 4 values\n"},
+      {"render a b -o x.png --compare smooth,paper,rigid,arap,local", "--compare needs at most 4 values\n"},
       {"render a b -q -o x.png", "no option -q\n"},
       {"render a b c d -o x.png", "unexpected arguments of viete render: c d\n"},
       {"bench",
