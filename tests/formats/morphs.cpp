@@ -312,7 +312,7 @@ TEST_CASE("targets_and_animations_of_the_file_stay_and_are_widened") {
   const auto clip = read(folder / "b.glb").original->morphs();
   CHECK(clip->name() == "lift");
   CHECK(clip->targets().size() == 3);
-  CHECK(holds(clip->notes().at(0), "using the first of 2 animations of weights"));
+  CHECK(holds(clip->notes().at(0), "only the first of 2 animations of weights is used"));
 }
 
 TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
@@ -444,7 +444,7 @@ TEST_CASE("stepped_and_cubic_weights_are_read_and_invalid_ones_rejected") {
     CHECK(holds(clip->notes().at(0), "linearly"));
     CHECK(clip->targets() == std::vector<std::string>{"target 1", "target 2"});
   }
-  CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not ascend"), base::Error);
+  CHECK_THROWS_WITH_AS(clip_of(back, plain, "LINEAR"), doctest::Contains("do not increase"), base::Error);
   CHECK_THROWS_WITH_AS(clip_of(input, nan, "LINEAR"), doctest::Contains("not finite"), base::Error);
   CHECK_THROWS_WITH_AS(clip_of(input, cubic, "LINEAR"),
                        doctest::Contains("12 weights for 2 times and 2 targets"), base::Error);

@@ -68,20 +68,20 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
         "given.obj:5: face refers to vertex 5, the file has 4; export the model again");
   CHECK(test::refusal(four + "f -5 2 3\n", "obj") ==
         "given.obj:5: face refers to vertex -5, the file has 4 before it; export the model again");
-  test::check_refusals("obj",
-                       {{four + "f 0 1 2\n", "given.obj:5: face refers to vertex 0, OBJ indices start at 1"},
-                        {"v 0,5 0 0\n", "given.obj:1: \"0,5\" is not a number; use a decimal point"},
-                        {"v 1 2\n", "given.obj:1: a coordinate is missing"},
-                        {"v 1 2 x\n", "\"x\" is not a number"},
-                        {"v 1 2 nan\n", "\"nan\" is not a finite number"},
-                        {four + "f a b c\n", "\"a\" is not a vertex index"},
-                        {four + "f 1 2 3x\n", "vertex index is followed by \"x\""},
-                        {four + "f 1 2 3.5\n", "followed by \".5\""},
-                        {four + "f 1 2 99999999999\n", "refers to vertex 99999999999"},
-                        {four + "f 1 2 99999999999999999999\n", "is too large"},
-                        {four + "f 1 2 3\nf", "given.obj:6: face without vertices"},
-                        {"f 1 2 3\n", "the file has 0"},
-                        {"# nothing\n", "no vertices found"}});
+  test::check_refusals(
+      "obj", {{four + "f 0 1 2\n", "given.obj:5: face refers to vertex 0, but OBJ indices start at 1"},
+              {"v 0,5 0 0\n", "given.obj:1: \"0,5\" is not a number; use a decimal point"},
+              {"v 1 2\n", "given.obj:1: a coordinate is missing"},
+              {"v 1 2 x\n", "\"x\" is not a number"},
+              {"v 1 2 nan\n", "\"nan\" is not a finite number"},
+              {four + "f a b c\n", "\"a\" is not a vertex index"},
+              {four + "f 1 2 3x\n", "vertex index is followed by \"x\""},
+              {four + "f 1 2 3.5\n", "followed by \".5\""},
+              {four + "f 1 2 99999999999\n", "refers to vertex 99999999999"},
+              {four + "f 1 2 99999999999999999999\n", "is too large"},
+              {four + "f 1 2 3\nf", "given.obj:6: face without vertices"},
+              {"f 1 2 3\n", "the file has 0"},
+              {"# nothing\n", "no vertices found"}});
   CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==
         "given.obj:3: unknown OBJ keyword \"VERTEX\", and no vertices were found; export the model again");
 }
@@ -243,7 +243,7 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   CHECK(read.attributes->normals[1] == Vec3{0, 0, 0});
   REQUIRE(read.warnings.size() == 3);
   CHECK(holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
-  CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals are unreadable"));
+  CHECK(holds(read.warnings[1], "used 0 for 1 unreadable line of texture coordinates"));
 }
 
 namespace {

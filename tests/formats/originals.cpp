@@ -166,8 +166,8 @@ TEST_CASE("position_beyond_float_range_is_rejected") {
       "y\nproperty float z\nend_header\n";
   const ReadResult ply = test::read_kept(head + std::string(12, '\0'), "ply");
   CHECK_THROWS_WITH_AS(test::written_again(ply, {{1e39, 0, 0}}),
-                       "given.ply: vertex 0: a position does not fit into the file's type; write another "
-                       "format, or scale the model",
+                       "given.ply: vertex 0: the new value exceeds the range of its number type in this "
+                       "file; save in another format, or scale the model",
                        base::Error);
   std::string stl(84 + 50, '\0');
   stl[80] = 1;
