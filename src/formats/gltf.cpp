@@ -352,7 +352,7 @@ private:
 
   void weld(std::size_t first, std::size_t first_corner) {
     if (points_.size() >= mesh::none)
-      throw base::Error(file_.name, "more than 4294967294 vertices", "split the model");
+      throw base::Error(file_.name, "the file has more than 4294967294 vertices", "split the model");
     const auto lowest = lowest_vertices(first);
     const bool is_shaped = !shaped_.empty() && !source_.played;
     map_.surface_vertex.resize(points_.size());

@@ -105,7 +105,7 @@ TEST_CASE("poses_and_cages_are_not_saved_where_their_vertices_would_not_come_bac
   const test::CubeFiles files;
   Workspace w = edited(files);
   CHECK_FALSE(save_pose(w, files / "a.STL"));
-  CHECK(test::mentions(w.messages.all().back().text, "save it as .obj, .ply or .off"));
+  CHECK(test::mentions(w.messages.all().back().text, "save as .obj, .ply or .off"));
   for (const char* name : {"a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(save_cage(w, files / name));
   for (const char* name : {"a.STL", "a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(fs::exists(files / name));
   CHECK(has_unsaved_edits(w));

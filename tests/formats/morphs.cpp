@@ -362,7 +362,7 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
   }
   CHECK_THROWS_WITH_AS(test::write_morphs(folder / "b.obj", {r.surface, r.surface.positions, {}},
                                           r.original.get(), wave.animation),
-                       doctest::Contains("no morph targets"), base::Error);
+                       doctest::Contains("cannot store morph targets"), base::Error);
 }
 
 TEST_CASE("computed_normals_are_continuous_across_texture_seams") {
@@ -400,7 +400,7 @@ TEST_CASE("invalid_animations_are_rejected_and_nothing_is_written") {
     }
     return std::string();
   };
-  CHECK(holds(refused({}), "without keys"));
+  CHECK(holds(refused({}), "the animation has no keys"));
   CHECK(holds(refused({{0, "", rest}, {0, "", rest}}), "key 1: its time"));
   CHECK(holds(refused({{std::nan(""), "", rest}}), "key 0: its time"));
   CHECK(holds(refused({{0, "", far}}), "the position of vertex 0 is invalid"));

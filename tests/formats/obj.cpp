@@ -114,7 +114,7 @@ TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
 TEST_CASE("obj_oddities_cause_warnings") {
   const ReadResult points = test::read_text(four, "obj");
   REQUIRE(points.warnings.size() == 1);
-  CHECK(points.warnings[0] == "given.obj: no faces, only a set of points");
+  CHECK(points.warnings[0] == "given.obj: the file has no faces, only a set of points");
   const ReadResult odd =
       test::read_text(four + "f 1 2\nf 1 2 3\nvertex 1\nvertex 2\nsurf 0 1 0 1 1 2\n", "obj");
   REQUIRE(odd.warnings.size() == 3);
