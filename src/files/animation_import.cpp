@@ -73,7 +73,7 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
     throw base::Error(files.front().string(),
                       "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
                           base::with_thousands(document::PoseLibrary::most_poses),
-                      "choose fewer");
+                      "choose fewer poses");
   for (document::NamedPose& pose : all.poses)
     pose.name.resize(std::min(pose.name.size(), document::PoseLibrary::longest_name));
   return all;
@@ -89,7 +89,6 @@ void check_key_count(const std::string& file, std::size_t count) {
                     "export every second frame, or fewer");
 }
 
-// Appends keys in order, each with the turns nearest to the previous one.
 class KeyBuilder {
 public:
   explicit KeyBuilder(std::string file, document::Easing easing) : file_(std::move(file)), easing_(easing) {}
@@ -97,7 +96,7 @@ public:
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= document::Timeline::least_frame && whole <= document::Timeline::largest_frame))
-      throw base::Error(file_, "it has a frame number above 1,000,000", "export a shorter range");
+      throw base::Error(file_, "it has a frame below -1,000,000 or above 1,000,000", "export a shorter range");
     const int number = static_cast<int>(whole);
     if (!keys_.empty() && number <= keys_.back().frame) {
       ++skipped_;
@@ -109,9 +108,9 @@ public:
 
   ImportedKeys take(std::vector<std::string> warnings, double rate) {
     if (skipped_ > 0)
-      warnings.push_back(file_ + ": " + base::counted(skipped_, "key") + " fall on the frame of another at " +
-                         base::few_digits(rate) +
-                         " frames a second and were skipped; choose a higher rate first");
+      warnings.push_back(file_ + ": skipped " + base::counted(skipped_, "key") +
+                         " because another key has the same frame at " + base::few_digits(rate) +
+                         " frames per second; choose a higher rate before importing");
     return {std::move(keys_), std::move(warnings), {file_}};
   }
 
@@ -164,8 +163,9 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, warnings);
   const auto& clip = found.clip;
   if (!clip || clip->seconds().empty())
-    throw base::Error(file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
-                      clip ? "import it as poses" : "export shape keys of the cage with their animation");
+    throw base::Error(
+        file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
+        clip ? "import it as poses" : "export the cage with animated morph targets (shape keys)");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
   KeyBuilder keys(file.string(), document::Easing::linear);

@@ -111,7 +111,7 @@ TEST_CASE("several_keys_on_one_frame_give_a_warning") {
   const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage, {1, 12});
   CHECK(keys.keys.size() == 9);
   REQUIRE(keys.warnings.size() == 1);
-  CHECK(test::mentions(keys.warnings[0], "8 keys fall on the frame of another at 12"));
+  CHECK(test::mentions(keys.warnings[0], "skipped 8 keys because another key has the same frame at 12"));
 }
 
 TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {

@@ -54,8 +54,8 @@ TEST_CASE("the_enclosing_one_of_two_dropped_files_is_the_cage_or_else_the_one_wi
   } cases[] = {
       {{files.model, files.cage}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
       {{files.cage, files.model}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
-      {{files.model, files / "small.obj"}, files.model, "encloses it"},
-      {{files / "aside.obj", files.model}, files / "aside.obj", "does not enclose it"}};
+      {{files.model, files / "small.obj"}, files.model, "encloses the model"},
+      {{files / "aside.obj", files.model}, files / "aside.obj", "does not enclose the model"}};
   for (const auto& c : cases) {
     Workspace w;
     REQUIRE(drop(w, c.dropped));
@@ -138,7 +138,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped, and this one is not a shape of the model"));
+  CHECK(said(other, "3 files dropped, and this file is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));
@@ -165,7 +165,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "give the cage as well"));
+  CHECK(said(w, "open the cage too"));
 }
 
 TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
