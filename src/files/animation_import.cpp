@@ -96,7 +96,8 @@ public:
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= document::Timeline::least_frame && whole <= document::Timeline::largest_frame))
-      throw base::Error(file_, "it has a frame below -1,000,000 or above 1,000,000", "export a shorter range");
+      throw base::Error(file_, "it has a frame below -1,000,000 or above 1,000,000",
+                        "export a shorter range");
     const int number = static_cast<int>(whole);
     if (!keys_.empty() && number <= keys_.back().frame) {
       ++skipped_;

@@ -48,8 +48,8 @@ struct ImportTimes {
 ///                        linear interpolation
 ///
 /// Only posed cages store full turns; other keys get the turns nearest to the previous key. If several keys
-/// have the same frame, the first is used and a warning is added. Throws base::Error if the number of vertices differs, a frame is out of range, or there are no
-/// frames or too many. Thread-safe.
+/// have the same frame, the first is used and a warning is added. Throws base::Error if the number of
+/// vertices differs, a frame is out of range, or there are no frames or too many. Thread-safe.
 ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& cage, const ImportTimes& times,
                        base::Progress* progress = nullptr);
 
