@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The cage's own motion as a file.
+// Writes the motion of the cage to files.
 struct CageMotion : test::AnimatedCube {
   void write(const fs::path& file) const {
     std::vector<std::vector<mesh::Point>> frames;
@@ -96,9 +96,9 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   for (const PoseKey& key : keys) CHECK(farthest(key.pose->cage, m.pose(key.frame).cage) < 1e-5);
   const fs::path file = m / "c.glb";
   const auto poses = read_poses(std::span(&file, 1), *m.document.cage);
-  CHECK(poses.warnings.empty());  // no note about unplayed animation
+  CHECK(poses.warnings.empty());
   CHECK(read_keys(file, *m.document.cage, {}).warnings.empty());
-  REQUIRE(poses.poses.size() >= 16);  // rest needs no target
+  REQUIRE(poses.poses.size() >= 16);  // the rest pose has no target
   CHECK(poses.poses.back().name == "frame 17");
   CHECK(farthest(poses.poses.back().pose->cage, m.pose(17).cage) < 1e-5);
   write_animation(animation_export_of(m.document, m / "model.glb"));

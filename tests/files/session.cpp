@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Every setting of a session differs from its default.
+// A workspace in which every setting differs from its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -87,7 +87,7 @@ Workspace worked(const test::CubeFiles& files) {
   return w;
 }
 
-// As above, with poses, a mix, keys of all easings, and camera keys.
+// As worked(), with poses, a mix, keys with all easings, and camera keys.
 Workspace animated(const test::CubeFiles& files) {
   Workspace w = worked(files);
   w.document.selection = Selection(ElementKind::vertex);
@@ -159,7 +159,7 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
   return all;
 }
 
-// A session of the cube with more members.
+// A session of the cube with additional members.
 std::string with(const std::string& members) {
   return R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" + members +
          "}";
@@ -175,7 +175,7 @@ std::string key_text(const std::string& frame, const std::string& more = "") {
   return "{\"frame\": " + frame + ", " + more + positions() + "}";
 }
 
-// A probe with more members, after a good one.
+// A valid probe, then a probe with additional members.
 std::string probes(const std::string& members, const std::string& place = "[0, 0, 1]") {
   const std::string part = R"({"falloff": "smooth", "radius": 1})",
                     good = "\"turn\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
@@ -198,7 +198,6 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
     back.viewport = w.viewport;
     CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
     if (w.document.library.poses.empty()) continue;
-    // The mix continues from there.
     CHECK(clear_mix(back.document, back.playback.vectors));
     CHECK(back.document.pose.positions != w.document.pose.positions);
     CHECK(has_unsaved_edits(back));
@@ -239,7 +238,7 @@ TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
   CHECK(camera_of(back, 2) == moved);
   back.camera.look(StandardView::front);
   const CameraPose goal = back.camera.destination();
-  CHECK(session_of(back).camera == goal);  // also while it is still easing
+  CHECK(session_of(back).camera == goal);  // even while the camera is still moving
   CHECK(goal.yaw == 0);
 }
 
@@ -407,7 +406,7 @@ TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
   for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = 0.29;  // also where the weights do not use it
+    scheme.weighting.radius = 0.29;  // kept even if the weights do not use it
     check_kept(scheme);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);
@@ -444,7 +443,7 @@ TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
   Workspace w = test::opened({files.model, files.cage, files.pose});
   REQUIRE(save_session(w, files / "a.viete"));
   fs::copy(files.cage, files / "same.obj");
-  fs::rename(files / "same.obj", files.cage);  // a new file with the old content
+  fs::rename(files / "same.obj", files.cage);  // a new file with the same content
   CHECK(said_on_opening(files / "a.viete").empty());
 
   mesh::Surface cage = test::cube(1.5);
@@ -487,7 +486,7 @@ TEST_CASE("a_broken_cage_names_both_files") {
   CHECK_MESSAGE((mentions(said, "a.viete: cage: ") && mentions(said, "cage.obj:2")), said);
 }
 
-// Without a change of brackets and quotes most damage leaves valid JSON.
+// Brackets and quotes are not changed, so that the JSON often stays valid.
 TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::test_suite(test::longer)) {
   const test::CubeFiles files;
   const std::string whole = session_text(session_of(animated(files)), files / "a.viete");

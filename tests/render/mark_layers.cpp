@@ -11,14 +11,14 @@ namespace {
 
 const glm::dmat4 perspective = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
 
-// The brightest value of a channel in a row or column of pixels.
+// The largest value of a channel in 20 pixels.
 int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int channel) {
   int most = 0;
   for (int i = 0; i < 20; ++i, from += step) most = std::max<int>(most, image.pixel(from.x, from.y)[channel]);
   return most;
 }
 
-/// A wall at x >= 0, z = 1, drawn black so that only lines and discs are visible.
+/// A black wall at x >= 0, z = 1. Only lines and discs are visible.
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
@@ -144,9 +144,9 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   render::LineLayer lines(stage.gl);
   set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
-  CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
+  CHECK(image.pixel(160, 195)[0] > 0);  // the line ends at the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
+  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // completely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   test::Stage stage;
   render::FaceLayer faces(stage.gl);
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
-  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
+  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // inclined to the viewer
   render::DiscLayer discs(stage.gl);
   set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
   render::FaceStyle untinted;
