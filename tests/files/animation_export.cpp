@@ -308,7 +308,7 @@ TEST_CASE("an_existing_frame_is_never_overwritten_without_force") {
   CHECK(formats::read(cube / "f_05.ply").surface.positions == exact_frame(cube, 5));
   what.force = Force::offered;
   CHECK(test::mentions(problem_of(what),
-                       "f_01.ply: this file already exists and would be replaced, as 16 more"));
+                       "f_01.ply: this file already exists and would be replaced, and 16 more files"));
 }
 
 TEST_CASE("a_cancelled_export_leaves_whole_files_or_none") {

@@ -431,7 +431,7 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
   test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"),
-                 "version: the session has version 2, this version of Viete reads 1"));
+                 "version: the session has version 2, this version of Viete reads version 1"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);

@@ -68,7 +68,7 @@ TEST_CASE("off_undeclared_colours_are_kept") {
     const ReadResult odd =
         test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
     CHECK(odd.attributes == nullptr);
-    CHECK(holds(odd.warnings.at(0), "ignored extra values after the positions of 1 row"));
+    CHECK(holds(odd.warnings.at(0), "ignored extra values after the positions of 1 vertex row"));
   }
 }
 

@@ -121,7 +121,7 @@ TEST_CASE("obj_oddities_cause_warnings") {
   CHECK(odd.surface.polygon_count() == 1);
   CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
   CHECK(holds(odd.warnings[1], "given.obj:7: ignored 2 lines"));
-  CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
+  CHECK(holds(odd.warnings[2], "ignored 1 face with fewer than three corners"));
 }
 
 TEST_CASE("obj_comments_of_the_head_are_kept") {

@@ -70,7 +70,7 @@ TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
 TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
   test::check_refusals(
-      "stl", {{whole.substr(0, whole.size() - 10), "announces 32 triangles, the file has room for 31"},
+      "stl", {{whole.substr(0, whole.size() - 10), "declares 32 triangles, the file has room for 31"},
               {whole.substr(0, 60), "a binary STL has at least 84 bytes"},
               {binary_stl(Surface{}, "a"), "no vertices"}});
   std::string huge = whole;

@@ -49,9 +49,8 @@ TEST_CASE("surface_palette_rises_in_even_steps_of_lightness_and_starts_light") {
   const float step = (lightness(colors.back()) - lightness(colors.front())) / 8;
   CHECK(step > 5);
   CHECK(lightness(colors.front()) > 35);
-  for (std::size_t i = 1; i < colors.size(); ++i) {
+  for (std::size_t i = 1; i < colors.size(); ++i)
     CHECK(lightness(colors[i]) - lightness(colors[i - 1]) == doctest::Approx(step).epsilon(0.25));
-  }
 }
 
 TEST_CASE("palette_starts_and_ends_with_its_keys") {
