@@ -19,10 +19,10 @@ struct ImportedPoses {
   std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// Reads posed cages. Each file gives a pose with the name of the file, and with its full turns if the file
-/// stores them; a glTF file with morph targets gives a pose per target. A folder gives the poses of all its
-/// models in natural order, and a warning for each model that does not fit the cage. Throws base::Error if a
-/// named file does not fit, or if there are no poses or too many. Thread-safe.
+/// Reads posed cages. Each file gives a pose with the name of the file and its full turns, if stored; a glTF
+/// file with morph targets gives a pose per target. A folder gives the poses of its models in natural order,
+/// and a warning for each model that does not fit the cage. Throws base::Error if a named file does not fit
+/// the cage, or if there are no poses or too many. Thread-safe.
 ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                          base::Progress* progress = nullptr);
 

@@ -1,5 +1,5 @@
-// Reads and writes JSON files; errors name the file and the key. For each type one function code(field,
-// value, ...) both reads and writes: it sets the value from the field, or the field from the value.
+// Reads and writes JSON files; errors name the file and the key. Each type has a function code(field, value,
+// ...) for reading and writing: it sets the value from the field, or the field from the value.
 #pragma once
 
 #include <algorithm>

@@ -62,7 +62,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// Warns if most of the model is outside the cage, which may belong to another model.
+// Warns if most of the model is outside the cage: the cage may belong to another model.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
@@ -240,7 +240,7 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   return opened;
 }
 
-// Replaces the files of the session. A missing cage is also looked for in the folder of the new model.
+// Replaces the files of the session. Also looks for a missing cage in the folder of the new model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -281,7 +281,7 @@ document::Document document_of_session(const Session& session, const fs::path& f
   }
 }
 
-// Sets the pose to that of the keys at the current frame.
+// Sets the pose that the keys give at the current frame.
 void set_pose_from_keys(document::Document& document) {
   if (document.timeline.keys.empty()) return;
   document::VectorCache vectors;

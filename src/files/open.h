@@ -71,13 +71,13 @@ struct Opened {
 /// progress may be null. Throws base::Error (for sessions also SessionFileError, for cages also
 /// deform::FinError) and base::Cancelled. Thread-safe.
 ///
-/// Dropped files are identified by content and number. One file is the first of these that fits:
+/// Dropped files are identified by content and number. A single file is the first of these kinds that fits:
 /// - a session, or a point cache (of the model: shapes; otherwise: keys)
 /// - a pose with the number of vertices and the faces of the open cage
 /// - a shape with the number of vertices and the faces of the open model, but another file
 /// - a cage, if no cage is open and the file encloses the open model with fewer vertices
 /// - a model
-/// Two files are shapes if both fit the open model; otherwise a model and the cage that encloses it. If
+/// Two files are shapes if they fit the open model; otherwise a model and the cage that encloses it. If
 /// neither file or each file encloses the other, the cage is the file with fewer vertices. More than two
 /// files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,

@@ -32,8 +32,7 @@ Session work_of(const Session& session) {
   return work;
 }
 
-// The saved work: that of the original session or, if there is none, the cage at rest. Requires a session or
-// a cage with a file.
+// The work in the original session or, if there is no session, the cage at rest, read from its file.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;

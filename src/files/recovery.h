@@ -24,8 +24,7 @@ std::filesystem::path recovery_file(const std::filesystem::path& folder);
 /// A free name for the unsaved work of a document that the user replaces by opening another file.
 std::filesystem::path set_aside_file(const std::filesystem::path& folder);
 
-/// Renames a recovery file that was opened and closed without further edits. Returns the new name, or the old
-/// one if renaming fails.
+/// Marks a file as restored by renaming it. Returns the new name, or the old name if renaming fails.
 std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);

@@ -95,7 +95,7 @@ static void code(const JsonField& f, document::CameraPose& camera) {
   if (up) code_listed(*up, camera.up, axis_words);
 }
 
-// The members of a scheme are members of the enclosing object. Missing choices get fitting defaults.
+// Reads or writes members of the enclosing object. Missing choices get fitting defaults.
 static void code(const JsonField& f, deform::Scheme& scheme) {
   deform::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
@@ -152,7 +152,7 @@ static void code(const JsonField& f, document::Handling& handling) {
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
 }
 
-// The members are members of the enclosing object. "stretched" is the log of the stretch.
+// Reads or writes members of the enclosing object. "stretched" is the log of the stretch.
 static void code(const JsonField& f, deform::ProbePose& pose) {
   f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
   if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The shares of the model's vertices as run lengths: [share, count, share, count, ...].
+// A mask is stored as run lengths: [share, count, share, count, ...]. A share applies to `count` vertices.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
@@ -238,7 +238,7 @@ static void code(const JsonField& f, deform::Pose& pose) {
   f.unless({}, "positions", pose.positions, Reach{mesh::largest_coordinate});
 }
 
-// The members are members of the enclosing object. The pose read is not null.
+// Reads or writes members of the enclosing object. A pose that was read is not null.
 static void code(const JsonField& f, document::SharedPose& pose) {
   document::WholePose whole;
   if (pose) whole = *pose;

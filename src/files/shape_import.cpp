@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "pose_2" before "pose_10".
+// Compares numbers in names by value: "pose_2" is before "pose_10".
 bool before_by_numbers(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;

@@ -18,7 +18,7 @@ namespace viete::formats {
 using Vec2 = std::array<double, 2>;
 using Color = std::array<float, 4>;  ///< red, green, blue (sRGB) and opacity, each in [0, 1]
 
-/// The largest image file that is decoded.
+/// The size in bytes of the largest image file that is decoded.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
 /// An encoded image: an external file, or bytes embedded in the model's file. It is decoded only for display.
@@ -37,8 +37,8 @@ struct Material {
 
 /// A range of consecutive polygons with the same object, group name, material and shading.
 struct Group {
-  std::uint32_t first_polygon = 0;      ///< the group ends at the first polygon of the next one
-  std::string object, name;             ///< either may be empty
+  std::uint32_t first_polygon = 0;      ///< the group ends before the first polygon of the next group
+  std::string object, name;             ///< may be empty
   std::uint32_t material = mesh::none;  ///< index into Attributes::materials
   bool smooth = true;                   ///< false: flat shading
 };

@@ -1,4 +1,4 @@
-// Conversion of numbers to and from bytes in either byte order.
+// Converts numbers to bytes and back, in little-endian or big-endian order.
 #pragma once
 
 #include <algorithm>

@@ -10,13 +10,13 @@ namespace viete::formats {
 /// Every reader throws base::Error and base::Cancelled. If source.owner is set, ReadResult::original is set.
 ///
 /// Source: Wavefront Advanced Visualizer manual, appendix B1. Reads the keywords v (x y z and an optional
-/// colour), vt, vn, f, o, g, s, usemtl and mtllib, also in capitals; relative indices; continued lines. Faces
-/// may precede their vertices. Invalid indices of texture points and normals, and unreadable material
-/// libraries, only cause warnings.
+/// colour), vt, vn, f, o, g, s, usemtl and mtllib, also in capitals. Supports relative indices, continued
+/// lines, and faces before their vertices. Invalid indices of texture points and normals, and unreadable
+/// material libraries, only cause warnings.
 ReadResult read_obj(const Source& source);
 /// True if the first non-comment line starts with a keyword unique to OBJ.
 bool looks_like_obj(const Source& source);
-/// True if at least 90 % of the lines are valid OBJ statements and at least one is a vertex.
+/// True if at least 90 % of the lines are valid OBJ statements and the file has a vertex.
 bool is_certainly_obj(const Beginning& file);
 /// Writes colours, texture points and normals, but no groups or materials. Numbers get the shortest digits
 /// that read back exactly, unless the caller requests other digits.
@@ -31,18 +31,17 @@ ReadResult read_ply(const Source& source);
 bool looks_like_ply(const Source& source);
 /// True if the file begins with a complete header.
 bool is_certainly_ply(const Beginning& file);
-/// Writes binary little-endian PLY: positions in double; normals if each vertex has only one; colours;
-/// texture points per vertex, or per face if a vertex has several.
+/// Writes binary little-endian PLY with positions in double, colours and texture points. Writes normals only
+/// if no vertex has several normals.
 void write_ply(const Content& content, TextWriter& out);
 
 /// Source: Geomview manual, "OFF Files". Reads OFF and its variants with colours, normals or texture
-/// coordinates after the positions, in any order; comments; files without the keyword OFF; colours that the
-/// keyword does not declare. The indices of a face may continue on the next line. Not supported: 4OFF, nOFF,
-/// BINARY.
+/// coordinates after the positions. The keyword OFF may be missing, colours need not be declared, and the
+/// indices of a face may continue on the next line. Not supported: 4OFF, nOFF, BINARY.
 ReadResult read_off(const Source& source);
 /// True if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// True if the optional keyword is followed only by numbers, and by enough numbers for the declared counts.
+/// True if the file has only numbers after the optional keyword, and enough numbers for the declared counts.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
@@ -52,11 +51,10 @@ void write_off(const Content& content, TextWriter& out);
 ReadResult read_stl(const Source& source);
 /// True if the size matches the triangle count of a binary STL exactly, or if the text starts with "solid".
 bool looks_like_stl(const Source& source);
-/// True if each line of a text starts with an STL keyword, or if the first triangles of a binary file are
+/// True if all lines of a text start with STL keywords, or the first triangles of a binary file are
 /// plausible.
 bool is_certainly_stl(const Beginning& file);
-/// Writes triangles as text, because binary STL rounds positions to float. Vertices without a triangle are
-/// left out.
+/// Writes triangles as text, because binary STL rounds positions to float. Leaves out unused vertices.
 void write_stl(const Content& content, TextWriter& out);
 
 /// Source: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene, placed by
@@ -65,18 +63,17 @@ void write_stl(const Content& content, TextWriter& out);
 /// vertices without polygons. External buffers must be in the folder of source.name or below. There may be
 /// at most 4 million more vertices and corners than bytes in all buffers.
 ReadResult read_gltf(const Source& source);
-/// True for a GLB, or JSON with an asset.
+/// True for a GLB file, or JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);
-/// True for a GLB of version 2, or JSON whose asset has version 2.
+/// True for a GLB file of version 2, or JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
 /// Writes one node with one mesh and one primitive: positions in float, texture points, normals, colours.
-/// Surfaces without normals get computed normals; is_flat() surfaces get none, which glTF shows flat-shaded.
+/// Surfaces without normals get computed normals, but is_flat() surfaces do not: glTF shows them flat-shaded.
 /// Polygons become triangles. Throws base::Error beyond 4 GB, the limit of GLB.
 void write_glb(const Content& content, TextWriter& out);
-/// Writes JSON with embedded buffers; otherwise as write_glb().
+/// Writes the same content as JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
-/// Writes GLB or glTF with an animation of the vertices, see check_motion(). progress may be null. Throws
-/// base::Cancelled too.
+/// Also writes an animation, see check_motion(). progress may be null. Throws base::Cancelled too.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
 

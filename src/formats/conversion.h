@@ -21,7 +21,7 @@ Attributes deformed_attributes(const mesh::Surface& rest, std::span<const mesh::
 /// A copy of each normal for each vertex that uses it, or for each polygon with flat shading. A deformation
 /// may change the copies differently.
 struct SpreadNormals {
-  std::vector<mesh::Vec3> normals;       ///< the copies, sorted by original normal; at least one copy each
+  std::vector<mesh::Vec3> normals;       ///< at least one copy of each original normal, in their order
   std::vector<std::uint32_t> first;      ///< index of the first copy of each original normal, then the size
   std::vector<std::uint32_t> of_corner;  ///< for each corner an index into normals, or mesh::none
 
@@ -40,7 +40,7 @@ bool is_flat(const Attributes& attributes);
 /// If a component exceeds 1, divides all colours by 255, except white (1, 1, 1, 1) and opacity 1.
 void to_unit_range(std::span<Color> colors);
 
-/// Converts [0, 1] to 0 to 255; other values are clamped.
+/// Converts a value in [0, 1] to an integer from 0 to 255. Clamps other values.
 std::uint8_t color_byte(float value);
 
 /// Messages about content that this format cannot store, one line each: "2 faces of more than three corners

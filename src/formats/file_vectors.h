@@ -1,4 +1,4 @@
-// The places of positions, normals and tangents in a file, which allow rewriting the file with other values.
+// Records the places of positions, normals and tangents in a file, and rewrites the file with other values.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@
 
 namespace viete::formats {
 
-/// A list of three-number rows in a file, in file order: positions, normals or tangents.
+/// A list of positions, normals or tangents in a file. Each row has three numbers. Rows are in file order.
 struct FileVectors {
   enum class Kind { positions, normals, tangents };
   enum class Rows { vertices, corners, faces };
   using Places = std::array<std::size_t, 3>;
 
   Kind kind = Kind::positions;
-  Rows rows = Rows::vertices;  ///< row i belongs to vertex i, to corner i, or see row_of_corner
+  Rows rows = Rows::vertices;  ///< row i belongs to vertex i or corner i; for faces see row_of_corner
   std::string element;         ///< name of a row in messages
   std::size_t count = 0;       ///< number of rows
   /// Offsets of the row's three numbers in the file; every row has the same order. no_places: the row stays.

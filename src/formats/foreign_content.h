@@ -1,4 +1,4 @@
-// Detection of foreign file content that users often open by mistake.
+// Detects other kinds of files that users often open by mistake.
 #pragma once
 
 #include <initializer_list>
@@ -7,7 +7,7 @@
 
 namespace viete::formats {
 
-/// Throws base::Error with advice if the file is empty or of a known foreign kind: a Git LFS pointer, a
+/// Throws base::Error with advice if the file is empty or of a known other kind: a Git LFS pointer, a
 /// compressed file, a web page, another format. bytes: the beginning of the file.
 void refuse_foreign(const std::string& name, std::string_view bytes);
 

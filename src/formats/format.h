@@ -1,4 +1,4 @@
-// Description of a file format: a row of format_table.h.
+// Describes a file format. The formats are listed in format_table.h.
 #pragma once
 
 #include <string_view>

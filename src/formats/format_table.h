@@ -11,7 +11,7 @@
 
 namespace viete::formats {
 
-/// In display order.
+/// All formats, in the order of menus and messages.
 std::span<const Format> all_formats();
 
 /// Both return null for an unknown extension.
@@ -24,7 +24,7 @@ const Format& surface_format(const std::filesystem::path& file);
 /// True if `file` has the format of the original, which can then be rewritten. original may be null.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
-/// Detects the format by content with the strict tests, ignoring the extension. Null if no test succeeds.
+/// Detects the format by content with Format::is_certain, ignoring the extension. Null if unknown.
 const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
 
 /// The row for a ReadResult::format such as "glTF binary"; null if unknown.

@@ -30,14 +30,13 @@ public:
 
   GltfPlace place(int accessor) const;
 
-  /// Returns the first `components` numbers of each element. Normalized integers are scaled to [0, 1] or
-  /// [-1, 1].
+  /// Returns the first `components` numbers of each element. Normalized integers become at most 1 in size.
   std::vector<double> numbers(int accessor, std::size_t components) const;
 
   /// Returns unsigned integers. Throws base::Error too if an integer is `limit` or more.
   std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
 
-  /// True if the elements are floats with this number of components and no sparse values.
+  /// True for float elements with this number of components and without sparse values.
   bool holds_floats(int accessor, std::size_t components) const;
 
   /// Throws base::Error for element `index` of the list `what`.

@@ -52,7 +52,7 @@ inline std::string text_of(const GltfJson& object, const char* key) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/// The value as a non-negative integer, if it is one.
+/// The value if it is a non-negative integer.
 inline std::optional<std::uint64_t> count_of(const GltfJson& value) {
   const bool counts =
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
@@ -63,7 +63,7 @@ inline std::optional<std::uint64_t> count_of(const GltfJson& object, const char*
   return count_of(member_of(object, key));
 }
 
-/// The index in this member; -1 if missing.
+/// A member that is an index; -1 if missing.
 inline int index_of(const GltfJson& object, const char* key) {
   constexpr std::uint64_t largest = std::numeric_limits<int>::max();
   const auto count = count_of(object, key);

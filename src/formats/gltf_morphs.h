@@ -16,7 +16,7 @@
 
 namespace viete::formats {
 
-/// The default weights of `count` targets: the weights of the node or, if it has none, of the mesh.
+/// The default weights of `count` targets. Weights of the node replace weights of the mesh.
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
@@ -37,7 +37,7 @@ std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* da
 /// Sets "min" and "max" of each component.
 void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
 
-/// Vertices that several primitives of one mesh share, with their values at rest: three numbers per vertex.
+/// Vertices that several primitives of a mesh share. Values at rest have three numbers per vertex.
 struct MorphedVertices {
   std::size_t node = 0;  ///< the only node that places the mesh
   std::vector<std::size_t> primitives;

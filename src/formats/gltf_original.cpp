@@ -133,8 +133,7 @@ private:
                      file_.other_chunks, out);
   }
 
-  // Stores the buffers. A GLB embeds them; a .gltf embeds the ones that were embedded in the original and
-  // puts all others in external files.
+  // Embeds the buffers in a GLB. In a .gltf, buffers stay embedded or external as in the original.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;

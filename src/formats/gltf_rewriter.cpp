@@ -33,7 +33,7 @@ public:
     list_bytes(document);
   }
 
-  // The number of references to the accessor in the document.
+  // The number of references to this accessor.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
 
   // True for float elements of this number of components that share no byte with another accessor or image.

@@ -40,8 +40,8 @@ struct GltfPlacement {
   AffineMap map;  ///< from the mesh to the scene
 };
 
-/// The placements in the default scene or the first scene; in a file without scenes, of all nodes. Parents
-/// come first. Throws base::Error if the nodes do not form trees or an index is invalid.
+/// The placements in the default scene or, if it is missing, the first scene. A file without scenes uses all
+/// nodes. Parents come first. Throws base::Error if the nodes do not form trees or an index is invalid.
 std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
 /// Accessors of a morph target's offsets; -1 if missing.

@@ -37,8 +37,8 @@ public:
   const std::vector<std::string>& targets() const { return targets_; }  ///< a non-empty name for each target
   const std::vector<std::string>& notes() const { return notes_; }      ///< differences from the file
 
-  /// The positions of the surface at a key, or with one target at full weight. Positions between keys are to
-  /// be interpolated linearly. Throws base::Error if the file contains invalid data.
+  /// The positions of the surface at a key, or with only this target at full weight. Callers interpolate
+  /// linearly between keys. Throws base::Error if the file contains invalid data.
   virtual std::vector<mesh::Point> at_key(std::size_t key) const = 0;
   virtual std::vector<mesh::Point> at_target(std::size_t target) const = 0;
 

@@ -108,8 +108,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// If the whole text, with its blanks, names an existing file, returns only its path; otherwise a path per
-// word.
+// If a file with the whole text as its name exists, returns only this file; otherwise a file per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);

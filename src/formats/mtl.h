@@ -13,17 +13,17 @@ namespace viete::formats {
 /// A `newmtl` section: the statements Kd, d, Tr and map_Kd, and the file names of other maps.
 struct MtlMaterial {
   Material material;                        ///< without base_color_image
-  std::filesystem::path image;              ///< file of map_Kd, may not exist; empty if missing
+  std::filesystem::path image;              ///< the file of map_Kd, which may not exist; or empty
   std::vector<std::filesystem::path> maps;  ///< files of all maps, including `image`
 };
 
 /// Skips unreadable lines. source.folder: the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// Sets colours and images of the model's materials by name. libraries: for each `mtllib` line the text after
-/// the keyword, which is one file name with blanks or several file names in source.folder. Warns about an
-/// unreadable library if there are materials. Returns the paths of the libraries and of their images. Does
-/// nothing if source.folder is empty.
+/// Sets colours and images of the model's materials by name. libraries: the text after the keyword of each
+/// `mtllib` line: one file name with blanks, or several file names, in source.folder. If this folder is
+/// empty, does nothing. Warns about an unreadable library if there are materials. Returns all libraries and
+/// images.
 std::vector<std::filesystem::path> read_materials(const Source& source,
                                                   const std::vector<std::string>& libraries,
                                                   Attributes& attributes, SurfaceBuilder& builder);

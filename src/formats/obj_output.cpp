@@ -57,7 +57,7 @@ public:
     number(blocks, attributes, value_of_corner);
   }
 
-  // The normal on an original line; the same bits if unmoved.
+  // The normal on an original line. An unmoved normal has the same bits as before.
   const mesh::Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
   // The normals on the lines added for an original line.
   std::span<const mesh::Vec3> added(std::size_t line) const {
@@ -91,7 +91,7 @@ private:
     }
   }
 
-  std::vector<mesh::Vec3> values_;    // the normal of each original line, then those of its added lines
+  std::vector<mesh::Vec3> values_;  // for each original line its normal, then the normals of its added lines
   std::vector<std::uint32_t> first_;  // for each original line the index of its normal in values_
   std::vector<std::uint32_t> index_;
   std::vector<std::uint32_t> corner_index_;  // only if lines are added

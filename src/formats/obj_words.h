@@ -1,4 +1,4 @@
-// Keywords of OBJ lines, the indices of a face's corner, and the rewriting of a file.
+// Parses keywords and corners of OBJ lines, and rewrites a file.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ enum class ObjWord : std::uint8_t {
 
 /// Ignores the case, because some programs write capitals.
 ObjWord obj_word(std::string_view word);
-/// Accepts lower case only.
+/// As obj_word(), but accepts only lower case.
 ObjWord small_obj_word(std::string_view word);
 
 /// True for statements that end a block of vertices and normals. Added lines are inserted before them.

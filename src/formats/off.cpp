@@ -114,7 +114,7 @@ private:
     return static_cast<std::size_t>(value);
   }
 
-  // A vertex needs at least six bytes, a face two.
+  // Compares the counts with the file size. A vertex has at least six bytes, a face at least two.
   void check_room(std::size_t vertices, std::size_t faces) const {
     const std::size_t left = text_.bytes_left() + 1;
     if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
@@ -236,8 +236,7 @@ private:
     text_.next_line();
   }
 
-  // Reads three or four numbers after the corners. Ignores a single number, an index of an external colour
-  // map.
+  // Reads three or four numbers after the corners; ignores a single number, the index of a colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));

@@ -51,8 +51,8 @@ void write_point_cache(const std::filesystem::path& path, const PointCacheHead& 
 /// Reads frames on demand. Thread-safe.
 class PointCache {
 public:
-  /// Recognises PC2 by its signature and MDD by its size. Throws base::Error for other or truncated files, no
-  /// points or frames, and non-finite times. Sizes are checked before memory is allocated.
+  /// Recognises PC2 by its signature and MDD by its size. Throws base::Error for other or truncated files,
+  /// files without points or frames, and non-finite times. Checks sizes before it allocates memory.
   explicit PointCache(const std::filesystem::path& path);
   /// Reads from memory; the bytes must outlive the object.
   PointCache(std::string name, std::string_view bytes);
@@ -61,8 +61,7 @@ public:
   /// Messages about ignored problems, one line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// number must be below head().frames. Throws base::Error if a position is invalid or the file cannot be
-  /// read.
+  /// number must be below head().frames. Throws base::Error for an invalid position or a read error.
   std::vector<mesh::Point> frame(std::size_t number) const;
 
 private:

@@ -21,7 +21,7 @@ namespace viete::formats {
 
 using ThreeWords = std::array<std::string_view, 3>;
 
-/// The next three words of the line; missing ones are empty.
+/// The next three words of the line; missing words are empty.
 inline ThreeWords three_words(TextCursor& text) {
   return {text.word(), text.word(), text.word()};  // from left to right
 }
@@ -33,7 +33,7 @@ public:
 
   /// word: a part of the bytes.
   void replace(std::string_view word, std::string_view by) {
-    copy_until(offset_of(word));
+    copy_until(static_cast<std::size_t>(word.data() - bytes_.data()));
     out_.text(by);
     copied_ += word.size();
   }
@@ -60,10 +60,6 @@ public:
   }
 
   void finish() { copy_until(bytes_.size()); }
-
-  std::size_t offset_of(std::string_view word) const {
-    return static_cast<std::size_t>(word.data() - bytes_.data());
-  }
 
 private:
   std::string_view bytes_;

@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// Sets the layout with attribute bytes. Returns false if there are none, or if they exceed the file.
+// Sets the offsets if attribute bytes follow the triangles. Returns false if they do not, or exceed the file.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;

@@ -10,8 +10,8 @@ namespace viete::formats {
 
 namespace {
 
-// For a number beyond the range of double: true if it is too small, false if it is too large. The result code
-// of std::from_chars is the same for both.
+// For a number beyond the range of double: true if it is too small, false if it is too large. The error code
+// of std::from_chars does not distinguish these cases.
 bool is_tiny(std::string_view number) {
   long double value = 0;
   const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
@@ -127,8 +127,7 @@ double TextCursor::coordinate() {
   return value;
 }
 
-// Accepts a plus sign, which from_chars rejects, and returns 0 on underflow. Throws base::Error for all other
-// text.
+// Accepts a plus sign, which from_chars rejects, and returns 0 on underflow. Other text throws base::Error.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
   const char* const number = from + (plus ? 1 : 0);

@@ -1,4 +1,4 @@
-// Reads a text file word by word; errors have the line number.
+// Reads a text file word by word. Errors contain the line number.
 #pragma once
 
 #include <charconv>
@@ -54,8 +54,7 @@ public:
   /// Reads the next word as a finite number of size at most 1e100, so that volumes stay finite.
   double coordinate();
 
-  /// Reads at most to.size() numbers of this line, and stops at a word that is not a number. Returns the
-  /// number of values.
+  /// Reads up to to.size() numbers of this line, until a word is not a number. Returns how many it has read.
   std::size_t numbers(std::span<double> to);
 
   /// Reads the next word as an integer. what: its name in messages, "face index".

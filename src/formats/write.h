@@ -14,11 +14,10 @@
 
 namespace viete::formats {
 
-/// OBJ, OFF (text) and PLY (binary): polygons and vertices read back with the same bits. STL (text):
-/// triangles read back with the same bits; larger polygons and unused vertices are lost. glTF: see
-/// write_glb(). Comments go to the header, one line each; in STL the first comment is the name. Atomic:
-/// writes a temporary file, syncs and renames it, so that a failure keeps an existing file. Throws
-/// base::Error.
+/// OBJ, OFF (text) and PLY (binary) store exact polygons and vertices. STL (text) stores exact triangles, but
+/// no larger polygons and no unused vertices. glTF: see write_glb(). Comments go to the header, one line
+/// each; in STL the first comment is the name. Writes a temporary file, syncs and renames it, so that a
+/// failure keeps an existing file. Throws base::Error.
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            const std::vector<std::string>& comments = {});
 

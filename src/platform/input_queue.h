@@ -26,8 +26,8 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// If ImGui cannot distinguish two events in one frame, such as the press and release of a fast click, the
-/// second event waits for the next frame.
+/// ImGui may lose an event if two events change the same button in one frame, for example a fast click. The
+/// second event therefore waits for the next frame.
 class InputQueue {
 public:
   /// Returns ImGui's key for a key code (before ImGui 1.87 the code itself), or 0 for an unused key.

@@ -8,8 +8,8 @@
 namespace viete::platform {
 
 /// A context, which is current in the thread that created it. It has no default framebuffer: draw into a
-/// render::Framebuffer. Create at most one per thread, and none in the thread of a GLFW window, because they
-/// would replace each other as Mesa's current context.
+/// render::Framebuffer. Each thread may have only one context. The thread of a GLFW window must not create
+/// another, because Mesa would replace the current context.
 class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };

@@ -118,8 +118,7 @@ Area area_of(GLFWmonitor* screen) {
   return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
 }
 
-// The screen that shows most of the window. If the system does not report positions, returns the first
-// screen; null if there is no screen.
+// The screen that shows most of the window, or the first screen if positions are unknown. May be null.
 GLFWmonitor* screen_of(const Area& window) {
   int count = 0;
   GLFWmonitor** const screens = glfwGetMonitors(&count);

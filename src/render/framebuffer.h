@@ -8,9 +8,9 @@
 
 namespace viete::render {
 
-/// The target of all drawing. A window, OSMesa and EGL therefore give the same picture. Memory is reallocated
-/// only if the size or the number of samples changes. Colours are RGBA8 as displayed (GL does not convert
-/// sRGB); depth has 24 bits.
+/// All drawing goes to such a target, so that a window, OSMesa and EGL give the same picture. Memory is only
+/// reallocated if the size or the number of samples changes. Colours are RGBA8 as displayed; depth has 24
+/// bits.
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);

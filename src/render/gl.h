@@ -96,8 +96,7 @@ struct TexelFormat {
   GLint stored;        ///< of the texture: GL_RGBA8, ...
   GLenum given, type;  ///< of the data: GL_RGBA, ... and GL_UNSIGNED_BYTE, ...
 };
-/// Fills a texture with one level, linear filtering and clamped edges, and binds it to the unit. data may be
-/// null.
+/// Sets and binds a texture with one level, linear filtering and clamped edges. data may be null.
 void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
                  const TexelFormat& format, const void* data);
 void bind_texture(const Gl& gl, int unit, const Texture& texture);

@@ -69,7 +69,7 @@ public:
   void set_positions(std::span<const Point> positions);
   /// Sets a colour for each segment, as displayed, with opacity.
   void set_colors(std::span<const glm::vec4> colors);
-  /// Sets two colours for each segment, one for each end; they are interpolated between the ends.
+  /// Sets a colour for each end of each segment. Colours are interpolated between the ends.
   void set_end_colors(std::span<const glm::vec4> colors);
   void set_color(const glm::vec4& color);
 

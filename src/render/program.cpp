@@ -22,8 +22,7 @@ struct Shader {
   GLuint id;
 };
 
-/// The text of a shader with `defines` inserted after the version line. Compiler messages have the line
-/// numbers of the file.
+/// The text of a shader with `defines` after the version line. Compiler messages keep the line numbers.
 std::string with_defines(const std::string& file, const std::string& defines) {
   std::string text(shader_text(file));
   const std::size_t version = text.find("#version");

@@ -1,4 +1,4 @@
-// Shader programs of the files in shaders/, which are embedded in the program.
+// Compiles the shaders in shaders/, which are embedded in the program.
 #pragma once
 
 #include <glm/glm.hpp>
