@@ -185,7 +185,7 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
   for (std::size_t v = 0; v < pose.size(); ++v)
     if (!formats::is_place(pose[v], most))
       throw base::Error("vertex " + std::to_string(v),
-                        "its position at " + frame_name(frame) + " exceeds the range of glTF (float)",
+                        "the position at " + frame_name(frame) + " exceeds the range of glTF (float)",
                         "export numbered models (frame_####.ply), or scale the model");
 }
 

@@ -84,7 +84,7 @@ namespace {
 void check_key_count(const std::string& file, std::size_t count) {
   if (count <= document::Timeline::most_keys) return;
   throw base::Error(file,
-                    "it has " + base::counted(count, "frame") + ", and a timeline can have " +
+                    "the file has " + base::counted(count, "frame") + ", and a timeline can have " +
                         base::with_thousands(document::Timeline::most_keys) + " keys",
                     "export every second frame, or fewer");
 }
@@ -96,7 +96,7 @@ public:
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= document::Timeline::least_frame && whole <= document::Timeline::largest_frame))
-      throw base::Error(file_, "it has a frame below -1,000,000 or above 1,000,000",
+      throw base::Error(file_, "a frame number is below -1,000,000 or above 1,000,000",
                         "export a shorter range");
     const int number = static_cast<int>(whole);
     if (!keys_.empty() && number <= keys_.back().frame) {
@@ -165,7 +165,7 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   const auto& clip = found.clip;
   if (!clip || clip->seconds().empty())
     throw base::Error(
-        file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
+        file.string(), clip ? "the morph targets are not animated" : "the file has no morph targets",
         clip ? "import it as poses" : "export the cage with animated morph targets (shape keys)");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
@@ -187,7 +187,7 @@ ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const Imp
   const bool alone = !sequence || sequence->find().size() < 2;
   if (formats::is_a(formats::holds_morphs, file) && alone) return keys_of_gltf(file, cage, times, progress);
   if (!sequence)
-    throw base::Error(file.string(), "its name has no frame number",
+    throw base::Error(file.string(), "the file name has no frame number",
                       "choose a numbered posed cage (pose_0001.obj), a point cache or a glTF file");
   return keys_of_files(*sequence, cage, progress);
 }

@@ -131,8 +131,9 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
     const std::uint32_t v = tree.nearest(p);
     if (taken[v] || mesh::norm(found.positions[v] - p) > near)
       throw base::Error(file,
-                        std::string("its rest shape is not ") + of.what +
-                            ": it has no vertex at the position of vertex " + std::to_string(order.size()),
+                        std::string("the rest shape differs from ") + of.what +
+                            ": the file has no vertex at the position of vertex " +
+                            std::to_string(order.size()),
                         std::string("export ") + of.what + " at rest with the same axes and unit");
     taken[v] = true;
     order.push_back(v);

@@ -143,7 +143,7 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (!names.empty())
-    notes.push_back(std::string(format.name) + " cannot store other content of the file: " +
+    notes.push_back(std::string(format.name) + " cannot store some content of the file: " +
                     TextWriter::one_line(list) + (names.size() > most ? " ..." : ""));
   if (!format.holds(held::polygons) && !content.surface.triangles.empty())
     tell_triangles(content.surface, notes);

@@ -207,8 +207,8 @@ private:
       ++parted;
     }
     if (parted > 0)
-      notes_.push_back(std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
-                       " of shared meshes became separate meshes, because each deforms differently");
+      notes_.push_back("shared meshes were copied " + base::counted(parted, "time") +
+                       ", because their nodes deform differently");
   }
 
   // Computes the normals and tangents in scene coordinates, before and after the deformation.

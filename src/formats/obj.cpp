@@ -235,7 +235,7 @@ private:
 
   void face() {
     if (text_.at_line_end())
-      text_.fail("face without vertices", "the file seems to be truncated: export or copy it again");
+      text_.fail("the face has no vertices", "the file seems to be truncated: export or copy it again");
     do {
       const std::uint32_t v = vertex(text_.leading_integer("vertex index"));
       attributes_.corner(builder_.surface().corners.size(), behind_vertex());
@@ -275,7 +275,7 @@ private:
     const std::string count = std::to_string(builder_.vertex_count());
     throw base::Error(text_.place(line),
                       "face refers to vertex " + std::to_string(index) + ", the file has " + count +
-                          (index < 0 ? " before it" : ""),
+                          (index < 0 ? " vertices before this line" : ""),
                       "export the model again");
   }
 

@@ -207,8 +207,8 @@ private:
   std::shared_ptr<const Attributes> finished_attributes() {
     to_unit_range(found_.colors);
     if (unknown_rows_ > 0) {
-      builder_.warn(source_.name + ": ignored extra values after the positions of " +
-                    base::counted(unknown_rows_, "vertex row") + ", which the header does not declare");
+      builder_.warn(source_.name + ": ignored undeclared values after the positions of " +
+                    base::counted(unknown_rows_, "vertex row"));
     } else if (!unnamed_colors_.empty()) {
       found_.colors = spread(unnamed_colors_, builder_.vertex_count());
     }

@@ -188,7 +188,7 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   for (std::size_t i = 0; i < head_.frames; ++i) {
     head_.seconds[i] = number_of_bytes<float>(&times[4 * i], std::endian::big);
     if (!std::isfinite(head_.seconds[i]))
-      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is not finite",
+      throw base::Error(name_ + ": frame " + std::to_string(i), "the time is not finite",
                         "export the point cache again");
   }
   first_frame_ = mdd_head_size + times.size();

@@ -130,7 +130,8 @@ namespace {
     throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
   std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
                 vertex, largest, p[0], p[1], p[2]);
-  throw base::Error(place, text.data(), "scale the model, or write .obj or .ply, which store larger numbers");
+  throw base::Error(place, text.data(),
+                    "scale the model, or save as .obj or .ply, which store larger numbers");
 }
 
 }  // namespace

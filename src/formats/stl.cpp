@@ -198,12 +198,12 @@ private:
     if (word == "vertex") {
       TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
-      if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
+      if (!in_facet_) text_.fail("a vertex is outside of a facet", "export the model again");
       corners_.add({x, y, z});
       if (source_.owner) corner_places_.push_back(places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
-      if (in_facet_) text_.fail("facet within a facet", "export the model again");
+      if (in_facet_) text_.fail("a facet begins within another facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
       text_.word();  // "normal"
@@ -222,7 +222,7 @@ private:
 
   void end_facet() {
     if (!in_facet_ || facet_corners_ != 3)
-      text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
+      text_.fail("a facet has " + std::to_string(facet_corners_) + " corners instead of 3",
                  "export the model again");
     builder_.end_polygon();
     in_facet_ = false;

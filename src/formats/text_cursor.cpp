@@ -110,7 +110,7 @@ std::string_view TextCursor::rest_of_line() {
 }
 
 double TextCursor::coordinate() {
-  if (at_line_end()) fail("a coordinate is missing", "every vertex needs x, y and z");
+  if (at_line_end()) fail("a coordinate is missing", "write x, y and z for every vertex");
   const char* const from = at_;
   double value = 0;
   const auto [to, code] = std::from_chars(from, end_, value);

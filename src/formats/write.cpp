@@ -168,7 +168,7 @@ void check_motion(const MorphMotion& motion, std::size_t vertices) {
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
     if (!std::isfinite(seconds[i]) || !ascends)
-      throw base::Error("key " + std::to_string(i), "its time is not after the time of the previous key",
+      throw base::Error("key " + std::to_string(i), "the time is not after the time of the previous key",
                         "move the key to a later time");
   }
   if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())

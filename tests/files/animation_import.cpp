@@ -67,7 +67,7 @@ TEST_CASE("numbered_posed_cages_are_keys_at_their_numbers") {
     }
   }
   CHECK(test::mentions(m.problem(m / "q_#.obj"), "no file matches this name"));
-  CHECK(test::mentions(m.problem(m.cage), "its name has no frame number"));
+  CHECK(test::mentions(m.problem(m.cage), "the file name has no frame number"));
 }
 
 TEST_CASE("point_caches_of_the_cage_are_keys_at_every_frame") {

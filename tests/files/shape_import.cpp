@@ -186,7 +186,7 @@ TEST_CASE("morph_targets_are_shapes_of_their_names") {
   CHECK(distance(*read.shapes[1].shape, frown) < 1e-6);
   test::write_morphs(f / "moved.glb", {f.model, smile, {}}, nullptr,
                      test::MorphAnimation{"", {{0, "frown", frown}}});
-  CHECK(mentions(f.problem("moved.glb"), "its rest shape is not the model"));
+  CHECK(mentions(f.problem("moved.glb"), "the rest shape differs from the model"));
 }
 
 TEST_CASE("positions_farther_away_than_can_be_drawn_are_refused") {

@@ -67,7 +67,8 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(test::refusal(four + "f 1 2 5\n", "obj") ==
         "given.obj:5: face refers to vertex 5, the file has 4; export the model again");
   CHECK(test::refusal(four + "f -5 2 3\n", "obj") ==
-        "given.obj:5: face refers to vertex -5, the file has 4 before it; export the model again");
+        "given.obj:5: face refers to vertex -5, the file has 4 vertices before this line; export the model "
+        "again");
   test::check_refusals(
       "obj", {{four + "f 0 1 2\n", "given.obj:5: face refers to vertex 0, but OBJ indices start at 1"},
               {"v 0,5 0 0\n", "given.obj:1: \"0,5\" is not a number; use a decimal point"},
@@ -79,7 +80,7 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
               {four + "f 1 2 3.5\n", "followed by \".5\""},
               {four + "f 1 2 99999999999\n", "refers to vertex 99999999999"},
               {four + "f 1 2 99999999999999999999\n", "is too large"},
-              {four + "f 1 2 3\nf", "given.obj:6: face without vertices"},
+              {four + "f 1 2 3\nf", "given.obj:6: the face has no vertices"},
               {"f 1 2 3\n", "the file has 0"},
               {"# nothing\n", "no vertices found"}});
   CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==

@@ -151,7 +151,7 @@ TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   write_cache(folder / "a.mdd", cache_head(PointCacheFormat::mdd, 3));
   bytes = test::file_bytes(folder / "a.mdd");
   put_cache_word(bytes, 12, {0x7F, 0xC0, 0, 0});
-  CHECK(test::holds(cache_refusal(bytes), "frame 1: its time is not finite"));
+  CHECK(test::holds(cache_refusal(bytes), "frame 1: the time is not finite"));
 }
 
 TEST_CASE("failed_cache_write_keeps_the_old_file") {

@@ -81,8 +81,8 @@ TEST_CASE("stl_errors_name_line_or_triangle") {
   test::check_refusals(
       "stl", {{binary_stl(infinite, "a"), "given.stl: triangle 0: a coordinate is not a finite number"},
               {"solid a\n" + facet.substr(0, facet.size() - 9), "the file ends within a facet"},
-              {"solid a\nvertex 0 0 0\n", "given.stl:2: vertex outside of a facet"},
-              {"solid a\nfacet\nendfacet\n", "given.stl:3: facet with 0 corners"},
+              {"solid a\nvertex 0 0 0\n", "given.stl:2: a vertex is outside of a facet"},
+              {"solid a\nfacet\nendfacet\n", "given.stl:3: a facet has 0 corners"},
               {"solid a\nnonsense\n", "\"nonsense\" is not an STL keyword"}});
 }
 
