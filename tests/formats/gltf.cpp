@@ -384,8 +384,7 @@ TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
 
   CHECK(holds(test::refusal(good.glb().substr(0, 400), "glb"), "the header declares"));
   CHECK(holds(test::refusal("{\"asset\":{\"version\":\"2.0\"", "gltf"), "invalid JSON at byte"));
-  CHECK(holds(test::refusal("{\"asset\":" + std::string(100000, '['), "gltf"),
-              "nested more than 64 levels deep"));
+  CHECK(holds(test::refusal("{\"asset\":" + std::string(100000, '['), "gltf"), "nested more than 64 levels"));
   CHECK(holds(test::refusal(good.beside("missing.bin"), "gltf"), "missing.bin"));
   for (const char* outside :
        {"../secret.bin", "/etc/passwd", "a/../../b.bin", "%2e%2e/b.bin", "http://x.org/b.bin"})

@@ -70,9 +70,8 @@ Maker rich_ply(Maker::Form form) {
          "list uchar int vertex_indices\r\nproperty float nx\r\nproperty float ny\r\nproperty float "
          "nz\r\nelement edge 2\r\nproperty int vertex1\r\nproperty int vertex2\r\nend_header\r\n");
   m.body_begins();
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i)
     m.put<std::uint8_t>(2), m.put(0.5F), m.put(1e-20F), m.put<std::int16_t>(-7), m.end_row();
-  }
   for (int v = 0; v < 16; ++v) {
     const double x = v % 4 + 0.25, y = v / 4 + 0.5, z = 0.125 * x * y;
     const double length = std::hypot(0.125 * y, 0.125 * x, 1);
