@@ -20,7 +20,7 @@ namespace viete::files {
 /// .glb, .gltf     one model with animated morph targets: a target for each key, and more targets between
 ///                 keys if linear blending exceeds the tolerance
 /// NAME_####.obj   (also .ply, .off, .stl, .glb, .gltf) one model per frame, see base::NumberedName; each
-///                 file has the same bits as by write_deformed()
+///                 file is identical to the result of write_deformed()
 struct AnimationExport {
   Export model;                       ///< its pose is ignored
   document::Timeline timeline;        ///< keys, and whether blending is linear
@@ -46,8 +46,7 @@ struct AnimationReport {
 /// True for the extension of a format that stores all frames in one file: "pc2", "glb" ...
 bool is_animation_format(const std::string& extension);
 
-/// Throws base::Error if the format is unknown or unsuitable, the file cannot be written, or the timeline has
-/// no keys.
+/// Throws base::Error if the format is unsuitable, the file cannot be written, or the timeline has no keys.
 void check_animation_export(const AnimationExport& what);
 
 /// Writes all frames. Writes each file atomically. Creates its own thread pool. progress may be null. Throws

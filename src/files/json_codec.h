@@ -46,17 +46,17 @@ public:
   JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
       : value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
-  /// For objects. find() returns nullopt if the key is missing or its value is null.
+  /// Only for objects. find() returns nullopt if the key is missing or its value is null.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
-  /// For arrays.
+  /// Only for arrays.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
 
   bool boolean() const;
-  double number() const;                           ///< finite
-  double number(double least, double most) const;  ///< in this range
+  double number() const;                           ///< a finite number
+  double number(double least, double most) const;  ///< a number in this range
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::string base64() const;          ///< decoded bytes
@@ -115,8 +115,7 @@ public:
   nlohmann::ordered_json& out() const { return *out_; }
   ShapeTable& shapes() const { return *shapes_; }
 
-  /// A member of an object. If a member to read is missing, returns nullopt or, if needed, throws
-  /// base::Error.
+  /// A member of an object. If it is missing when reading, returns nullopt or, if needed, throws base::Error.
   std::optional<JsonField> child(const char* key, bool needed = false) const;
   /// When reading, returns the number of items and throws base::Error if there are more than `most`. When
   /// writing, starts an empty list and returns `count`.
@@ -147,7 +146,7 @@ private:
 
 void code(const JsonField& field, bool& value);
 void code(const JsonField& field, std::string& value);
-/// In the form of path_json().
+/// A path in the form of path_json().
 void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);

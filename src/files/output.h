@@ -24,8 +24,7 @@ namespace viete::files {
 
 enum class Content { surface, picture, json, animation, session, page };
 
-/// none: the user cannot override the check. offered: the user can override it by --force. given: the user
-/// did.
+/// none: the check cannot be overridden. offered: --force would override the check. given: it was used.
 enum class Force { none, offered, given };
 
 /// Call before a long computation. Throws base::Error if the file cannot be written or, unless forced, if it

@@ -33,8 +33,7 @@ struct ImportedShapes {
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 
-/// Throws base::Error if the shapes exceed the limit of a timeline or the free memory. place: the file's
-/// name.
+/// Throws base::Error if the shapes exceed the limit of a timeline or the free memory. place: a file name.
 void check_shape_count(const std::string& place, std::size_t count, const mesh::Surface& model);
 
 /// The surface to which imported positions belong.

@@ -9,8 +9,7 @@
 namespace viete::render {
 
 /// All drawing goes to such a target, so that a window, OSMesa and EGL give the same picture. Memory is only
-/// reallocated if the size or the number of samples changes. Colours are RGBA8 as displayed; depth has 24
-/// bits.
+/// reallocated if size or samples change. Colours are RGBA8 as displayed; depth has 24 bits.
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);

@@ -53,8 +53,7 @@ struct Gl {
   bool software = false;
 };
 
-/// Loads the functions of the current context. Throws base::Error if a function is missing or the version is
-/// below 3.3.
+/// Loads the functions of the current context. Throws base::Error if one is missing or OpenGL is below 3.3.
 Gl load_gl(const GetProc& get);
 
 /// Throws base::Error if GL has recorded an error since the last check. where: the place in the message.
@@ -111,11 +110,10 @@ public:
 
   GLuint id() const { return object_.id(); }
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for data that change every
-  /// frame.
+  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
-  /// Discards the content and returns memory for `bytes` > 0 bytes of new content, without waiting for the
-  /// GPU. Call unmap() after writing.
+  /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 bytes of new
+  /// content. Call unmap() after writing.
   void* map(std::size_t bytes);
   void unmap();
 

@@ -1,4 +1,4 @@
-// Pictures in memory, and reading and writing of picture files.
+// Pictures in memory. Reads and writes picture files.
 #pragma once
 
 #include <array>

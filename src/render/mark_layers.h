@@ -57,8 +57,7 @@ struct LineStyle {
   glm::vec4 halo{0};             ///< colour and opacity of a thin edge around visible parts
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a segment uses an invalid
-/// point index.
+/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
 class LineLayer {
 public:
   explicit LineLayer(const Gl& gl);
@@ -93,8 +92,7 @@ struct FaceStyle {
   bool occlude = true;       ///< writes depth, so that lines and discs behind faces are drawn as hidden
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a triangle uses an invalid
-/// point index.
+/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
 class FaceLayer {
 public:
   explicit FaceLayer(const Gl& gl);

@@ -10,8 +10,7 @@
 
 namespace viete::render {
 
-/// The first finite point, or (0, 0, 0) if there is none. Vertices are stored as float relative to this
-/// point.
+/// The first finite point, or (0, 0, 0) if there is none. Vertices are stored as float relative to it.
 Point origin_of(std::span<const Point> points);
 
 /// point - origin as float, or 0 for a non-finite point.
@@ -39,8 +38,7 @@ extern template void require_indices<3>(const char*, std::span<const std::array<
 /// Sets the camera matrices for points stored relative to `origin`.
 void set_camera(const Program& program, const View& view, const Point& origin);
 
-/// Sets the GL state of translucent layers in the current scope: blending is on, depth is tested but not
-/// written.
+/// In its scope the GL state is that of translucent layers: blending is on, depth is tested but not written.
 class BlendScope {
 public:
   explicit BlendScope(const Gl& gl);
