@@ -24,7 +24,7 @@ AnimatedModel::AnimatedModel(const Export& model, const document::Timeline& time
   if (wish == Precision::fast && can_fuse()) make_fast(most, tried, progress);
 }
 
-// False for the substitute of a missing cage.
+// False for no_cage(), which replaces a missing cage.
 bool AnimatedModel::has_cage() const {
   return model_.cage->element_count() > 0;
 }
@@ -35,7 +35,7 @@ document::WholePose AnimatedModel::pose(double frame) const {
   return pose;
 }
 
-// True if method and scheme support it, and the memory suffices.
+// True if method and scheme support Precision::fast, and the memory suffices.
 bool AnimatedModel::can_fuse() const {
   if (!has_cage() || deform::engine_for(model_.scheme, model_.method) != deform::EngineKind::fused)
     return false;
@@ -45,13 +45,12 @@ bool AnimatedModel::can_fuse() const {
   return weights < 0.5 * base::free_memory().value_or(0);
 }
 
-// Compressed weights would add more error than rounding to float.
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
   const deform::Weighting& weighting = model_.scheme.weighting;
-  constexpr double as_they_are = 0;
+  constexpr double uncompressed = 0;  // compression would add more error than rounding to float
   deform::Binding known;
   known.tiles = std::make_shared<const deform::TiledBinding>(
-      deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, as_they_are, progress));
+      deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, uncompressed, progress));
   auto binding = std::make_shared<const deform::Binding>(deform::bind(
       *model_.model, *model_.cage, weighting, deform::EngineKind::fused, &known, pool_, progress));
   deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
@@ -63,7 +62,7 @@ void AnimatedModel::make_fast(double most, std::span<const double> tried, base::
 }
 
 double AnimatedModel::fast_error() const {
-  constexpr double unsampled_factor = 3;  // factor for vertices that are not sampled; measured: at most 1.6
+  constexpr double unsampled_factor = 3;  // for vertices outside the sample; the measured factor is below 1.6
   const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
   return unsampled_factor * error_ + rounding / model_.cage->diagonal;
 }

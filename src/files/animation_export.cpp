@@ -32,7 +32,7 @@ bool is_numbered(const AnimationExport& what) {
   return base::NumberedName::is_pattern(what.model.file);
 }
 
-// Frames at which the float engine is checked.
+// The frames at which the error of Precision::fast is measured.
 std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
@@ -42,12 +42,12 @@ std::string engine_text(const AnimatedModel& model) {
   return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
-// Collects notes without repeating those of earlier frames.
+// Collects notes of all frames, each text once.
 class FrameNotes {
 public:
   void add(const std::vector<std::string>& notes) {
     for (const std::string& note : notes)
-      if (message_revision_.insert(note).second) all_.push_back(note);
+      if (seen_.insert(note).second) all_.push_back(note);
   }
   std::vector<std::string> take() {
     constexpr std::size_t most = 12;
@@ -60,7 +60,7 @@ public:
   }
 
 private:
-  std::set<std::string> message_revision_;
+  std::set<std::string> seen_;
   std::vector<std::string> all_;
 };
 
@@ -101,17 +101,16 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
 // Relative resolution of coordinates in float files.
 constexpr double float_noise = 0x1p-22;
 
-// A frame to evaluate.
 struct Sample {
   double frame;
-  bool is_key;  // or an end: linear pieces stop here
+  bool is_key;  // a key, or the first or last frame: a linear piece must end here
 };
 
-// Frames, keys, and the last moments before a jump.
+// The frames to evaluate: all exported frames, the keys, and a time just before each jump.
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // resolution of time in float
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats can store this difference
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -124,8 +123,8 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
   return all;
 }
 
-// Linear pieces from one pose to later ones that stay near all poses in between. Stores the largest and
-// smallest admissible slope of each coordinate.
+// Finds the longest linear piece from a pose to a later pose that is within the tolerance of all poses in
+// between. Stores the smallest and largest allowed slope of each coordinate.
 class StraightLines {
 public:
   explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
@@ -137,17 +136,17 @@ public:
     flattest_.assign(pose.size(), {-any, -any, -any});
     steepest_.assign(pose.size(), {any, any, any});
   }
-  // True if the line to that pose is admissible; lines to later poses must stay near it too.
+  // True if a line to this pose is allowed. Later lines must be within the tolerance of this pose too.
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
     for (std::size_t v = 0; v < pose.size(); ++v) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const double way = pose[v][c] - from_[v][c],
+        const double change = pose[v][c] - from_[v][c],
                      reach = std::max(reach_, float_noise * std::abs(pose[v][c]));
-        near &= flattest_[v][c] <= way / length && way / length <= steepest_[v][c];
-        flattest_[v][c] = std::max(flattest_[v][c], (way - reach) / length);
-        steepest_[v][c] = std::min(steepest_[v][c], (way + reach) / length);
+        near &= flattest_[v][c] <= change / length && change / length <= steepest_[v][c];
+        flattest_[v][c] = std::max(flattest_[v][c], (change - reach) / length);
+        steepest_[v][c] = std::min(steepest_[v][c], (change + reach) / length);
       }
     }
     return near;
@@ -158,11 +157,11 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Poses of the model connected by linear pieces, one target for each that is not at rest.
+// The ends of all linear pieces. Each end has a morph target unless the model is at rest there.
 struct MorphPlan {
-  std::vector<double> frames;
-  std::vector<std::size_t> targets;  // the poses they represent
-  std::vector<char> moves;           // vertices that leave their rest position
+  std::vector<double> frames;        // the ends
+  std::vector<std::size_t> targets;  // for each target an index into frames
+  std::vector<char> moves;           // for each vertex, whether it leaves its rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
@@ -186,14 +185,13 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
   for (std::size_t v = 0; v < pose.size(); ++v)
     if (!formats::is_place(pose[v], most))
       throw base::Error("vertex " + std::to_string(v),
-                        "its position at " + frame_name(frame) + " does not fit into the floats of glTF",
-                        "write numbered models (frame_####.ply), or scale the model");
+                        "the position at " + frame_name(frame) + " exceeds the range of glTF (float)",
+                        "export numbered models (frame_####.ply), or scale the model");
 }
 
-// Smaller values are indistinguishable from float rounding.
-constexpr double least_tolerance = 1e-7;
+constexpr double least_tolerance = 1e-7;  // the size of float rounding
 
-// The model over time, and its approximation with few targets.
+// Approximates the moving model by few morph targets.
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
@@ -206,7 +204,7 @@ public:
                    progress);
   }
 
-  // Each linear piece is as long as possible; the next one starts at its end.
+  // Makes each linear piece as long as possible.
   MorphPlan plan(base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
@@ -239,7 +237,7 @@ public:
     return plan;
   }
 
-  // A target takes three floats per vertex, and three for its normal.
+  // A target stores three floats per vertex, and three more for its normal.
   double bytes(const MorphPlan& plan) const { return plan.bytes(what_.normals ? 24 : 12); }
 
   formats::MorphMotion motion(const MorphPlan& plan) {
@@ -282,20 +280,20 @@ private:
     return positions;
   }
 
-  // A GLB file stores its size in 32 bits, including the model.
+  // The limit of a GLB file, including the model, is 4 GB.
   void check_size(const MorphPlan& plan) const {
     const bool binary = formats::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
     if (size <= most) return;
     throw base::Error("",
-                      "the motion needs more than " + base::counted(plan.targets.size(), "morph target") +
-                          ": " + base::memory_size(size) + ", and no more than " + base::memory_size(most) +
-                          " are allowed",
-                      "allow a larger tolerance, or write a point cache (.pc2)");
+                      "the motion needs at least " + base::counted(plan.targets.size(), "morph target") +
+                          " of " + base::memory_size(size) + " in total; the limit is " +
+                          base::memory_size(most),
+                      "allow a larger tolerance, or export a point cache (.pc2)");
   }
 
   const AnimationExport& what_;
-  double tolerance_;  // in the file's unit
+  double tolerance_;  // in the model's unit
   std::optional<AnimatedModel> model_;
   FrameNotes notes_;
 };
@@ -303,11 +301,11 @@ private:
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(progress);
-  // Text stores the bytes as base64, assembled in memory.
+  // A .gltf file is assembled in memory as base64 text.
   const double copies = formats::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan),
                         base::counted(plan.targets.size(), "morph target") + " take",
-                        "allow a larger tolerance, export fewer frames, or write a point cache (.pc2)",
+                        "allow a larger tolerance, export fewer frames, or export a point cache (.pc2)",
                         what.model.file.string()});
   if (progress) progress->section(0.7, 1);
   const formats::Content content{
@@ -373,19 +371,20 @@ void check_animation_export(const AnimationExport& what) {
   const fs::path& file = what.model.file;
   const std::string extension = formats::extension_of(file);
   if (!formats::format_by_extension(extension))
-    throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
-                      "use " + formats::format_extensions(formats::is_sequence, ", ") + ", " +
-                          formats::format_extensions(formats::holds_morphs) +
-                          ", or numbered models or pictures (frame_####.obj, frame_####.png)");
+    throw base::Error(
+        file.string(),
+        extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
+        "use " + formats::format_extensions(formats::is_sequence, ", ") + ", " +
+            formats::format_extensions(formats::holds_morphs) +
+            ", or numbered models or pictures (frame_####.obj, frame_####.png)");
   if (!is_numbered(what) && !is_animation_format(extension))
-    throw base::Error(file.string(), "this format stores a single frame",
-                      "write numbered files, " + (file.stem() += "_####." + extension).string());
+    throw base::Error(file.string(), "this format stores only one frame per file",
+                      "use a numbered name: " + (file.stem() += "_####." + extension).string());
   if (is_numbered(what) && formats::point_cache_format(file))
     throw base::Error(file.string(), "a point cache stores all frames in one file",
                       "remove #### from the name");
   if (what.timeline.keys.empty())
-    throw base::Error("", "the timeline has no keys, so nothing moves",
-                      "set keys on the timeline, and save the session");
+    throw base::Error("", "the timeline has no keys", "set keys on the timeline, and save the session");
   base::check_replaceable(is_numbered(what) ? base::NumberedName(file).file(what.first) : file);
 }
 

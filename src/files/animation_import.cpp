@@ -73,7 +73,7 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
     throw base::Error(files.front().string(),
                       "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
                           base::with_thousands(document::PoseLibrary::most_poses),
-                      "choose fewer");
+                      "choose fewer poses");
   for (document::NamedPose& pose : all.poses)
     pose.name.resize(std::min(pose.name.size(), document::PoseLibrary::longest_name));
   return all;
@@ -84,12 +84,11 @@ namespace {
 void check_key_count(const std::string& file, std::size_t count) {
   if (count <= document::Timeline::most_keys) return;
   throw base::Error(file,
-                    "it has " + base::counted(count, "frame") + ", and a timeline can have " +
+                    "the file has " + base::counted(count, "frame") + ", and a timeline can have " +
                         base::with_thousands(document::Timeline::most_keys) + " keys",
                     "export every second frame, or fewer");
 }
 
-// Appends keys in order, each with the turns nearest to the previous one.
 class KeyBuilder {
 public:
   explicit KeyBuilder(std::string file, document::Easing easing) : file_(std::move(file)), easing_(easing) {}
@@ -97,7 +96,8 @@ public:
   void add(double frame, deform::Pose pose) {
     const double whole = std::round(frame);
     if (!(whole >= document::Timeline::least_frame && whole <= document::Timeline::largest_frame))
-      throw base::Error(file_, "it has a frame number above 1,000,000", "export a shorter range");
+      throw base::Error(file_, "a frame number is below -1,000,000 or above 1,000,000",
+                        "export a shorter range");
     const int number = static_cast<int>(whole);
     if (!keys_.empty() && number <= keys_.back().frame) {
       ++skipped_;
@@ -109,9 +109,9 @@ public:
 
   ImportedKeys take(std::vector<std::string> warnings, double rate) {
     if (skipped_ > 0)
-      warnings.push_back(file_ + ": " + base::counted(skipped_, "key") + " fall on the frame of another at " +
-                         base::few_digits(rate) +
-                         " frames a second and were skipped; choose a higher rate first");
+      warnings.push_back(file_ + ": skipped " + base::counted(skipped_, "key") +
+                         " because another key has the same frame at " + base::few_digits(rate) +
+                         " frames per second; choose a higher rate before importing");
     return {std::move(keys_), std::move(warnings), {file_}};
   }
 
@@ -164,8 +164,9 @@ ImportedKeys keys_of_gltf(const fs::path& file, const deform::Cage& cage, const 
   const MorphPositions found = morphs_of(file, {cage.surface, "the cage"}, warnings);
   const auto& clip = found.clip;
   if (!clip || clip->seconds().empty())
-    throw base::Error(file.string(), clip ? "its morph targets are not animated" : "it has no morph targets",
-                      clip ? "import it as poses" : "export shape keys of the cage with their animation");
+    throw base::Error(
+        file.string(), clip ? "the morph targets are not animated" : "the file has no morph targets",
+        clip ? "import it as poses" : "export the cage with animated morph targets (shape keys)");
   const auto& seconds = clip->seconds();
   check_key_count(file.string(), seconds.size());
   KeyBuilder keys(file.string(), document::Easing::linear);
@@ -186,7 +187,7 @@ ImportedKeys read_keys(const fs::path& file, const deform::Cage& cage, const Imp
   const bool alone = !sequence || sequence->find().size() < 2;
   if (formats::is_a(formats::holds_morphs, file) && alone) return keys_of_gltf(file, cage, times, progress);
   if (!sequence)
-    throw base::Error(file.string(), "its name has no frame number",
+    throw base::Error(file.string(), "the file name has no frame number",
                       "choose a numbered posed cage (pose_0001.obj), a point cache or a glTF file");
   return keys_of_files(*sequence, cage, progress);
 }

@@ -1,4 +1,4 @@
-// Named poses and timeline keys from files of other programs.
+// Imports named poses and timeline keys from files of other programs.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +19,10 @@ struct ImportedPoses {
   std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// Posed cages, each a pose named after its file, with its turns if stored; a glTF file with morph targets
-/// gives one pose per target. A folder stands for its models in natural order; models that do not fit the
-/// cage are skipped with a warning. Throws base::Error if a named file does not fit, if there is no pose, or
-/// if there are more than a document holds. Thread-safe.
+/// Reads posed cages. Each file gives a pose with the name of the file and its full turns, if stored; a glTF
+/// file with morph targets gives a pose per target. A folder gives the poses of its models in natural order,
+/// and a warning for each model that does not fit the cage. Throws base::Error if a named file does not fit
+/// the cage, or if there are no poses or too many. Thread-safe.
 ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                          base::Progress* progress = nullptr);
 
@@ -32,27 +32,28 @@ struct ImportedKeys {
   std::vector<std::filesystem::path> files;  ///< the files read
 };
 
-/// Conversion of seconds to frames: time 0 of the file is frame `first`.
+/// Converts seconds to frames: frame = first + rate * seconds.
 struct ImportTimes {
   int first = 1;
   double rate = 24;
 };
 
-/// Keys of the cage from
+/// Reads keys of the cage. Possible files:
 ///
-/// numbered posed cages   (`pose_####.obj`, or one file of the sequence): the number is the frame; smooth
-/// .pc2                   of the cage's vertices: a key per sample, at the frames in the file; linear
-/// .mdd                   likewise, at the times in the file; linear
-/// .glb, .gltf            the cage with animated morph targets: one key for each of theirs, at its
-///                        time; linear
+/// numbered posed cages   `pose_####.obj`, or one file of the sequence: a key per file at the frame with
+///                        this number; smooth interpolation
+/// .pc2                   a key per sample, at the frames in the file; linear interpolation
+/// .mdd                   a key per frame, at the times in the file; linear interpolation
+/// .glb, .gltf            the cage with animated morph targets: a key for each key of the file, at its time;
+///                        linear interpolation
 ///
-/// Only posed cages store whole turns: other keys take those nearest to the previous key. If several keys
-/// fall on one frame the first is used, with a warning. Throws base::Error: vertex counts differ, no frames,
-/// more than a timeline holds, frames out of range. Thread-safe.
+/// Only posed cages store full turns; other keys get the turns nearest to the previous key. If several keys
+/// have the same frame, the first is used and a warning is added. Throws base::Error if the number of
+/// vertices differs, a frame is out of range, or there are no frames or too many. Thread-safe.
 ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& cage, const ImportTimes& times,
                        base::Progress* progress = nullptr);
 
-/// Replaces the existing keys and the range, as an edit. Camera keys stay.
+/// Replaces the keys and the range of the timeline as an edit. Camera keys stay.
 void put_keys(document::Document& document, std::vector<document::PoseKey> keys, const std::string& label);
 
 }  // namespace viete::files

@@ -45,16 +45,15 @@ bool writes_original(const Export& what) {
 
 }  // namespace
 
-// Vertices moved by nothing but the shape keep it: every deformer reproduces them up to rounding.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions) {
-  const auto has_done_nothing = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
+  const auto is_unmoved = [](const deform::Probe& p) { return p.pin || p.pose == deform::ProbePose{}; };
   const deform::Pose rest = deform::rest_pose(cage);
   const bool turns = std::ranges::any_of(pose.turns, [](const mesh::Vec3& t) {
     return t != mesh::Vec3{0, 0, 0};
   });
   if (pose.positions == rest.positions && (pose.turns == rest.turns || !turns) &&
-      std::ranges::all_of(probes.all, has_done_nothing)) {
+      std::ranges::all_of(probes.all, is_unmoved)) {
     positions = shape;
     return;
   }
@@ -102,7 +101,7 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 
 std::string gltf_note(document::UpAxis up) {
   return up == document::UpAxis::z
-             ? "this glTF file has Z as up axis, other programs expect Y: rotate it by -90 "
+             ? "the up axis of this glTF file is Z, but other programs expect Y: rotate the model by -90 "
                "degrees about X there"
              : "";
 }
@@ -115,14 +114,13 @@ std::string at_most(double error) {
 }
 
 std::string method_note(sym3::Method method, double worst_error) {
-  constexpr double matters = 1e-9;  // a thousand times the methods' error for separated eigenvalues
-  if (worst_error <= matters) return "";
+  constexpr double negligible = 1e-9;  // a thousand times the error for well-separated eigenvalues
+  if (worst_error <= negligible) return "";
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))
     return "method " + name + " gives NaN in this pose; use method fast or diag";
-  return "exponentials by method " + name + " have errors up to " + at_most(worst_error) +
-         " (relative) in this pose, where eigenvalues nearly coincide; methods fast and diag are exact to "
-         "1e-14";
+  return "method " + name + " has relative errors up to " + at_most(worst_error) +
+         " in this pose, because eigenvalues nearly coincide; use method fast or diag (error below 1e-14)";
 }
 
 }  // namespace viete::files

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -27,7 +28,9 @@ std::optional<JsonField> JsonField::child(const char* key, bool needed) const {
 
 std::size_t JsonField::list(std::size_t count, std::size_t most) const {
   if (!reads()) return *out_ = ordered_json::array(), count;
-  if (in_->size() > most) in_->fail("there are more than " + std::to_string(most));
+  if (in_->size() > most)
+    in_->fail("the list has " + std::to_string(in_->size()) + " entries, at most " + std::to_string(most) +
+              " are allowed");
   return in_->size();
 }
 
@@ -77,7 +80,7 @@ void code(const JsonField& field, glm::ivec2& window) {
     return;
   }
   const auto [width, height] = field.in().numbers<2>();
-  if (!document::is_window(width, height)) field.in().fail("this is not a valid window size");
+  if (!document::is_window(width, height)) field.in().fail("the window size is invalid");
   window = {static_cast<int>(width), static_cast<int>(height)};
 }
 
@@ -85,15 +88,14 @@ void write_word(const JsonField& field, std::string_view word) {
   field.out() = word;
 }
 
-// Written rounded, as typed by the user, if that reads back as the same number: 29 instead of
-// 28.999999999999996.
+// Writes a rounded number if it reads back as the same value: 29 instead of 28.999999999999996.
 void code(const JsonField& field, double& value, const Limits& limits) {
   const auto [least, most, factor] = limits;
   if (field.reads()) {
     value = field.in().number(factor * least, factor * most) / factor;
   } else {
-    const double typed = std::round(1e6 * factor * value) / 1e6;
-    field.out() = typed / factor == value ? typed : factor * value;
+    const double rounded = std::round(1e6 * factor * value) / 1e6;
+    field.out() = rounded / factor == value ? rounded : factor * value;
   }
 }
 
@@ -104,7 +106,7 @@ void code(const JsonField& field, float& value, const Limits& limits) {
   std::from_chars(text, end, shortest);
   if (static_cast<float>(shortest) != value) shortest = value;
   const auto [least, most, factor] = limits;
-  constexpr double rounding = 1e-6;  // the limit itself may have been written with fewer digits
+  constexpr double rounding = 1e-6;  // the file may have a rounded limit
   code(field, shortest, {least - rounding * std::abs(least), most + rounding * std::abs(most), factor});
   value = static_cast<float>(std::clamp(shortest, least, most));
 }
@@ -144,14 +146,16 @@ void code(const JsonField& field, std::uint64_t& value) {
   const std::string text = field.in().text();
   const char* const end = text.data() + text.size();
   if (text.size() != 16 || std::from_chars(text.data(), end, value, 16).ptr != end)
-    field.in().fail("these are not 16 hexadecimal digits");
+    field.in().fail("the text must have 16 hexadecimal digits");
 }
 
 void code(const JsonField& field, document::SharedShape& value) {
   auto& [all, numbers] = field.shapes();
   if (field.reads()) {
     const std::uint32_t number = field.in().index();
-    if (number >= all.size()) field.in().fail("there is no such shape");
+    if (number >= all.size())
+      field.in().fail("shape " + std::to_string(number) + " does not exist, the file has " +
+                      std::to_string(all.size()) + " shapes, counted from 0");
     value = all[number];
   } else {
     const auto [entry, is_new] = numbers.try_emplace(value.get(), static_cast<std::uint32_t>(all.size()));
@@ -162,7 +166,7 @@ void code(const JsonField& field, document::SharedShape& value) {
 
 namespace {
 
-// The bytes of numbers as T, little-endian.
+// The coordinates as numbers of type T, little-endian.
 template <class T>
 std::string bytes_of(const std::vector<mesh::Point>& points) {
   std::string bytes;
@@ -176,11 +180,11 @@ std::string bytes_of(const std::vector<mesh::Point>& points) {
 template <class T>
 document::SharedShape shape_of_bytes(const JsonReader& json) {
   const std::string bytes = json.base64();
-  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("its size is not three numbers for each vertex");
+  if (bytes.size() % (3 * sizeof(T)) != 0) json.fail("there must be three numbers for each vertex");
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
     const auto x = static_cast<double>(formats::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
-    if (!(std::abs(x) <= mesh::largest_coordinate)) json.fail("a number is too large");
+    if (!(std::abs(x) <= mesh::largest_coordinate)) json.fail("a coordinate is not finite or beyond 1e100");
     points[n / 3][n % 3] = x;
   }
   return std::make_shared<const std::vector<mesh::Point>>(std::move(points));
@@ -238,11 +242,11 @@ std::string line_of(std::string_view text, std::size_t byte) {
   return std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
 
-void check_length(std::size_t bytes, const std::filesystem::path& file) {
+void check_length(std::size_t bytes, const std::filesystem::path& file, const char* advice) {
   if (bytes <= most_json_bytes) return;
   throw base::Error(file.string(),
                     std::to_string(bytes) + " bytes exceed the limit of " + std::to_string(most_json_bytes),
-                    "choose another file");
+                    advice);
 }
 
 json parsed(std::string_view text, const std::filesystem::path& file) {
@@ -259,7 +263,7 @@ json parsed(std::string_view text, const std::filesystem::path& file) {
   } catch (const json::parse_error& error) {
     throw base::Error(file.string() + ":" + line_of(text, error.byte), "this is not valid JSON", advice);
   } catch (const json::out_of_range&) {
-    throw base::Error(file.string(), "a number in it is too large", advice);
+    throw base::Error(file.string(), "the file contains a number that is too large", advice);
   }
 }
 
@@ -267,7 +271,7 @@ std::string described(const json& value) {
   if (value.is_number()) return "a number";
   if (value.is_string()) return "a text";
   if (value.is_boolean()) return value.get<bool>() ? "true" : "false";
-  if (value.is_array()) return "a list of " + std::to_string(value.size());
+  if (value.is_array()) return "a list of length " + std::to_string(value.size());
   return value.is_object() ? "an object" : "null";
 }
 
@@ -280,10 +284,6 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-bool stands_as_it_is(char c) {
-  return c > ' ' && c < 0x7f && c != '%';
-}
-
 constexpr const char* encoded_key = "percent_encoded";
 
 }  // namespace
@@ -293,23 +293,24 @@ std::string readable(const ordered_json& value, const std::filesystem::path& fil
   try {
     put(out, value, "");
   } catch (const ordered_json::type_error&) {
-    throw base::Error(file.string(), "a file name in it is not UTF-8", "rename the file");
+    throw base::Error(file.string(), "a name to be stored is not UTF-8", "change the name");
   }
   out += '\n';
-  check_length(out.size(), file);
+  check_length(out.size(), file, "delete shapes or poses that you do not need");
   return out;
 }
 
 ordered_json path_json(const std::filesystem::path& path) {
   const std::string name = path.generic_string();
   if (is_utf8(name)) return name;
-  return {{encoded_key, base::percent_encoded(name, stands_as_it_is)}};
+  const auto is_plain = [](char c) { return c > ' ' && c < 0x7f && c != '%'; };
+  return {{encoded_key, base::percent_encoded(name, is_plain)}};
 }
 
 json read_json(const std::filesystem::path& path) {
   std::error_code code;
   const auto size = std::filesystem::file_size(path, code);
-  if (!code) check_length(size, path);  // for other file types, reading gives a better error
+  if (!code) check_length(size, path, "choose another file");
   const formats::FileBytes bytes(path, nullptr);
   formats::refuse_foreign(path.string(), bytes.view());
   return parsed(bytes.view(), path);
@@ -355,7 +356,9 @@ double JsonReader::number() const {
 
 double JsonReader::number(double least, double most) const {
   const double value = number();
-  if (!(value >= least && value <= most)) fail("this number is out of range");
+  char text[96];
+  std::snprintf(text, sizeof text, "the number %.6g must be from %.6g to %.6g", value, least, most);
+  if (!(value >= least && value <= most)) fail(text);
   return value;
 }
 
@@ -377,38 +380,37 @@ std::vector<std::uint32_t> JsonReader::indices() const {
 std::uint32_t JsonReader::index() const {
   const bool fits =
       value_.is_number_unsigned() && value_.get<std::uint64_t>() <= std::numeric_limits<std::uint32_t>::max();
-  if (!fits) expected("a whole number from 0 on");
+  if (!fits) expected("a whole number of 0 or more");
   return value_.get<std::uint32_t>();
 }
 
 std::string JsonReader::text() const {
   if (!value_.is_string()) expected("a text");
   const auto& text = value_.get_ref<const std::string&>();
-  if (text.size() > longest_text) {
-    fail("a text of " + std::to_string(text.size()) + " bytes is longer than allowed (" +
-         std::to_string(longest_text) + ")");
-  }
+  if (text.size() > longest_text)
+    fail("the text has " + std::to_string(text.size()) + " bytes, at most " + std::to_string(longest_text) +
+         " are allowed");
   return text;
 }
 
 std::string JsonReader::base64() const {
   if (!value_.is_string()) expected("a text");
   auto bytes = base::bytes_of_base64(value_.get_ref<const std::string&>());
-  if (!bytes) fail("this is not base64");
+  if (!bytes) fail("the text is not base64");
   return *std::move(bytes);
 }
 
 std::filesystem::path JsonReader::path() const {
   if (value_.is_string()) return text();
   const auto encoded = value_.is_object() ? find(encoded_key) : std::nullopt;
-  if (!encoded) expected("the name of a file");
+  if (!encoded) expected("a file name");
   bool whole = true;
   const std::string name = base::percent_decoded(encoded->text(), &whole);
   if (!whole) encoded->fail("each % must be followed by two hexadecimal digits");
   return name;
 }
 
-// Builds the key path only of a damaged item.
+// Fast for long lists: creates a JsonReader only for an invalid item.
 std::vector<mesh::Vec3> JsonReader::places(double farthest) const {
   std::vector<mesh::Vec3> all(size());
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -430,7 +432,7 @@ void JsonReader::fail(const std::string& problem, const std::string& advice) con
 }
 
 void JsonReader::expected(const char* what) const {
-  fail("found " + described(value_) + " where " + what + " belongs");
+  fail(std::string("expected ") + what + ", found " + described(value_));
 }
 
 }  // namespace viete::files

@@ -1,6 +1,5 @@
-// Human-readable JSON files, with errors that name file and key. Reading and writing by the same function:
-// each type has one function code(field, value, ...), which reads the value from the field or writes it
-// there.
+// Reads and writes JSON files; errors name the file and the key. Each type has a function code(field, value,
+// ...) for reading and writing: it sets the value from the field, or the field from the value.
 #pragma once
 
 #include <algorithm>
@@ -24,45 +23,45 @@
 
 namespace viete::files {
 
-/// Limits of a file; more is refused before memory is allocated. The bytes suffice for shapes of eight
-/// million vertices in total; the longest text is a percent-encoded file name.
+/// Limits of a file, checked before memory is allocated. most_json_bytes suffices for shapes with eight
+/// million vertices in total; longest_text suffices for a percent-encoded file name.
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
-/// One key per line; arrays are on one line unless they contain arrays or objects, which get a line each.
-/// Numbers have the digits that read back as the same double. Throws base::Error naming `file` if a string is
-/// not UTF-8, or if the length exceeds the limit of read_json().
+/// The text of a JSON file with one key per line. An array is on one line unless it contains arrays or
+/// objects; these get a line each. Numbers read back as the same double. Throws base::Error if a string is
+/// not UTF-8 or if the text exceeds most_json_bytes.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
-/// A file name as a string; if it is not UTF-8, which JSON strings require, {"percent_encoded": "caf%E9"}.
-/// JsonReader::path() reads both back to the same bytes.
+/// A file name as a string. If the name is not UTF-8, returns an object: {"percent_encoded": "caf%E9"}.
+/// JsonReader::path() reads both forms.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
-/// Throws base::Error naming the file, and the line of a syntax error.
+/// Throws base::Error with the line of a syntax error.
 nlohmann::json read_json(const std::filesystem::path& path);
 
-/// A JSON value and its key path. All accessors throw base::Error, `file: key: problem`, if the value has the
-/// wrong type. Refers to the JSON, which must outlive it.
+/// A JSON value with its path of keys. All functions throw base::Error, `file: key: problem`, if the value
+/// has the wrong type. The JSON must outlive this object.
 class JsonReader {
 public:
   JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
       : value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
-  /// For objects. find: nullopt if the key is missing or its value is null.
+  /// Only for objects. find() returns nullopt if the key is missing or its value is null.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
-  /// For arrays.
+  /// Only for arrays.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
 
   bool boolean() const;
-  double number() const;                           ///< finite
-  double number(double least, double most) const;  ///< in this range
+  double number() const;                           ///< a finite number
+  double number(double least, double most) const;  ///< a number in this range
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::string base64() const;          ///< decoded bytes
   std::filesystem::path path() const;  ///< written by path_json()
-  /// An array of exactly N numbers.
+  /// Reads an array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {
     check_size(N);
@@ -70,10 +69,10 @@ public:
     for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
-  /// [x, y, z], each with an absolute value of at most `farthest`.
+  /// Reads [x, y, z], each with an absolute value of at most `farthest`.
   std::array<double, 3> place(double farthest) const;
   std::vector<std::uint32_t> indices() const;  ///< sorted, without repetitions
-  /// An array of places. Quick: these lists are long.
+  /// Reads an array of [x, y, z].
   std::vector<mesh::Vec3> places(double farthest) const;
 
   [[noreturn]] void fail(const std::string& problem,
@@ -87,13 +86,13 @@ private:
   std::string file_, key_;
 };
 
-/// Shapes that a file stores once and refers to by index.
+/// A list of shapes, to which other values of the file refer by index.
 struct ShapeTable {
   std::vector<deform::SharedShape> all;
   std::map<const void*, std::uint32_t> numbers;
 };
 
-/// The range of a number. The file has the number times `factor`.
+/// The range of a number. The file stores the number times `factor`.
 struct Limits {
   double least, most, factor = 1;
 };
@@ -105,7 +104,7 @@ struct Reach {
   double most;
 };
 
-/// A JSON value to read or to write. Reading throws base::Error naming file and key.
+/// A JSON value to read or to write. Reading throws base::Error with file and key.
 class JsonField {
 public:
   JsonField(const JsonReader& from, ShapeTable& shapes) : in_(from), shapes_(&shapes) {}
@@ -116,15 +115,15 @@ public:
   nlohmann::ordered_json& out() const { return *out_; }
   ShapeTable& shapes() const { return *shapes_; }
 
-  /// A member of an object. Nullopt if it is read and missing; a `needed` one is an error then.
+  /// A member of an object. If it is missing when reading, returns nullopt or, if needed, throws base::Error.
   std::optional<JsonField> child(const char* key, bool needed = false) const;
-  /// The number of items to read; `count` if they are written. Throws base::Error if there are more than
-  /// `most`.
+  /// When reading, returns the number of items and throws base::Error if there are more than `most`. When
+  /// writing, starts an empty list and returns `count`.
   std::size_t list(std::size_t count, std::size_t most) const;
-  /// Item `index` when reading; appends one when writing.
+  /// When reading, returns item `index`. When writing, appends an item.
   JsonField item(std::size_t index) const;
 
-  /// Codes a member of an object. If it is missing, the value stays.
+  /// Reads or writes a member of an object. When reading, the value stays if the member is missing.
   template <class T, class... Form>
   void member(const char* key, T& value, const Form&... form) const {
     if (const auto field = child(key)) code(*field, value, form...);
@@ -133,7 +132,7 @@ public:
   void needed(const char* key, T& value, const Form&... form) const {
     code(*child(key, true), value, form...);
   }
-  /// Does not write the usual value.
+  /// As member(), but does not write the value `usual`.
   template <class T, class... Form>
   void unless(const std::type_identity_t<T>& usual, const char* key, T& value, const Form&... form) const {
     if (reads() || !(value == usual)) member(key, value, form...);
@@ -147,26 +146,27 @@ private:
 
 void code(const JsonField& field, bool& value);
 void code(const JsonField& field, std::string& value);
-/// Also a name that is not UTF-8, see path_json().
+/// A path in the form of path_json().
 void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);
-/// With the fewest digits that read back as the same float.
+/// Writes the fewest digits that read back as the same float.
 void code(const JsonField& field, float& value, const Limits& limits);
-/// Rounded when reading.
+/// Rounds to an integer when reading.
 void code(const JsonField& field, int& value, const Limits& limits);
 void code(const JsonField& field, mesh::Vec3& value, const Reach& reach);
 void code(const JsonField& field, glm::vec3& value, const Reach& reach);
 void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& reach);
-/// The size of a window.
+/// [width, height] of a window.
 void code(const JsonField& field, glm::ivec2& window);
-/// Ascending and unique.
+/// A list of indices, sorted and without repetitions when read.
 void code(const JsonField& field, std::vector<std::uint32_t>& value);
-/// 16 hexadecimal digits.
+/// A text of 16 hexadecimal digits.
 void code(const JsonField& field, std::uint64_t& value);
-/// The index of a shape in the field's table.
+/// The index of the shape in field.shapes().
 void code(const JsonField& field, deform::SharedShape& value);
-/// [{"float32", or "float64" if float is not exact: base64 of x, y, z of each vertex, little-endian}, ...]
+/// A list of {"float32": BYTES} or, for coordinates that a float cannot store, {"float64": BYTES}. BYTES: x,
+/// y, z of each vertex, little-endian, in base64.
 void code(const JsonField& field, ShapeTable& shapes);
 
 template <class T, class... Form>
@@ -183,16 +183,16 @@ void code(const JsonField& field, std::vector<T>& all, std::size_t most) {
 }
 
 void write_word(const JsonField& field, std::string_view word);
-/// A value written as `word`; find: the value of a word, as std::optional.
+/// A value stored as `word`. find(text) must return the value of a word as std::optional.
 template <class T, class Find>
 void code_word(const JsonField& field, T& value, std::string_view word, const Find& find) {
   if (!field.reads()) return write_word(field, word);
   const std::string text = field.in().text();
   const auto found = find(text);
-  if (!found) field.in().fail(formats::in_quotes(text) + " is not known");
+  if (!found) field.in().fail("unknown value " + formats::in_quotes(text));
   value = *found;
 }
-/// An enumeration whose values are the indices of these words.
+/// An enumeration with values 0, 1, ..., stored as words[0], words[1], ...
 template <class T, std::size_t n>
 void code_listed(const JsonField& field, T& value, const std::array<std::string_view, n>& words) {
   code_word(field, value, words[static_cast<std::size_t>(value)], [&](std::string_view word) {
@@ -201,7 +201,7 @@ void code_listed(const JsonField& field, T& value, const std::array<std::string_
   });
 }
 
-/// An enumeration with choices.
+/// An enumeration with a table choices(), see base/choice.h.
 template <class T>
 requires requires(T value) {
   choices(value);

@@ -33,7 +33,7 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// The number of outside vertices among up to a hundred, evenly spread.
+// `count` of `of` sampled vertices are outside.
 struct Outside {
   std::size_t count, of;
 };
@@ -54,7 +54,7 @@ bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
   return true;
 }
 
-// One vertex in ten may be outside.
+// True if at most 10 % of the sampled vertices are outside.
 bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   if (inner.positions.empty() || outer.triangles.empty()) return false;
   if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
@@ -62,7 +62,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// Defects of the surfaces are left to the checks, except that a cage may have been made for another model.
+// Warns if most of the model is outside the cage: the cage may belong to another model.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
@@ -98,9 +98,8 @@ Opened open_model(const std::vector<fs::path>& files, bool without_fins, base::P
   if (without_fins) set_cage(*opened.document, cage_without_fins(document::open_surface(named(1))));
   take_warnings(opened);
   if (named(2).empty()) return opened;
-  if (!opened.document->has_cage()) {
-    throw base::Error(named(2).string(), "a pose needs a cage, and none is given", "give the cage as well");
-  }
+  if (!opened.document->has_cage())
+    throw base::Error(named(2).string(), "a pose needs a cage, and no cage was opened", "open the cage too");
   opened.document->pose = deform::read_pose(named(2), *opened.document->cage, opened.warnings);
   opened.document->also_read.push_back({named(2), document::the_pose});
   return opened;
@@ -119,21 +118,24 @@ Opened open_cage(document::OpenedSurface cage, const document::Document& current
 
 Opened open_cage(const fs::path& file, const document::Document& current, bool without_fins,
                  base::Progress* progress) {
-  if (!current.model.surface) {
-    throw base::Error(file.string(), "a cage needs a model, and none is open", "open the model first");
-  }
+  if (!current.model.surface)
+    throw base::Error(file.string(), "a cage needs a model, and no model is open", "open the model first");
   document::OpenedSurface cage = document::open_surface(file, progress);
   return open_cage(without_fins ? cage_without_fins(std::move(cage)) : std::move(cage), current);
 }
 
-Opened open_pose(const fs::path& file, const document::Document& current) {
-  if (!current.has_cage()) {
-    throw base::Error(file.string(), "a pose needs a cage, and none is open", "open the cage first");
-  }
+Opened of_open_cage(const fs::path& file, const document::Document& current) {
+  if (!current.has_cage())
+    throw base::Error(file.string(), "a pose needs a cage, and no cage is open", "open the cage first");
   Opened opened;
   opened.file = file;
-  opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
   opened.pose_of = current.cage;
+  return opened;
+}
+
+Opened open_pose(const fs::path& file, const document::Document& current) {
+  Opened opened = of_open_cage(file, current);
+  opened.pose = deform::read_pose(file, *current.cage, opened.warnings);
   opened.also_read.push_back({file, document::the_pose});
   document::Document posed;
   posed.cage_file = current.cage_file;
@@ -142,16 +144,7 @@ Opened open_pose(const fs::path& file, const document::Document& current) {
   return opened;
 }
 
-Opened of_open_cage(const fs::path& file, const document::Document& current) {
-  if (!current.has_cage())
-    throw base::Error(file.string(), "poses need a cage, and none is open", "open the cage first");
-  Opened opened;
-  opened.file = file;
-  opened.pose_of = current.cage;
-  return opened;
-}
-
-// Refuses what cannot be drawn.
+// Throws base::Error if a pose or key cannot be drawn.
 void check_imported(const Opened& imported) {
   document::Document checked;
   checked.library.poses = imported.poses;
@@ -186,7 +179,7 @@ Opened open_animation(const fs::path& file, const document::Document& current, b
   return opened;
 }
 
-// Computes the logs here, in the background.
+// Computes the log vectors of the shapes now, because this function runs in the background.
 void add_shape_vectors(Opened& opened, const std::shared_ptr<const mesh::Surface>& model,
                        std::span<const document::SharedShape> shapes, base::Progress* progress) {
   base::WorkerPool pool;
@@ -218,7 +211,7 @@ void take_shapes(Opened& opened, std::vector<fs::path> files, const document::Do
 Opened open_shapes(const std::vector<fs::path>& files, const document::Document& current,
                    base::Progress* progress) {
   if (!current.model.surface)
-    throw base::Error(files.front().string(), "a shape needs its model, and none is open",
+    throw base::Error(files.front().string(), "a shape needs a model, and no model is open",
                       "open the model first");
   Opened opened;
   opened.file = files.front();
@@ -231,9 +224,9 @@ Opened open_shapes(const std::vector<fs::path>& files, const document::Document&
   return opened;
 }
 
-// One key per shape, one frame apart.
+// Reads shapes and makes a key of each shape, one frame apart.
 Opened open_shape_keys(const fs::path& file, const document::Document& current, base::Progress* progress) {
-  const bool is_model = formats::is_a(formats::keeps_order, file);  // it may be one of a sequence
+  const bool is_model = formats::is_a(formats::keeps_order, file);  // it may belong to a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
   const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
@@ -247,7 +240,7 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   return opened;
 }
 
-// A missing cage may be next to the located model.
+// Replaces the files of the session. Also looks for a missing cage in the folder of the new model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -261,7 +254,7 @@ void locate(Session& session, const LocatedFiles& located) {
   session.cage_file.surface = nullptr;
 }
 
-// The model and cage, with the state of the session. Errors about them name the session too.
+// Opens the model and cage of the session and sets its state. Errors name the session too.
 document::Document document_of_session(const Session& session, const fs::path& file,
                                        base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
@@ -288,7 +281,7 @@ document::Document document_of_session(const Session& session, const fs::path& f
   }
 }
 
-// Gives a session without a pose the pose of its keys at its frame.
+// Sets the pose that the keys give at the current frame.
 void set_pose_from_keys(document::Document& document) {
   if (document.timeline.keys.empty()) return;
   document::VectorCache vectors;
@@ -297,7 +290,7 @@ void set_pose_from_keys(document::Document& document) {
   put_whole_pose(document, document::Animation(document.timeline, vectors).at(document.frame));
 }
 
-// For a session.
+// Computes the log vectors of all shapes of a session.
 void add_shape_vectors(Opened& opened, const document::Document& document, base::Progress* progress) {
   std::vector<document::SharedShape> shapes;
   const auto add = [&](const auto& keyed) {
@@ -317,7 +310,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.file = file;
   opened.recovered = recovered;
   opened.has_settings = true;
-  opened.content = content_of(file);  // before reading, so that a concurrent change is noticed
+  opened.content = content_of(file);  // before reading, so that a later change is detected
   Session& session = opened.session.emplace(read_session(file));
   locate(session, located);
   document::Document document = document_of_session(session, file, progress);
@@ -376,11 +369,11 @@ Opened open_dropped_surface(document::OpenedSurface surface, const document::Doc
 
 Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface cage) {
   if (cage.surface->positions.size() > model.surface->positions.size()) std::swap(model, cage);
-  std::string reason = "has fewer vertices and encloses it";
+  std::string reason = "has fewer vertices and encloses the model";
   if (!encloses(*cage.surface, *model.surface)) {
     const bool other = encloses(*model.surface, *cage.surface);
     if (other) std::swap(model, cage);
-    reason = other ? "encloses it" : "has fewer vertices, though it does not enclose it";
+    reason = other ? "encloses the model" : "has fewer vertices but does not enclose the model";
   }
   Opened opened;
   opened.taken_as =
@@ -391,7 +384,7 @@ Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface 
   return opened;
 }
 
-// A point cache that fits the model but not its cage.
+// True for a point cache that fits the model but not its cage.
 bool is_cache_of(const fs::path& file, const document::Document& current) {
   if (!current.model.surface || !formats::point_cache_format(file)) return false;
   const std::size_t points = formats::PointCache(file).head().points;
@@ -408,7 +401,7 @@ Opened open_dropped_shapes(const std::vector<fs::path>& files, const document::D
 
 Opened open_dropped(const std::vector<fs::path>& files, const document::Document& current,
                     base::Progress* progress) {
-  const std::string dropped = std::to_string(files.size()) + " files were dropped";
+  const std::string dropped = base::counted(files.size(), "file") + " dropped";
   const char* advice =
       "drop one session, one model, one pose, a model and its cage, or shapes of the open model";
   const bool several = files.size() > 1;
@@ -420,13 +413,12 @@ Opened open_dropped(const std::vector<fs::path>& files, const document::Document
       return open_dropped_shapes(files, current, progress);
     } catch (const base::Error& error) {
       throw base::Error(error.place(),
-                        dropped + ", and this one is not a shape of the model: " + error.problem(), advice);
+                        dropped + ", and this file is not a shape of the model: " + error.problem(), advice);
     }
   }
-  if (files.size() == 1 && formats::point_cache_format(files[0])) {
+  if (files.size() == 1 && formats::point_cache_format(files[0]))
     return is_cache_of(files[0], current) ? open_dropped_shapes(files, current, progress)
                                           : open_animation(files[0], current, progress);
-  }
   const double middle = files.size() == 2 ? 0.4 : 0.8;
   if (progress) progress->section(0, middle);
   document::OpenedSurface first = document::open_surface(files[0], progress);
@@ -475,12 +467,12 @@ void check(const Opened& opened, void (*check_document)(const document::Document
 
 SessionFileError::SessionFileError(const fs::path& session, std::string_view of, const fs::path& named)
     : base::Error(session.string() + ": " + std::string(of), named.string() + ": there is no such file",
-                  "open the session in the window and locate the file there"),
+                  "open the session in the window and choose the file there"),
       key(of),
       file(named) {}
 
 Opened open_files(const OpenRequest& request, const document::Document& current, base::Progress* progress) {
-  if (progress) progress->section(0, 0.8);  // the rest is computing derived data
+  if (progress) progress->section(0, 0.8);
   Opened opened = read(request, current, progress);
   if (!opened.document) return opened;
   document::Document& document = *opened.document;

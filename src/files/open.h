@@ -1,5 +1,4 @@
-// Opening files in two steps: reading, which may take long and runs in the background, and applying the
-// result to a workspace, which is immediate: workspace/apply_opened.h.
+// Reads files to open, usually in the background. workspace/apply_opened.h applies the result to a workspace.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +14,12 @@
 
 namespace viete::files {
 
-/// Replacements for the files that a session names; empty: as named.
+/// Files to use instead of the files that a session names; empty: the file of the session.
 struct LocatedFiles {
   std::filesystem::path model, cage;
 };
 
-/// A model or cage that a session names is missing.
+/// Thrown if the model or cage that a session names is missing.
 struct SessionFileError : base::Error {
   SessionFileError(const std::filesystem::path& session, std::string_view key,
                    const std::filesystem::path& file);
@@ -28,65 +27,67 @@ struct SessionFileError : base::Error {
   std::filesystem::path file;
 };
 
-/// Files to open: see open_files().
 struct OpenRequest {
   enum class What {
     model,      ///< a session, or a model with optional cage and pose
-    cage,       ///< for the open model
-    pose,       ///< for the open cage
-    poses,      ///< for the open cage, added to the named poses: see read_poses()
-    animation,  ///< for the open cage, replacing the existing keys: see read_keys()
-    shapes,     ///< for the open model, added to the poses: see read_shapes()
-    dropped,    ///< determined from the content
+    cage,       ///< a cage for the open model
+    pose,       ///< a pose for the open cage
+    poses,      ///< poses for the open cage, added to the named poses: see read_poses()
+    animation,  ///< keys for the open cage, replacing the existing keys: see read_keys()
+    shapes,     ///< shapes for the open model, added to the poses: see read_shapes()
+    dropped,    ///< files of any kind, detected from the content
     recovery    ///< unsaved work
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
-  document::RequestedSettings
-      settings{};             ///< for a model; unset values come from the open document or the session
+  /// For a model. Missing settings come from the open document or the session.
+  document::RequestedSettings settings{};
   LocatedFiles located{};     ///< for a session
-  bool without_fins = false;  ///< for a cage; not for dropped files or a session
+  bool without_fins = false;  ///< for What::model and What::cage: removes the fins of the cage
 };
 
 /// The result of reading files, ready to be applied to a workspace.
 struct Opened {
-  std::optional<document::Document> document;      ///< another model, another cage, or a session
+  std::optional<document::Document> document;      ///< if a model, cage or session was opened
   std::optional<deform::Pose> pose;                ///< a new pose of the open cage
   std::vector<document::NamedPose> poses;          ///< poses to add
   std::vector<document::NamedShape> shapes;        ///< shapes to add
-  std::vector<document::PoseKey> keys;             ///< keys that replace the existing ones
-  std::shared_ptr<const deform::Cage> pose_of;     ///< the cage the poses were read for
-  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model the shapes were read for; null: no shapes
+  std::vector<document::PoseKey> keys;             ///< keys that replace the existing keys
+  std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of pose, poses and keys
+  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null: no shapes
   document::VectorCache vectors;                   ///< log vectors of the shapes
   std::string lost;  ///< poses lost with the previous cage: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;                  ///< the session, pose or animation
-  std::optional<std::uint64_t> content;        ///< checksum of the session file; not for unsaved work
-  bool recovered = false;                      ///< the session is unsaved work
-  bool has_settings = false;                   ///< document settings from the session or the request
-  std::vector<document::FileInUse> also_read;  ///< files of poses and keys
+  std::optional<std::uint64_t> content;        ///< checksum of the session file
+  bool recovered = false;                      ///< true: the session is unsaved work
+  bool has_settings = false;                   ///< true: the session or request has document settings
+  std::vector<document::FileInUse> also_read;  ///< files of poses, shapes and keys
   std::vector<std::string> warnings;
-  std::string taken_as;  ///< dropped files: how each was interpreted
+  std::string taken_as;  ///< message about how dropped files were interpreted
 };
 
-/// Reads the requested files. `current`, the open document, supplies the model of a requested cage and the
-/// cage of a requested pose, and is never changed. progress may be null. Throws base::Error (for sessions
-/// also SessionFileError, for cages deform::FinError) and base::Cancelled. Thread-safe.
+/// Reads the requested files. current: the open document, to which cages, poses, keys and shapes must belong.
+/// progress may be null. Throws base::Error (for sessions also SessionFileError, for cages also
+/// deform::FinError) and base::Cancelled. Thread-safe.
 ///
-/// Dropped files are identified by content and number. One file: a session; a point cache, as keys or, if it
-/// fits the model, as shapes; a pose, if it has the vertex count and faces of the open cage; a shape, if it
-/// has those of the open model and is another file; a cage, if none is open and it encloses the open model
-/// with fewer vertices; otherwise a model. Two files: a model and its cage, which is the enclosing one, or if
-/// neither or both enclose the other, the one with fewer vertices. More files, or two shapes of the open
-/// model: shapes.
+/// Dropped files are identified by content and number. A single file is the first of these kinds that fits:
+/// - a session, or a point cache (of the model: shapes; otherwise: keys)
+/// - a pose with the number of vertices and the faces of the open cage
+/// - a shape with the number of vertices and the faces of the open model, but another file
+/// - a cage, if no cage is open and the file encloses the open model with fewer vertices
+/// - a model
+/// Two files are shapes if they fit the open model; otherwise a model and the cage that encloses it. If
+/// neither file or each file encloses the other, the cage is the file with fewer vertices. More than two
+/// files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);
 
-/// Check the opened document, if any; errors also name the session.
+/// Check opened.document if it exists; errors also name the session.
 void check_drawable(const Opened& opened);
 void check_deformable(const Opened& opened);
 
-/// All files that were read: model, cage, pose and their dependencies, keys, the session.
+/// All files that were read: model, cage and pose with their dependencies, keys, the session.
 document::FilesInUse files_of(const Opened& opened);
 
 }  // namespace viete::files

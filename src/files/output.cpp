@@ -53,7 +53,7 @@ std::string name_of_found(const fs::path& file, const formats::Beginning& beginn
   return std::string(formats::name_of_content(beginning.bytes()));
 }
 
-// Proposes "dragon-2.obj", a free name.
+// Throws base::Error and proposes a free name such as "dragon-2.obj".
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const fs::path& named, Force force) {
   const std::string name = named.stem().string() + "-2" + named.extension().string();
   const fs::path other = base::unused_name(named.parent_path() / name);
@@ -108,7 +108,7 @@ void check_frames_are_new(const base::NumberedName& name, std::span<const int> f
   const std::size_t more = there.size() - 1;
   throw base::Error(there.front().string(),
                     "this file already exists and would be replaced" +
-                        (more > 0 ? ", as " + base::with_thousands(more) + " more would" : std::string()),
+                        (more > 0 ? ", and " + base::with_thousands(more) + " more files" : std::string()),
                     std::string("choose another name, or move the files") +
                         (force == Force::offered ? ", or add --force" : ""));
 }
@@ -120,7 +120,7 @@ fs::path proposed_name(const fs::path& file, const document::FilesInUse& files) 
 void add_surface(document::FilesInUse& files, const fs::path& file, const formats::Original* original,
                  const formats::Attributes* attributes, std::string_view what) {
   files.add(file, what);
-  const std::string part = "what " + std::string(what) + " leads to";
+  const std::string part = "used by " + std::string(what);
   if (original)
     for (const fs::path& other : original->files_beside()) files.add(other, part);
   if (!attributes) return;
@@ -129,8 +129,8 @@ void add_surface(document::FilesInUse& files, const fs::path& file, const format
 
 void add_document(document::FilesInUse& files, const document::Document& document, std::string_view own) {
   const auto add = [&](const document::OpenedSurface& surface, std::string_view what) {
-    const bool anew = own == what;  // the file itself may be overwritten, but not its dependencies
-    add_surface(files, anew ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
+    const bool is_own = own == what;  // this file may be overwritten, but not its dependencies
+    add_surface(files, is_own ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };
   add(document.model, document::the_model);

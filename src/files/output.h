@@ -1,4 +1,4 @@
-// Checks before files are overwritten, for the window and the command line.
+// Checks files before they are overwritten.
 #pragma once
 
 #include <filesystem>
@@ -22,16 +22,14 @@ struct Document;
 
 namespace viete::files {
 
-/// The kind of content to write.
 enum class Content { surface, picture, json, animation, session, page };
 
-/// Whether the user can override the check (offered) and did (given).
+/// none: the check cannot be overridden. offered: --force would override the check. given: it was used.
 enum class Force { none, offered, given };
 
-/// Call before the work starts. Throws base::Error if the file cannot be written, is one of those in use, or
-/// has content of another kind than the result; the last two can be forced. An empty name or file passes. The
-/// kind is detected from the beginning of the file, not from its name. The error describes the file found and
-/// proposes another name.
+/// Call before a long computation. Throws base::Error if the file cannot be written or, unless forced, if it
+/// is in `files` or contains another kind of content. Detects the kind from the beginning of the file, not
+/// from its name. Empty names and empty files pass.
 void check_output(const std::filesystem::path& file, Content content, const document::FilesInUse& files,
                   Force force);
 inline void check_output(const std::filesystem::path& file, Content content,
@@ -39,20 +37,20 @@ inline void check_output(const std::filesystem::path& file, Content content,
   check_output(file, content, files, force ? Force::given : Force::offered);
 }
 
-/// Every `step`-th frame from `first` to `last`.
+/// The frames from `first` to `last` in steps of `step`.
 struct FrameSteps {
   int first = 1, last = 0, step = 1;
 };
 
-/// Checks the output of an animation: one file, or all files of a numbered pattern. A pattern must never
-/// overwrite an input, even if forced, since the export would destroy the input halfway.
+/// Checks the output of an animation: one file, or all files of a pattern. A pattern must not contain an
+/// input file, even if forced, because the export may still read this file after it was overwritten.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames,
                   const document::FilesInUse& files, Force force);
 
 /// Throws base::Error if a file of these frames exists, unless `force` is given.
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
-/// A free name next to `file` that is not in use; `file` itself if it may be replaced.
+/// `file` if it does not exist and is not in use; otherwise a free name in the same folder.
 std::filesystem::path proposed_name(const std::filesystem::path& file, const document::FilesInUse& files);
 
 /// Adds a surface's file and its dependencies: material libraries, images, buffers. `what`: "the model".
@@ -60,7 +58,7 @@ void add_surface(document::FilesInUse& files, const std::filesystem::path& file,
                  const formats::Original* original, const formats::Attributes* attributes,
                  std::string_view what);
 
-/// Adds all files that a document was read from, except the one described by `own`.
+/// Adds all files from which a document was read, except the file described by `own`.
 void add_document(document::FilesInUse& files, const document::Document& document,
                   std::string_view own = document::no_own);
 

@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Parses PROCESS.viete or PROCESS_3.viete.
+// Returns PROCESS for the file PROCESS.viete or PROCESS_3.viete.
 std::string process_of(const fs::path& file) {
   const std::string stem = file.stem().string();
   return stem.substr(0, stem.find('_'));
@@ -21,7 +21,7 @@ std::string process_of(const fs::path& file) {
 
 constexpr const char* restored_ending = "_restored";
 
-// The edited parts of a session, without its view.
+// The work in a session, without the view.
 Session work_of(const Session& session) {
   Session work;
   work.model.path = session.model.path;
@@ -32,7 +32,7 @@ Session work_of(const Session& session) {
   return work;
 }
 
-// The work stored in the session or cage on disk. Requires a session, or a cage with a file.
+// The work in the original session or, if there is no session, the cage at rest, read from its file.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;
@@ -77,19 +77,19 @@ fs::path mark_restored(const fs::path& file) {
 }
 
 RecoveryFile describe_recovery_file(const fs::path& file) {
-  RecoveryFile leftover{file, file.filename().string()};
-  leftover.restored = file.stem().string().ends_with(restored_ending);
+  RecoveryFile found{file, file.filename().string()};
+  found.restored = file.stem().string().ends_with(restored_ending);
   struct stat status {};
-  if (stat(file.c_str(), &status) == 0) leftover.time = status.st_mtime;
+  if (stat(file.c_str(), &status) == 0) found.time = status.st_mtime;
   try {
     const Session session = read_session(file);
     const fs::path& of = session.origin.empty() ? session.model.path : session.origin;
-    leftover.name = of.filename().string();
-    leftover.folder = of.parent_path();
+    found.name = of.filename().string();
+    found.folder = of.parent_path();
   } catch (const std::exception&) {
-    // Keep the name of the recovery file; opening the file reports the error.
+    // Opening the file will report the error.
   }
-  return leftover;
+  return found;
 }
 
 std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
@@ -101,9 +101,8 @@ std::vector<RecoveryFile> find_recovery_files(const fs::path& folder) {
       all.push_back(describe_recovery_file(file));
   }
   std::error_code ignored;
-  std::erase_if(all, [&](const RecoveryFile& leftover) {
-    return equals_files(leftover.file) && fs::remove(leftover.file, ignored);
-  });
+  std::erase_if(all,
+                [&](const RecoveryFile& r) { return equals_files(r.file) && fs::remove(r.file, ignored); });
   std::sort(all.begin(), all.end(), [](const RecoveryFile& a, const RecoveryFile& b) {
     return a.time != b.time ? a.time > b.time : a.file < b.file;
   });

@@ -9,6 +9,7 @@
 
 #include "base/encoding.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "document/brush.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
@@ -61,8 +62,8 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 
 }  // namespace
 
-// The functions code() are found by their arguments and must be in this namespace. Lengths and coordinates
-// are in the file's unit, rotations are rotation vectors in radians.
+// The functions code() must be in this namespace, because templates find them by their arguments. Lengths and
+// coordinates are in the model's unit; rotations are rotation vectors in radians.
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);
@@ -83,18 +84,18 @@ static void code(const JsonField& f, document::ElementKind& kind) {
   code_listed(f, kind, kind_words);
 }
 
-// In view units: the model's diagonal is 2.
+// Lengths of a camera are in view units, in which the model's diagonal is 2.
 static void code(const JsonField& f, document::CameraPose& camera) {
   f.needed("target", camera.target, Reach{document::farthest_place});
   f.needed("distance", camera.distance, Limits{document::nearest_camera, document::farthest_camera});
   f.needed("yaw", camera.yaw, Limits{-1e6, 1e6});
-  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn, with any rounding
+  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn and rounding
   f.member("orthographic", camera.orthographic);
   const auto up = f.reads() || camera.up != document::UpAxis::y ? f.child("up") : std::nullopt;
   if (up) code_listed(*up, camera.up, axis_words);
 }
 
-// The members of the object that they are part of. A scheme may name some of its choices; the others fit.
+// Reads or writes members of the enclosing object. Missing choices get fitting defaults.
 static void code(const JsonField& f, deform::Scheme& scheme) {
   deform::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
@@ -128,12 +129,12 @@ static void code(const JsonField& f, document::SideWay& side) {
   f.unless(false, "other_lines", side.other_blending);
 }
 
-// No cameras: they are linked.
+// Without cameras all views are linked.
 static void code(const JsonField& f, document::SideWays& sides) {
   f.unless({}, "views", sides.sides, document::SideWays::most);
   f.unless({}, "cameras", sides.cameras, document::SideWays::most);
   if (f.reads() && !sides.cameras.empty() && sides.cameras.size() != sides.sides.size())
-    f.in().at("cameras").fail("their number differs from the number of additional views");
+    f.in().at("cameras").fail("there must be one camera for each additional view");
 }
 
 static void code(const JsonField& f, document::Handling& handling) {
@@ -151,7 +152,7 @@ static void code(const JsonField& f, document::Handling& handling) {
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
 }
 
-// A probe's motion, members of the object that it is part of; "stretched" is the log of the stretch.
+// Reads or writes members of the enclosing object. "stretched" is the log of the stretch.
 static void code(const JsonField& f, deform::ProbePose& pose) {
   f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
   if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
@@ -194,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The shares of the model's vertices as run lengths: [share, count, share, count, ...].
+// A mask is stored as run lengths: [share, count, share, count, ...]. A share applies to `count` vertices.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
@@ -210,13 +211,14 @@ static void code(const JsonField& f, deform::Mask& mask) {
     return put_run();
   }
   constexpr std::size_t most = 1 << 27;
-  if (f.in().size() % 2) f.in().fail("a share lacks the number of its vertices");
+  if (f.in().size() % 2) f.in().fail("the number of vertices is missing after the last share");
   std::vector<float> shares;
   for (std::size_t run = 0; run < f.in().size(); run += 2) {
     const JsonReader share = f.in().item(run), count = f.in().item(run + 1);
     if (share.index() > document::mask_steps)
       share.fail("a share must be 0 to " + std::to_string(document::mask_steps));
-    if (shares.size() + count.index() > most) count.fail("there are more than " + std::to_string(most));
+    if (shares.size() + count.index() > most)
+      count.fail("the mask has more than " + std::to_string(most) + " vertices");
     shares.insert(shares.end(), count.index(), static_cast<float>(share.index()) / document::mask_steps);
   }
   mask = std::make_shared<const std::vector<float>>(std::move(shares));
@@ -227,16 +229,16 @@ static void code(const JsonField& f, document::NamedSet& set) {
   f.needed("selecting", set.kind);
   f.needed("vertices", set.vertices);
   if (set.kind == document::ElementKind::probe)
-    f.in().at("selecting").fail("a selection set contains vertices, edges or faces");
+    f.in().at("selecting").fail("a selection set must contain vertices, edges or faces");
 }
 
-// Turns of each part of the cage.
+// "turns" has a rotation vector for each part of the cage.
 static void code(const JsonField& f, deform::Pose& pose) {
   f.unless({}, "turns", pose.turns, Reach{document::largest_turn});
   f.unless({}, "positions", pose.positions, Reach{mesh::largest_coordinate});
 }
 
-// Members of the object that it is part of; never null.
+// Reads or writes members of the enclosing object. A pose that was read is not null.
 static void code(const JsonField& f, document::SharedPose& pose) {
   document::WholePose whole;
   if (pose) whole = *pose;
@@ -249,7 +251,8 @@ static void code(const JsonField& f, document::SharedPose& pose) {
 static void code(const JsonField& f, document::NamedPose& named) {
   f.needed("name", named.name);
   if (named.name.size() > document::PoseLibrary::longest_name)
-    f.in().at("name").fail("this name is too long");
+    f.in().at("name").fail("the name has more than " + std::to_string(document::PoseLibrary::longest_name) +
+                           " bytes");
   f.unless(0, "weight", named.weight, mix_weights);
   code(f, named.pose);
 }
@@ -271,12 +274,11 @@ static void code(const JsonField& f, document::CameraKey& key) {
   code(f, key.camera);
 }
 
-// Throws unless the keys are in order.
 template <class Keys>
 static void check_order(const JsonField& f, const char* key, const Keys& keys) {
   const auto not_later = [](const auto& a, const auto& b) { return a.frame >= b.frame; };
   if (std::ranges::adjacent_find(keys, not_later) != keys.end())
-    f.in().at(key).fail("the keys are not in the order of their frames");
+    f.in().at(key).fail("the keys must be sorted by frame, with one key per frame");
 }
 
 static void code(const JsonField& f, document::Timeline& t) {
@@ -288,12 +290,12 @@ static void code(const JsonField& f, document::Timeline& t) {
   f.unless({}, "keys", t.keys, document::Timeline::most_keys);
   f.unless({}, "unkeyed", t.unkeyed, document::Timeline::most_keys);
   f.unless({}, "cameras", t.cameras, document::Timeline::most_keys);
-  if (t.first >= t.last) f.in().fail("its last frame is not after its first one");
+  if (t.first >= t.last) f.in().fail("the last frame must be after the first frame");
   check_order(f, "keys", t.keys);
   check_order(f, "cameras", t.cameras);
 }
 
-// A cage in no file: its polygons have the 0-based indices of their corners.
+// A cage without a file. "polygons" has the vertex indices of each polygon, from 0.
 static void code(const JsonField& f, document::OpenedSurface& cage) {
   mesh::Surface surface;
   if (!f.reads()) surface = *cage.surface;
@@ -313,7 +315,8 @@ static void code(const JsonField& f, document::OpenedSurface& cage) {
     for (std::size_t c = 0; c < polygon.size(); ++c) {
       surface.corners.push_back(polygon.item(c).index());
       if (surface.corners.back() >= surface.positions.size())
-        polygon.item(c).fail("the cage has " + std::to_string(surface.positions.size()) + " vertices");
+        polygon.item(c).fail("the cage has only " + std::to_string(surface.positions.size()) +
+                             " vertices, counted from 0");
     }
     surface.polygon_starts.push_back(static_cast<std::uint32_t>(surface.corners.size()));
   }
@@ -323,7 +326,7 @@ static void code(const JsonField& f, document::OpenedSurface& cage) {
 
 namespace {
 
-// Resolves links in the folder, so that ".." is correct; the file keeps its given name.
+// Resolves links in the folder, so that ".." is correct, but keeps the file name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -331,7 +334,7 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-// How the session's file names other files.
+// The folder of a session, and whether it stores relative file names.
 struct Place {
   fs::path folder;
   bool relative;
@@ -343,7 +346,7 @@ struct Place {
   }
 };
 
-// Does nothing if there is no such file.
+// When reading, keeps `file` if the key is missing. When writing, does nothing if `file` is empty.
 void code_path(const JsonField& f, const char* key, fs::path& file, const Place& place) {
   if (f.reads()) {
     if (const auto name = f.in().find(key)) file = resolved(place.folder / name->path());
@@ -352,17 +355,16 @@ void code_path(const JsonField& f, const char* key, fs::path& file, const Place&
   }
 }
 
-// Content keys depend on the byte order; ignored on uncommon machines.
-constexpr bool keys_are_common = std::endian::native == std::endian::little;
+// Checksums depend on the byte order, so they are only used on little-endian machines.
+constexpr bool has_checksums = std::endian::native == std::endian::little;
 
-// The members of a session. "session" and "session_content" are those of recovered work.
 void code_session(const JsonField& f, Session& s, const Place& place) {
   if (f.reads()) (void)f.in().at("model");
   code_path(f, "model", s.model.path, place);
   code_path(f, "cage", s.cage_file.path, place);
   if (s.cage_file.path.empty() && (f.reads() || s.cage_file.surface)) f.member("made_cage", s.cage_file);
-  if (keys_are_common) f.unless(0, "model_content", s.model.content);
-  if (keys_are_common) f.unless(0, "cage_content", s.cage_file.content);
+  if (has_checksums) f.unless(0, "model_content", s.model.content);
+  if (has_checksums) f.unless(0, "cage_content", s.cage_file.content);
   if (f.reads() || !place.relative) {
     code_path(f, "session", s.origin, place);
     f.unless(std::nullopt, "session_content", s.origin_content);
@@ -396,14 +398,13 @@ void code_session(const JsonField& f, Session& s, const Place& place) {
 
 void check_version(const JsonReader& json, const fs::path& file) {
   const auto format = json.find("format");
-  if (!format || format->text() != format_name) {
-    throw base::Error(file.string(), "this is not a session", "choose a session saved by Viete");
-  }
+  if (!format || format->text() != format_name)
+    throw base::Error(file.string(), "this file is not a session", "choose a session saved by Viete");
   const auto version = json.at("version").index();
   if (version == format_version) return;
   json.at("version").fail("the session has version " + std::to_string(version) +
-                              ", this version of Viete reads " + std::to_string(format_version),
-                          "open it with the version that saved it");
+                              ", this version of Viete reads version " + std::to_string(format_version),
+                          "open it with the version of Viete that saved it");
 }
 
 }  // namespace
@@ -411,7 +412,7 @@ void check_version(const JsonReader& json, const fs::path& file) {
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   ordered_json json = {{"format", format_name}, {"version", format_version}};
   ShapeTable shapes;
-  Session copy = session;  // coding may change values
+  Session copy = session;  // code() takes a mutable value
   code_session(JsonField(json, shapes), copy, {resolved(file).parent_path(), portable});
   if (!shapes.all.empty()) code(JsonField(json["shapes"], shapes), shapes);
   return readable(json, file);
@@ -436,7 +437,7 @@ Session read_session(const fs::path& file) {
 
 namespace {
 
-constexpr const char* changed_advice = "restore the model and cage that it was saved with";
+constexpr const char* changed_advice = "restore the model and cage with which the session was saved";
 
 [[noreturn]] void refuse(const fs::path& file, const char* key, const std::string& problem,
                          const std::string& advice = changed_advice) {
@@ -453,21 +454,23 @@ void check_pose(const document::Document& document, const Session& session, cons
   const std::size_t wanted = cage.surface.positions.size();
   if (positions.size() != wanted)
     refuse(file, "pose.positions",
-           "this is a pose of " + counted(document::ElementKind::vertex, positions.size()) + ", the cage " +
-               place_of(document.cage_file) + " has " + std::to_string(wanted),
+           "the pose is for " + counted(document::ElementKind::vertex, positions.size()) + ", the cage " +
+               place_of(document.cage_file) + " has " + counted(document::ElementKind::vertex, wanted),
            advice);
   if (turns.size() > cage.roots.size())
     refuse(file, "pose.turns",
-           "there are more than the " + std::to_string(cage.roots.size()) + " parts of the cage", advice);
+           "the pose is for " + base::counted(turns.size(), "part") + ", the cage has " +
+               base::counted(cage.roots.size(), "part"),
+           advice);
 }
 
-// Indices are ascending.
+// indices: ascending.
 void check_indices(const fs::path& file, const char* key, const std::vector<std::uint32_t>& indices,
                    document::ElementKind kind, std::size_t count) {
   if (indices.empty() || indices.back() < count) return;
   refuse(file, key,
-         element_name(kind) + ' ' + std::to_string(indices.back()) + " is named, there are only " +
-             counted(kind, count));
+         element_name(kind) + ' ' + std::to_string(indices.back()) + " does not exist, there are only " +
+             counted(kind, count) + ", counted from 0");
 }
 
 }  // namespace
@@ -479,10 +482,10 @@ void check_poses(const document::DocumentState& state, const deform::Cage* cage,
   const auto check = [&](const char* key, const std::string& what, const document::SharedPose& pose) {
     if ((pose->shape && pose->shape->size() != model.positions.size()) ||
         pose->cage.positions.size() != vertices || pose->cage.turns.size() > parts)
-      refuse(file, key, what + " is of another cage or model");
+      refuse(file, key, what + " belongs to another cage or model");
   };
   for (const document::NamedPose& named : state.library.poses)
-    check("poses", formats::in_quotes(named.name), named.pose);
+    check("poses", "the pose " + formats::in_quotes(named.name), named.pose);
   if (state.library.unmixed) check("unmixed", "this pose", state.library.unmixed);
   for (const auto* keys : {&state.timeline.keys, &state.timeline.unkeyed})
     for (const document::PoseKey& key : *keys)
@@ -496,8 +499,8 @@ void check_fits(const document::Document& document, const Session& session, cons
   const auto check_count = [&](const char* key, std::size_t count) {
     if (count == vertices) return;
     refuse(file, key,
-           "it is of " + counted(document::ElementKind::vertex, count) + ", the model has " +
-               std::to_string(vertices));
+           "the " + std::string(key) + " is for " + counted(document::ElementKind::vertex, count) +
+               ", the model has " + counted(document::ElementKind::vertex, vertices));
   };
   if (document.mask) check_count("mask", document.mask->size());
   if (document.shape) check_count("shape", document.shape->size());
@@ -527,7 +530,7 @@ std::vector<std::string> changes_since(const Session& session, const document::D
   compare("model", session.model.content, document.model,
           "if the result looks wrong, restore the older file");
   compare("cage", session.cage_file.content, document.cage_file,
-          "the pose may not match it: if the result looks wrong, restore the older file");
+          "if the pose looks wrong, restore the older file");
   return warnings;
 }
 

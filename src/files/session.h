@@ -1,4 +1,4 @@
-// A session: a readable file that restores the view and all work.
+// Session files, which store the view and all work.
 #pragma once
 
 #include <filesystem>
@@ -14,45 +14,44 @@
 
 namespace viete::files {
 
-/// The contents of a session file; session.cpp has its keys. Only format, version and model are required.
-/// Unknown keys are ignored, for compatibility with newer programs. A damaged value is an error.
+/// The contents of a session file. Only the keys format, version and model are required. Unknown keys are
+/// ignored, because newer programs may write them. An invalid value is an error.
 ///
-/// After reading, `cage` is null, `model` and `cage_file` have path and content only; cage_file has a surface
-/// if it is in no file. An empty pose means the pose of the keys or, without keys, rest.
+/// After reading, `cage` is null; `model` and `cage_file` have only path and content, but a cage without a
+/// file also has its surface. An empty pose means the pose of the keys or, if there are no keys, rest.
 struct Session : document::DocumentState {
   document::OpenedSurface model;
-  std::filesystem::path origin;                 ///< session of recovered work; absolute; may be empty
-  std::optional<std::uint64_t> origin_content;  ///< checksum of that file at the time
+  std::filesystem::path origin;  ///< absolute path of the session whose edits are unsaved; or empty
+  std::optional<std::uint64_t> origin_content;  ///< checksum of that file when it was opened or saved
   sym3::Method method = sym3::Method::fast;
-  std::optional<document::CameraPose> camera;  ///< missing: frame the model
+  std::optional<document::CameraPose> camera;  ///< missing: the camera frames the model
   document::ViewOptions view;
   document::SideWays sides;
   document::Handling handling;
   std::optional<glm::ivec2> window;  ///< in logical pixels
 };
 
-/// File names relative to the folder of `file`; absolute, and with the keys of recovered work, if `portable`
-/// is false. Throws base::Error.
+/// The text of the session file `file`. portable: file names are relative to its folder; otherwise they are
+/// absolute, and the origin is written too. Throws base::Error.
 std::string session_text(const Session& session, const std::filesystem::path& file, bool portable = true);
 
-/// Throws base::Error naming file and key. check_fits() checks that the session fits model and cage.
+/// Throws base::Error with file and key. Does not check that the session fits the model and cage.
 Session read_session(const std::filesystem::path& file);
 
-/// Throws base::Error naming `file` and the key that does not fit: poses, selection and hidden vertices of
-/// another cage, or shapes, pins and a mask of another model. `document` has both and the session's state.
+/// Throws base::Error with `file` and the key if poses, selection or hidden vertices do not fit the cage, or
+/// shapes, pins or the mask do not fit the model. document: has model, cage and the state of the session.
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
-/// The same for named poses and keys.
+/// As check_fits(), but only for named poses and keys.
 void check_poses(const document::DocumentState& state, const deform::Cage* cage, const mesh::Surface& model,
                  const std::filesystem::path& file);
 
-/// Warnings if the content of model or cage differs from when the session was saved: the pose may then belong
-/// to another cage.
+/// Warnings if the file of the model or cage has changed since the session was saved.
 std::vector<std::string> changes_since(const Session& session, const document::Document& document,
                                        const std::filesystem::path& file);
 
 inline constexpr const char* session_extension = ".viete";
-/// By its extension.
+/// True if the file has the extension of a session.
 bool is_session(const std::filesystem::path& file);
 
 /// Checksum of a file; nullopt if it cannot be read.

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// "pose_2" before "pose_10".
+// Compares numbers in names by value: "pose_2" is before "pose_10".
 bool before_by_numbers(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;
@@ -49,7 +49,8 @@ std::vector<fs::path> models_in(const fs::path& folder) {
     if (formats::is_a(formats::holds_surface, at->path()) && at->is_regular_file(ignored))
       files.push_back(at->path());
   }
-  if (code) throw base::Error(folder.string(), "cannot be read: " + code.message(), "check the folder");
+  if (code)
+    throw base::Error(folder.string(), "the folder cannot be read: " + code.message(), "check the folder");
   sort_by_numbers(files);
   return files;
 }
@@ -71,13 +72,13 @@ void read_folder(const fs::path& folder, const char* wanted, const char* advice,
     try {
       if (read(files[i])) ++taken;
     } catch (const base::Error& error) {
-      refused.push_back(std::string(error.what()) + "; skipped");
+      refused.push_back("skipped " + std::string(error.what()));
     }
   }
   if (taken == 0)
     throw base::Error(folder.string(),
                       files.empty() ? "there is no model in this folder"
-                                    : "none of its " + base::counted(files.size(), "model") + " is " + wanted,
+                                    : "no model in this folder is " + std::string(wanted),
                       advice);
   warnings.insert(warnings.end(), refused.begin(), refused.end());
 }
@@ -90,13 +91,12 @@ std::vector<base::NumberedFile> files_of(const base::NumberedName& name) {
   return files;
 }
 
-// The range of positions that GPUs and deformers support, as for any opened surface.
 void check_places(const std::string& place, std::span<const mesh::Point> positions) {
   constexpr double largest = 1e32;
   for (std::size_t v = 0; v < positions.size(); ++v) {
     if (mesh::largest_abs(positions[v]) <= largest) continue;
     throw base::Error(place, "vertex " + std::to_string(v) + " is too far away to be drawn",
-                      "export it again in another unit");
+                      "export it again at a smaller scale");
   }
 }
 
@@ -104,7 +104,7 @@ void check_points(const std::string& place, std::size_t found, const PosedSurfac
   const std::size_t wanted = of.surface.positions.size();
   if (found == wanted) return;
   throw base::Error(place,
-                    "it moves " + base::counted(found, "point") + ", and " + of.what + " has " +
+                    "the file has " + base::counted(found, "point") + ", and " + of.what + " has " +
                         base::with_thousands(wanted) + " vertices",
                     std::string("choose a file made from ") + of.what);
 }
@@ -117,7 +117,7 @@ std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Poin
 
 namespace {
 
-// Each vertex has one partner.
+// For each vertex of the surface finds the vertex of the file at the same position.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
   std::vector<std::uint32_t> all(found.positions.size());
@@ -130,11 +130,11 @@ std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::S
   for (const mesh::Point& p : of.surface.positions) {
     const std::uint32_t v = tree.nearest(p);
     if (taken[v] || mesh::norm(found.positions[v] - p) > near)
-      throw base::Error(
-          file,
-          std::string("its rest shape is not ") + of.what + ": it has no vertex at the position of vertex " +
-              std::to_string(order.size()),
-          std::string("export ") + of.what + " itself, as it is at rest, in the same axes and unit");
+      throw base::Error(file,
+                        std::string("the rest shape differs from ") + of.what +
+                            ": the file has no vertex at the position of vertex " +
+                            std::to_string(order.size()),
+                        std::string("export ") + of.what + " at rest with the same axes and unit");
     taken[v] = true;
     order.push_back(v);
   }
@@ -156,32 +156,26 @@ MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& 
   return found;
 }
 
-namespace fs = std::filesystem;
-
 void check_shape_count(const std::string& file, std::size_t count, const mesh::Surface& model) {
   if (count > document::Timeline::most_keys)
     throw base::Error(file,
                       "there are " + base::counted(count, "shape") + ", and a timeline can have " +
                           base::with_thousands(document::Timeline::most_keys),
-                      "choose fewer");
-  // Positions and their log vectors.
+                      "choose fewer shapes");
+  // The memory of positions and log vectors.
   base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
                             72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
-                        base::counted(count, "shape") + " of the model take", "choose fewer", file});
+                        base::counted(count, "shape") + " of the model take", "choose fewer shapes", file});
 }
 
 namespace {
 
 constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
 
-// The corners of faces in the form common to both surfaces: polygons or triangles.
+// Polygons, or triangles if the file and the model have different polygons.
 struct Faces {
   std::vector<std::uint32_t> corners, starts;
 };
-
-Faces polygons_of(const mesh::Surface& s) {
-  return {s.corners, s.polygon_starts};
-}
 
 Faces triangles_of(const mesh::Surface& s) {
   Faces faces{{}, {0}};
@@ -199,14 +193,14 @@ std::string face_text(const Faces& faces, std::size_t face) {
   return text;
 }
 
-// Finds for each model vertex the file's vertex, from faces in the same order.
+// For each vertex of the model finds the vertex of the file, from faces in the same order.
 class VertexOrder {
 public:
   VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
       : file_(file), order_(model.positions.size(), mesh::none), taken_(found.positions.size(), mesh::none) {
     const bool alike = found.polygon_count() == model.polygon_count();
-    found_ = alike ? polygons_of(found) : triangles_of(found);
-    model_ = alike ? polygons_of(model) : triangles_of(model);
+    found_ = alike ? Faces{found.corners, found.polygon_starts} : triangles_of(found);
+    model_ = alike ? Faces{model.corners, model.polygon_starts} : triangles_of(model);
   }
 
   std::vector<std::uint32_t> find() {
@@ -221,8 +215,8 @@ private:
   void check_count(std::size_t found, std::size_t expected, const char* of) const {
     if (found == expected) return;
     throw base::Error(file_,
-                      std::string("the number of ") + of + " is " + base::with_thousands(found) +
-                          ", in the model it is " + base::with_thousands(expected),
+                      "the file has " + base::with_thousands(found) + " " + of + ", the model has " +
+                          base::with_thousands(expected),
                       advice);
   }
 
@@ -234,13 +228,13 @@ private:
     if (!fits) refuse(face);
   }
 
-  // A merged face may be detected only at a later one.
+  // Reports the first face that differs. The mismatch may have been detected only at a later face.
   [[noreturn]] void refuse(std::size_t face) const {
     const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
     if (same(face)) face = 0;
     while (same(face)) ++face;
     throw base::Error(file_,
-                      "face " + std::to_string(face) + " (from 0) has the vertices " +
+                      "face " + std::to_string(face) + " (counted from 0) has the vertices " +
                           face_text(found_, face) + ", in the model " + face_text(model_, face),
                       advice);
   }
@@ -251,7 +245,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Matches vertices without a face in file order.
+  // Matches the vertices without a face in their order in the file.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {
@@ -324,7 +318,7 @@ private:
     all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
   }
 
-  // False if there are none.
+  // Returns false if the file has no morph targets.
   bool add_morphs(const fs::path& file) {
     std::vector<std::string> warnings;
     const MorphPositions morphs = morphs_of(file, {model_, "the model"}, warnings);
@@ -355,7 +349,7 @@ private:
       positions.push_back(found.positions[v]);
     }
     if (moved)
-      all_.warnings.push_back(name + ": its vertices are in another order; they were matched by the faces");
+      all_.warnings.push_back(name + ": the vertex order differs; vertices were matched by the faces");
     return positions;
   }
 

@@ -16,12 +16,12 @@
 namespace viete::formats {
 
 using Vec2 = std::array<double, 2>;
-using Color = std::array<float, 4>;  ///< red, green, blue, opacity in [0, 1], sRGB as stored
+using Color = std::array<float, 4>;  ///< red, green, blue (sRGB) and opacity, each in [0, 1]
 
-/// Size limit of model images; larger files are rejected.
+/// The size in bytes of the largest image file that is decoded.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
-/// An encoded image, in a file of its own or embedded in the model's file. Decoded only for display.
+/// An encoded image: an external file, or bytes embedded in the model's file. It is decoded only for display.
 struct ImageFile {
   std::filesystem::path path;                ///< absolute path; empty if embedded
   std::shared_ptr<const std::string> bytes;  ///< encoded bytes (PNG, JPEG ...) if embedded; otherwise null
@@ -32,23 +32,23 @@ struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
   std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; multiplied by base_color
-  bool repeats = true;  ///< outside [0, 1] the image repeats; false: clamps to its border
+  bool repeats = true;  ///< true: the image repeats outside [0, 1]; false: its border colour continues
 };
 
-/// Consecutive polygons grouped by the file. A file without groups has one.
+/// A range of consecutive polygons with the same object, group name, material and shading.
 struct Group {
-  std::uint32_t first_polygon = 0;      ///< the group ends at the first polygon of the next one
-  std::string object, name;             ///< either may be empty
+  std::uint32_t first_polygon = 0;      ///< the group ends before the first polygon of the next group
+  std::string object, name;             ///< may be empty
   std::uint32_t material = mesh::none;  ///< index into Attributes::materials
   bool smooth = true;                   ///< false: flat shading
 };
 
-/// Arrays are empty if the file does not have the attribute. Corners are indexed as Surface::corners.
+/// An array is empty if the file does not have the attribute. Corners are the entries of Surface::corners.
 struct Attributes {
   std::vector<Vec2> texture_points;           ///< (u, v), v upward
-  std::vector<std::uint32_t> corner_texture;  ///< a texture point per corner, or none
-  std::vector<mesh::Vec3> normals;            ///< as stored: not necessarily unit vectors
-  std::vector<std::uint32_t> corner_normal;   ///< a normal per corner, or none
+  std::vector<std::uint32_t> corner_texture;  ///< for each corner an index into texture_points, or mesh::none
+  std::vector<mesh::Vec3> normals;            ///< as stored; the length may differ from 1
+  std::vector<std::uint32_t> corner_normal;   ///< for each corner an index into normals, or mesh::none
   std::vector<Color> colors;                  ///< one per vertex
   std::vector<Color> polygon_colors;          ///< one per polygon
   std::vector<Group> groups;                  ///< sorted by first_polygon; the first starts at 0

@@ -1,4 +1,4 @@
-// Conversion of numbers to and from bytes in either byte order.
+// Converts numbers to bytes and back, in little-endian or big-endian order.
 #pragma once
 
 #include <algorithm>
@@ -27,20 +27,9 @@ auto bytes_of_number(T value, std::endian order = std::endian::little) {
 }
 
 /// Types of the numbers in a file.
-enum class NumberType : std::uint8_t {
-  int8,
-  uint8,
-  int16,
-  uint16,
-  int32,
-  uint32,
-  int64,
-  uint64,
-  float32,
-  float64
-};
+enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// Calls use(number) with a number of this type.
+/// Calls use(x), where x is a zero of this type, and returns the result.
 template <class Use>
 auto with_type(NumberType type, const Use& use) {
   switch (type) {
@@ -62,7 +51,6 @@ inline std::size_t size_of(NumberType type) {
   return with_type(type, [](auto number) { return sizeof number; });
 }
 
-/// Reads the first bytes as a number of this type.
 inline double number_of_bytes(const char* bytes, NumberType type, std::endian order) {
   return with_type(type, [&](auto number) {
     return static_cast<double>(number_of_bytes<decltype(number)>(bytes, order));

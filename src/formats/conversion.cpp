@@ -10,7 +10,8 @@ namespace viete::formats {
 
 namespace {
 
-// Corners that share a normal must also share this: the polygon for flat shading, otherwise the vertex.
+// A number for each corner. Corners with different numbers get separate normals: the number stands for the
+// polygon if it has flat shading, otherwise for the vertex.
 std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const Attributes& attributes) {
   std::vector<std::uint64_t> common(surface.corners.begin(), surface.corners.end());
   constexpr std::uint64_t polygons = std::uint64_t{1} << 32;
@@ -36,7 +37,7 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
       format.holds(held::corner_normals) || (normals && one_a_vertex(surface, deformed.corner_normal));
   struct Kind {
     const char* name;
-    bool there, held;
+    bool in_file, fits;
   };
   const Kind kinds[] = {
       {"texture coordinates", !a.texture_points.empty(), format.holds(held::texture_points)},
@@ -48,7 +49,7 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
       {"textures", !a.images.empty(), false}};
   std::vector<std::string> names;
   for (const Kind& kind : kinds)
-    if (kind.there && !kind.held) names.emplace_back(kind.name);
+    if (kind.in_file && !kind.fits) names.emplace_back(kind.name);
   return names;
 }
 
@@ -142,7 +143,7 @@ std::vector<std::string> left_out(const Format& format, const Content& content, 
   std::string list;
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i) list += (i == 0 ? "" : ", ") + names[i];
   if (!names.empty())
-    notes.push_back(std::string(format.name) + " cannot store other content of the file: " +
+    notes.push_back(std::string(format.name) + " cannot store some content of the file: " +
                     TextWriter::one_line(list) + (names.size() > most ? " ..." : ""));
   if (!format.holds(held::polygons) && !content.surface.triangles.empty())
     tell_triangles(content.surface, notes);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t nowhere = no_places[0];
 
-// The numbers of one list that change, in file order.
+// Iterates over the numbers of one list that change, in file order.
 class Changes {
 public:
   Changes(const FileVectors& vectors, const VectorFile& file, const Source& source, const mesh::Surface& rest,
@@ -35,14 +35,14 @@ public:
     if (file.text) learn();
     if (!are_positions_) follow();
     if (vectors.count > 0) {
-      std::size_t row = 0;  // the first with numbers
+      std::size_t row = 0;  // the first row with numbers
       while (row + 1 < vectors.count && vectors.places(row) == no_places) ++row;
       std::ranges::sort(axes_, {}, [order = vectors.places(row)](std::size_t axis) { return order[axis]; });
     }
     advance();
   }
 
-  // The place of the next number that changes; `nowhere` at the end.
+  // The offset of the current number; `nowhere` at the end.
   std::size_t place() const { return place_; }
 
   void replace(Rewriter& rewriter) {
@@ -57,7 +57,7 @@ private:
     return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
   }
 
-  // NaN for words that are not numbers, 0 0 0 for a row without numbers.
+  // The vector in a row: NaN for words that are not numbers, 0 0 0 for a row without places.
   mesh::Vec3 direction(std::size_t row) const {
     const FileVectors::Places places = vectors_.places(row);
     if (places == no_places) return {0, 0, 0};
@@ -70,6 +70,7 @@ private:
     return v;
   }
 
+  // Learns the number format from the first rows.
   void learn() {
     constexpr std::size_t enough = 10'000;
     for (std::size_t row = 0; row < std::min(enough, vectors_.count); ++row) {
@@ -79,6 +80,7 @@ private:
     }
   }
 
+  // Computes the directions after the deformation.
   void follow() {
     for (std::size_t row = 0; row < vectors_.count; ++row) before_.push_back(direction(row));
     std::vector<std::uint32_t> of_corner = rest_.corners, of_vertex;
@@ -112,15 +114,15 @@ private:
       const auto words = written(now[axis], room_);
       if (!words)
         throw base::Error(source_.place(vectors_.element, row),
-                          "a position does not fit into the file's type",
-                          "write another format, or scale the model");
+                          "the new value exceeds the range of its number type in this file",
+                          "save in another format, or scale the model");
       if (words == written(before[axis], room_before)) continue;
       words_ = *words;
       place_ = vectors_.places(row)[axis];
     }
   }
 
-  // A value in the file's form; empty if out of the type's range.
+  // The value as text or bytes of the file; empty if it exceeds the type's range.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
     return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
       using Number = decltype(number);
@@ -149,11 +151,11 @@ private:
   std::span<const mesh::Point> positions_;
   bool are_positions_;
   Printed printed_;
-  std::vector<mesh::Vec3> before_, now_;      // of directions
-  std::array<std::size_t, 3> axes_{0, 1, 2};  // in file order
+  std::vector<mesh::Vec3> before_, now_;      // directions before and after the deformation
+  std::array<std::size_t, 3> axes_{0, 1, 2};  // in the order of the file
   std::size_t next_ = 0, place_ = nowhere;
-  NumberType type_ = NumberType::float64;  // type of the number at place_; its new bytes are words_
-  std::string_view words_;
+  NumberType type_ = NumberType::float64;  // of the number at place_
+  std::string_view words_;                 // its new text or bytes
   std::array<char, 400> room_;
 };
 

@@ -1,5 +1,4 @@
-// Vectors of numbers and their places in a file, recorded while reading, to be written again with other
-// values.
+// Records the places of positions, normals and tangents in a file, and rewrites the file with other values.
 #pragma once
 
 #include <array>
@@ -20,20 +19,20 @@
 
 namespace viete::formats {
 
-/// Rows of three numbers: positions, or the directions that depend on them. Rows are in file order.
+/// A list of positions, normals or tangents in a file. Each row has three numbers. Rows are in file order.
 struct FileVectors {
   enum class Kind { positions, normals, tangents };
   enum class Rows { vertices, corners, faces };
   using Places = std::array<std::size_t, 3>;
 
   Kind kind = Kind::positions;
-  Rows rows = Rows::vertices;  ///< row i is of vertex i, or of Surface::corners[i], or see row_of_corner
-  std::string element;         ///< for messages
+  Rows rows = Rows::vertices;  ///< row i belongs to vertex i or corner i; for faces see row_of_corner
+  std::string element;         ///< name of a row in messages
   std::size_t count = 0;       ///< number of rows
-  /// Offsets of a row's numbers in the file, in the same order in every row; no_places: the row stays.
+  /// Offsets of the row's three numbers in the file; every row has the same order. no_places: the row stays.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
-  /// Only for Rows::faces: returns the row of a corner's normal, or mesh::none.
+  /// For Rows::faces: returns the row of the face to which the corner belongs, or mesh::none.
   std::function<std::uint32_t(std::size_t corner)> row_of_corner = {};
 
   void set_places(std::vector<Places> list) {
@@ -47,22 +46,22 @@ inline constexpr FileVectors::Places no_places = [] {
   return FileVectors::Places{nowhere, nowhere, nowhere};
 }();
 
-/// The places of the next three words of the line; moves past them. no_places if there are fewer.
+/// Moves past the next three words of the line and returns their offsets; no_places if a word is missing.
 FileVectors::Places places_of_three(TextCursor& text);
 
-/// The file kept as read, to be written again: everything stays except for moved positions and the directions
-/// around them. Numbers are rounded to their type in the file; text gets as many decimals as in the file, and
-/// at least six significant digits of the model's diagonal.
+/// Describes a file so that it can be rewritten. Everything stays except moved positions and the normals and
+/// tangents that depend on them. Numbers are rounded to their type in the file. Text gets as many decimals as
+/// in the file, and at least six significant digits relative to the model's diagonal.
 struct VectorFile {
-  std::string_view format;  ///< its name in the table of formats
+  std::string_view format;  ///< Format::name
   bool text = true;
-  std::endian order = std::endian::little;  ///< of binary numbers
+  std::endian order = std::endian::little;  ///< byte order of binary numbers
   std::vector<FileVectors> vectors = {};
   std::vector<std::string> beyond_attributes = {};  ///< see Original
   Companions companions = {};                       ///< see Original
 };
 
-/// Null without source.owner. Writing also throws base::Error if a number is out of range of its type.
+/// Returns null if source.owner is null. Writing throws base::Error too if a number exceeds its type's range.
 std::shared_ptr<const Original> original_of(const Source& source, VectorFile file);
 
 }  // namespace viete::formats

@@ -19,9 +19,9 @@ struct Signature {
 
 constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"sv,
                export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
-               download = "download the file itself, not the page that shows it"sv;
+               download = "download the model file, not the web page about it"sv;
 
-// Compared without case.
+// Matched at the start of the file, ignoring case.
 constexpr Signature signatures[] = {
     {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself"sv,
      "fetch the file itself with `git lfs pull`"sv},
@@ -29,7 +29,7 @@ constexpr Signature signatures[] = {
      "fetch the file itself with `git annex get`"sv},
     {"\x1F\x8B"sv, "a compressed file (gzip)"sv, "unpack it first, with gunzip"sv},
     {"PK\3\4"sv, "a compressed file (zip, as 3MF and USDZ are)"sv, "unpack it first, with unzip"sv},
-    {"PK\5\6"sv, "an empty compressed file (zip)"sv, "copy it again"sv},
+    {"PK\5\6"sv, "an empty compressed file (zip)"sv, "download or copy it again"sv},
     {"7z\xBC\xAF\x27\x1C"sv, "a compressed file (7z)"sv, unpack},
     {"Rar!\x1A\7"sv, "a compressed file (rar)"sv, unpack},
     {"BZh"sv, "a compressed file (bzip2)"sv, "unpack it first, with bunzip2"sv},
@@ -75,7 +75,7 @@ constexpr Signature signatures[] = {
     {"GIF8"sv, "a picture (GIF)"sv, "open the model instead"sv},
 };
 
-// XML, recognised by the name of its root element.
+// Root elements of XML files.
 constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<X3D"sv, "an X3D file"sv, export_it},
                                   {"<VTKFile"sv, "a VTK file"sv, export_it},
@@ -93,7 +93,7 @@ bool holds(std::string_view bytes, std::string_view signature) {
   return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
 }
 
-// Null if unknown.
+// Returns null if no signature matches.
 const Signature* signature_of(std::string_view bytes) {
   static constexpr Signature xml{"", "text in XML or HTML"sv, export_it};
   const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {
@@ -114,7 +114,7 @@ const Signature* signature_of(std::string_view bytes) {
 void refuse_foreign(const std::string& name, std::string_view bytes) {
   if (bytes.empty()) throw base::Error(name, "the file is empty", "export or copy it again");
   if (bytes.find_first_not_of('\0') == std::string_view::npos)
-    throw base::Error(name, "the file contains nothing but zeros: writing it was interrupted",
+    throw base::Error(name, "the file contains only zero bytes, probably after an interrupted write",
                       "export or copy it again");
   if (const Signature* is = signature_of(bytes))
     throw base::Error(name, "this is " + std::string(is->what), std::string(is->advice));
@@ -136,7 +136,7 @@ std::string_view name_of_content(std::string_view beginning) {
 std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys) {
   using Json = nlohmann::json;
   std::string found;
-  std::size_t known = 0;  // number of keys on the path to the parser's position that match
+  std::size_t known = 0;  // number of leading keys that the parser's current path matches
   const auto visit = [&](int depth, Json::parse_event_t event, const Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::key) {

@@ -25,7 +25,7 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals};
 }
 
-// Lists each name once: "a, b or c".
+// Lists each word once: "a, b or c".
 std::string listing(bool (*is)(const Format&), std::string_view before, std::string_view Format::*word,
                     std::string_view last) {
   std::vector<std::string> words;
@@ -96,7 +96,8 @@ const Format& surface_format(const std::filesystem::path& file) {
   const Format* found = find_format(file);
   if (found && found->write) return *found;
   const std::string extension = extension_of(file);
-  throw base::Error(file.string(), extension.empty() ? "no extension" : "unknown extension ." + extension,
+  throw base::Error(file.string(),
+                    extension.empty() ? "the file name has no extension" : "unknown extension ." + extension,
                     "use " + format_extensions(holds_surface));
 }
 

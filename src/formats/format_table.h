@@ -1,4 +1,4 @@
-// The table of file formats and their capabilities. A new format needs a reader, a writer and a row here.
+// The table of file formats and their capabilities. To add a format, add a reader, a writer and a row.
 #pragma once
 
 #include <filesystem>
@@ -11,30 +11,30 @@
 
 namespace viete::formats {
 
-/// In display order.
+/// All formats, in the order of menus and messages.
 std::span<const Format> all_formats();
 
-/// Null if the format is unknown.
+/// Both return null for an unknown extension.
 const Format* format_by_extension(std::string_view extension);
 const Format* find_format(const std::filesystem::path& file);
 
-/// The format of a surface file. Throws base::Error that lists the known formats.
+/// The format of a surface file by its extension. If it is unknown, throws base::Error with all extensions.
 const Format& surface_format(const std::filesystem::path& file);
 
-/// True if the original (may be null) can be written again under this name.
+/// True if `file` has the format of the original, which can then be rewritten. original may be null.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
-/// The format that the content proves, regardless of the extension; null if unknown.
+/// Detects the format by content with Format::is_certain, ignoring the extension. Null if unknown.
 const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
 
-/// The row for a ReadResult::format such as "glTF binary".
+/// The row for a ReadResult::format such as "glTF binary"; null if unknown.
 const Format* format_of_description(std::string_view description);
 
-/// Names of the formats that satisfy `is`, each once: "OBJ, PLY or OFF".
+/// Lists the names of the formats that satisfy `is`: "OBJ, PLY or OFF". last: the text before the last name.
 std::string format_names(bool (*is)(const Format&), std::string_view last = " or ");
-/// The same with extensions: ".obj, .ply or .off".
+/// Lists their extensions: ".obj, .ply or .off".
 std::string format_extensions(bool (*is)(const Format&), std::string_view last = " or ");
-/// For command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
+/// The name of a mesh argument in the command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
 std::string a_mesh();
 
 constexpr bool holds_surface(const Format& f) {
@@ -53,7 +53,7 @@ constexpr bool is_sequence(const Format& f) {
   return f.is_sequence;
 }
 
-/// Applies `is` to the format of the file's extension; false for unknown formats.
+/// Applies `is` to the format of the file's extension; returns false for an unknown extension.
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file);
 
 }  // namespace viete::formats

@@ -84,8 +84,8 @@ public:
       source_.report(static_cast<double>(i) / static_cast<double>(map_.placements.size()));
       place_mesh(i);
     }
-    tell_what_is_not_seen();
-    drop_what_is_not_there();
+    warn_about_ignored_content();
+    drop_unused_attributes();
     ReadResult result = builder_.finish(file_.binary ? "glTF binary" : "glTF");
     if (!attributes_->empty()) result.attributes = attributes_;
     result.original = gltf_original(source_, std::move(file_), std::move(map_));
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  // The texture's image; without one, the image of an extension.
+  // The index of the texture's image, which may be given by an extension; -1 if missing.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
@@ -147,7 +147,7 @@ private:
     weld(first, first_corner);
   }
 
-  // Leaves the weights empty if they have no effect.
+  // Sets weights_ to the default weights of the morph targets, or to an empty list if all are 0.
   void take_weights(const GltfPlacement& p, const GltfJson& mesh) {
     std::size_t count = 0;
     for (const GltfJson& primitive : list_of(mesh, "primitives"))
@@ -160,7 +160,7 @@ private:
     shaped_.clear();
   }
 
-  // Cached, because many nodes may place the same mesh.
+  // Caches the list, because many nodes may place the same mesh.
   std::shared_ptr<const std::vector<GltfTarget>> targets_of(const GltfJson& primitive) {
     auto& targets = targets_[&primitive];
     if (targets) return targets;
@@ -197,7 +197,7 @@ private:
     return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
-  // The material if it transforms the texture and so needs texture points of its own; -1 otherwise.
+  // The material if it transforms its texture coordinates; otherwise -1. Such materials share no vertices.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
     return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }
@@ -227,14 +227,13 @@ private:
     return pieces_[key] = piece;
   }
 
-  // Limits vertices and corners that are not backed by bytes of the file.
+  // Limits the number of vertices and corners, which instances and sparse accessors multiply.
   void spend(std::size_t elements) {
     spent_ += elements;
     if (spent_ > budget_ + instanced_vertices)
-      throw base::Error(
-          file_.name,
-          "its nodes place meshes, or morph them, so often that more than 4 million vertices result",
-          "export fewer instances");
+      throw base::Error(file_.name,
+                        "copies of meshes or of their morph targets add more than 4 million vertices",
+                        "export fewer instances");
   }
 
   void add_points(int accessor, const AffineMap& map) {
@@ -253,7 +252,8 @@ private:
       mesh::Point p{numbers[i], numbers[i + 1], numbers[i + 2]};
       if (moves) p = map.of_point(p);
       if (!is_place(p))
-        accessors_.fail("accessor", accessor, "position " + std::to_string(i / 3) + " is invalid");
+        accessors_.fail("accessor", accessor,
+                        "position " + std::to_string(i / 3) + " is not finite or beyond 1e100");
       points.push_back(p);
     }
   }
@@ -266,7 +266,7 @@ private:
     return accessors_.numbers(accessor, components);
   }
 
-  // glTF has v = 0 at the top row of the image.
+  // In glTF, v = 0 is the top row of the image; here it is the bottom row.
   void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
     attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
     if (accessor < 0) return;
@@ -352,7 +352,7 @@ private:
 
   void weld(std::size_t first, std::size_t first_corner) {
     if (points_.size() >= mesh::none)
-      throw base::Error(file_.name, "more than 4294967294 vertices", "split the model");
+      throw base::Error(file_.name, "the file has more than 4294967294 vertices", "split the model");
     const auto lowest = lowest_vertices(first);
     const bool is_shaped = !shaped_.empty() && !source_.played;
     map_.surface_vertex.resize(points_.size());
@@ -371,7 +371,7 @@ private:
     }
   }
 
-  void tell_what_is_not_seen() {
+  void warn_about_ignored_content() {
     if (unseen_primitives_ > 0)
       builder_.warn(file_.name + ": " + base::counted(unseen_primitives_, "primitive") +
                     " of points or lines: deformed, but not drawn");
@@ -381,7 +381,7 @@ private:
                                 : ": the animation of morph targets is ignored"));
   }
 
-  void drop_what_is_not_there() {
+  void drop_unused_attributes() {
     Attributes& a = *attributes_;
     if (!has_texture_) a.texture_points.clear(), a.corner_texture.clear();
     if (!has_normals_) a.normals.clear(), a.corner_normal.clear();
@@ -395,12 +395,12 @@ private:
   SurfaceBuilder builder_;
   std::shared_ptr<Attributes> attributes_;
   GltfMap map_;
-  std::vector<mesh::Point> points_;  // vertices of the file, in the scene
-  std::vector<Color> colors_;        // vertices of the file
+  std::vector<mesh::Point> points_;  // one per vertex of the file, in scene coordinates
+  std::vector<Color> colors_;        // one per vertex of the file
   std::map<PieceKey, Piece> pieces_;
   std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
-  std::vector<double> weights_;      // weights of the placement's targets; empty if all are 0
-  std::vector<mesh::Point> shaped_;  // as points_, with these weights applied; empty if there are none
+  std::vector<double> weights_;      // of the current placement's targets; empty if all are 0
+  std::vector<mesh::Point> shaped_;  // points of this placement with weights_ applied; empty without weights
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
   bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;

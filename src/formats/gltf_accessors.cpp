@@ -11,7 +11,7 @@ namespace viete::formats {
 
 namespace {
 
-// By component, from gltf_byte; the one after gltf_unsigned_short is unknown to glTF.
+// Indexed by component type minus gltf_byte. glTF does not define the number after gltf_unsigned_short.
 constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
                                        NumberType::uint16, NumberType::int32, NumberType::uint32,
                                        NumberType::float32};
@@ -26,7 +26,7 @@ bool is_unsigned(int type) {
   return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
 }
 
-// Not for matrices, which surfaces do not use.
+// Returns 0 for matrices, which surfaces do not use.
 std::size_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";
@@ -57,7 +57,8 @@ GltfAccessors::Accessor GltfAccessors::at(int accessor) const {
   const GltfJson& json = element_of(file_.document, "accessors", accessor);
   if (json.is_null())
     fail("accessor", accessor,
-         "does not exist, the file has " + std::to_string(list_of(file_.document, "accessors").size()));
+         "does not exist, the file has " + std::to_string(list_of(file_.document, "accessors").size()) +
+             " accessors, counted from 0");
   const GltfJson& normalized = member_of(json, "normalized");
   return {index_of(json, "componentType"),
           component_count(text_of(json, "type")),
@@ -82,7 +83,10 @@ GltfPlace GltfAccessors::of_view(int accessor, const GltfJson& data, std::size_t
   if (begin > all || length > all - begin)
     fail("buffer view", view, "reaches past the " + std::to_string(all) + " bytes of its buffer");
   const std::size_t given = number(v, "byteStride"), stride = given > 0 ? given : size;
-  if (stride < size || stride > 4096) fail("buffer view", view, "has a stride of " + std::to_string(stride));
+  if (stride < size || stride > 4096)
+    fail(
+        "buffer view", view,
+        "has a byteStride of " + std::to_string(stride) + " instead of " + std::to_string(size) + " to 4096");
   const bool fits =
       offset <= length && size <= length - offset && (count - 1) <= (length - offset - size) / stride;
   if (!fits)
@@ -104,7 +108,7 @@ bool GltfAccessors::holds_floats(int accessor, std::size_t components) const {
 GltfPlace GltfAccessors::place(int accessor) const {
   const Accessor a = at(accessor);
   const std::size_t size = a.size();
-  if (size == 0) fail("accessor", accessor, "has a type unknown to glTF");
+  if (size == 0) fail("accessor", accessor, "has an unknown type");
   if (a.count == 0) fail("accessor", accessor, "has no elements");
   if (a.json.contains("bufferView")) return of_view(accessor, a.json, a.count, size);
   std::size_t bytes = 0;
@@ -133,17 +137,18 @@ void GltfAccessors::put_sparse(int index, const Accessor& a, std::size_t compone
                                std::vector<double>& numbers) const {
   const std::size_t count = count_of(a.sparse, "count").value_or(0);
   if (count == 0 || count > a.count)
-    fail("accessor", index, "has a sparse count of " + std::to_string(count));
+    fail("accessor", index,
+         "has " + std::to_string(count) + " sparse values for " + std::to_string(a.count) + " elements");
   const GltfJson& indices = member_of(a.sparse, "indices");
   const int type = index_of(indices, "componentType");
-  if (!is_unsigned(type)) fail("accessor", index, "has sparse indices that are not integers");
+  if (!is_unsigned(type)) fail("accessor", index, "has sparse indices that are not unsigned integers");
   const GltfPlace where = of_view(index, indices, count, component_size(type));
   const GltfPlace what = of_view(index, member_of(a.sparse, "values"), count, a.size());
   const std::size_t step = component_size(a.component);
   for (std::size_t i = 0; i < count; ++i) {
     const double target = number_at(bytes(where) + i * where.stride, type, false);
     if (target >= static_cast<double>(a.count))
-      fail("accessor", index, "has a sparse index past its elements");
+      fail("accessor", index, "has a sparse index that is too large");
     const char* element = bytes(what) + i * what.stride;
     for (std::size_t k = 0; k < components; ++k)
       numbers[static_cast<std::size_t>(target) * components + k] =
@@ -159,8 +164,8 @@ std::vector<std::uint32_t> GltfAccessors::indices(int accessor, std::size_t limi
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     if (numbers[i] >= static_cast<double>(limit))
       fail("accessor", accessor,
-           "index " + std::to_string(static_cast<std::uint64_t>(numbers[i])) + " refers past the " +
-               std::to_string(limit) + " vertices of its primitive");
+           "has index " + std::to_string(static_cast<std::uint64_t>(numbers[i])) + ", the primitive has " +
+               std::to_string(limit) + " vertices");
     indices[i] = static_cast<std::uint32_t>(numbers[i]);
   }
   return indices;

@@ -1,4 +1,4 @@
-// Access to the numbers in a glTF file's buffers, with bounds checks.
+// Reads numbers from the buffers of a glTF file, with bounds checks.
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace viete::formats {
 
-/// Location of an accessor's elements, entirely within the buffer.
+/// The location of an accessor's elements, checked to be within the buffer.
 struct GltfPlace {
   std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes per element
-  bool has_bytes = false;  ///< false: all zeros, except for sparse values
+  bool has_bytes = false;  ///< false: all elements are 0, except sparse values
 };
 
-/// Borrows the file.
+/// The file must outlive this object. Functions throw base::Error for an invalid accessor.
 class GltfAccessors {
 public:
   explicit GltfAccessors(const GltfFile& file) : file_(file) {}
 
-  /// The number of elements. Throws base::Error naming the accessor if it exceeds its buffer.
+  /// The number of elements.
   std::size_t count(int accessor) const { return place(accessor).count; }
 
   /// Components per element; 0 for a matrix.
@@ -30,20 +30,19 @@ public:
 
   GltfPlace place(int accessor) const;
 
-  /// `components` numbers per element: floats, or integers (normalized ones scaled to [0, 1] or [-1, 1]).
-  /// Three components of a four-component accessor may be read. Throws base::Error.
+  /// Returns the first `components` numbers of each element. Normalized integers become at most 1 in size.
   std::vector<double> numbers(int accessor, std::size_t components) const;
 
-  /// Unsigned integers. Throws base::Error also if one is not below `limit`.
+  /// Returns unsigned integers. Throws base::Error too if an integer is `limit` or more.
   std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
 
-  /// True for float elements of that many components without sparse values.
+  /// True for float elements with this number of components and without sparse values.
   bool holds_floats(int accessor, std::size_t components) const;
 
+  /// Throws base::Error for element `index` of the list `what`.
   [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
 
 private:
-  // An accessor as described by the JSON.
   struct Accessor {
     int component = 0;
     std::size_t components = 0, count = 0;

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view glb_magic = "glTF", base64_mark = ";base64,";
+constexpr std::string_view base64_mark = ";base64,";
 
 [[noreturn]] void refuse_gltf(const Source& source, const std::string& problem,
                               const std::string& advice = "export the model again") {
@@ -34,7 +34,7 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 struct Chunks {
   std::string_view json;
   std::optional<std::string_view> binary;
-  std::string others = {};  // unknown chunks, ignored as specified, but kept
+  std::string others = {};  // unknown chunks, kept for writing
 };
 
 Chunks chunks_of(const Source& source) {
@@ -46,9 +46,9 @@ Chunks chunks_of(const Source& source) {
   const std::size_t length = word_at(source.bytes, 8);
   if (length > source.bytes.size())
     refuse_gltf(source,
-                "the header announces " + std::to_string(length) + " bytes, the file has " +
+                "the header declares " + std::to_string(length) + " bytes, the file has " +
                     std::to_string(source.bytes.size()),
-                "the file seems to be cut short: export or copy it again");
+                "the file seems to be truncated: export or copy it again");
   Chunks chunks;
   for (std::size_t at = 12; at + 8 <= length;) {
     const std::size_t size = word_at(source.bytes, at), kind = word_at(source.bytes, at + 4);
@@ -65,8 +65,8 @@ Chunks chunks_of(const Source& source) {
   return chunks;
 }
 
-// Rejects JSON that could exhaust stack or time: deep nesting, and objects with many members, which are
-// searched linearly.
+// Rejects JSON that is nested too deeply for the stack, and objects with too many members, because looking up
+// a member is a linear search.
 void check_shape(const Source& source, std::string_view text) {
   constexpr std::size_t deepest = 64, most_members = 4096;
   std::array<std::size_t, deepest + 1> members{};
@@ -81,7 +81,7 @@ void check_shape(const Source& source, std::string_view text) {
     } else if (c == '"') {
       quoted = true;
     } else if (c == '{' || c == '[') {
-      if (++depth > deepest) refuse_gltf(source, "the JSON is nested more than 64 deep");
+      if (++depth > deepest) refuse_gltf(source, "the JSON is nested more than 64 levels deep");
       members[depth] = 0;
       is_object[depth] = c == '{';
     } else if (c == '}' || c == ']') {
@@ -100,7 +100,7 @@ GltfJson parsed(const Source& source, std::string_view text) {
     if (!document.is_object()) refuse_gltf(source, "the JSON is not an object");
     return document;
   } catch (const GltfJson::parse_error& error) {
-    refuse_gltf(source, "not JSON at byte " + std::to_string(error.byte));
+    refuse_gltf(source, "invalid JSON at byte " + std::to_string(error.byte));
   } catch (const GltfJson::exception&) {
     refuse_gltf(source, "the JSON contains an invalid number");
   }
@@ -108,25 +108,25 @@ GltfJson parsed(const Source& source, std::string_view text) {
 
 std::string embedded(const Source& source, const std::string& place, std::string_view uri) {
   const auto mark = uri.substr(0, 256).find(base64_mark);
-  if (mark == std::string_view::npos)
-    throw base::Error(source.name + ": " + place, "its data are not base64", "export the model again");
-  auto bytes = base::bytes_of_base64(uri.substr(mark + base64_mark.size()));
-  if (!bytes) throw base::Error(source.name + ": " + place, "not base64", "export the model again");
+  auto bytes = mark == uri.npos ? std::nullopt : base::bytes_of_base64(uri.substr(mark + base64_mark.size()));
+  if (!bytes)
+    throw base::Error(source.name + ": " + place, "the embedded data is not base64",
+                      "export the model again");
   return *std::move(bytes);
 }
 
-// The file of a relative URI; empty for other URIs.
+// The file to which a relative URI refers; nullopt for other URIs.
 std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
   const fs::path relative = base::percent_decoded(uri);
   const std::string text = relative.string();
-  const bool is_no_way = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
-                         text.find("://") != std::string::npos;
-  if (is_no_way) return std::nullopt;
+  const bool refused = relative.empty() || relative.is_absolute() || text.find('\0') != std::string::npos ||
+                       text.find("://") != std::string::npos;
+  if (refused) return std::nullopt;
   return fs::path(source.name).parent_path() / relative;
 }
 
-// Buffers become part of the output, so only files within the model's folder are read. Images are only
-// decoded, and often lie elsewhere.
+// As path_of_uri(), but also nullopt for a path with "..": buffers become part of the output, so only files
+// in the model's folder are read.
 std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
   const auto path = path_of_uri(source, uri);
   const fs::path relative = base::percent_decoded(uri);
@@ -135,9 +135,8 @@ std::optional<fs::path> path_within(const Source& source, std::string_view uri) 
   return leads_out ? std::nullopt : path;
 }
 
-// Checks the JSON structure needed for surfaces: scenes, nodes, meshes, accessors and buffer views, with the
-// types of their members; other lists must contain objects. Throws base::Error naming the file, place and
-// member.
+// Checks the member types of scenes, nodes, meshes, accessors and buffer views. Other lists must contain
+// objects. Throws base::Error.
 class GltfShape {
 public:
   GltfShape(const std::string& name, const GltfJson& document) : name_(name), document_(document) {}
@@ -152,7 +151,7 @@ public:
         list(at, node, key, "a list of numbers", [](auto& value) { return value.is_number(); });
     });
     each("", document_, "meshes", "mesh ", [&](auto& at, auto& mesh) {
-      if (!mesh.contains("primitives")) fail(at, "\"primitives\" should be present");
+      if (!mesh.contains("primitives")) fail(at, "has no \"primitives\"");
       each(at, mesh, "primitives", ", primitive ", [&](auto& in, auto& p) { check_primitive(in, p); });
     });
     each("", document_, "accessors", "accessor ", [&](auto& at, auto& a) {
@@ -180,7 +179,7 @@ private:
     });
   }
 
-  // An accessor, or the indices or values of a sparse one.
+  // data: an accessor, or the indices or values of a sparse accessor.
   void check_data(const std::string& at, const GltfJson& data) const {
     whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
     const auto view = count_of(data, "bufferView");
@@ -191,11 +190,11 @@ private:
   void accessor(const std::string& at, const std::string& key, const GltfJson& value) const {
     if (value.is_null()) return;
     const auto index = count_of(value);
-    if (!index) fail(at, "\"" + key + "\" should be the number of an accessor");
+    if (!index) fail(at, "\"" + key + "\" should be the index of an accessor");
     const std::size_t count = list_of(document_, "accessors").size();
     if (*index >= count)
       fail(at, "\"" + key + "\" refers to accessor " + std::to_string(*index) + ", the file has " +
-                   std::to_string(count));
+                   std::to_string(count) + ", counted from 0");
   }
 
   void whole(const std::string& at, const GltfJson& of, std::initializer_list<const char*> keys) const {
@@ -215,7 +214,7 @@ private:
     member(at, of, key, form, value.is_array() && std::all_of(value.begin(), value.end(), is));
   }
 
-  // Null if missing.
+  // Returns a JSON null if the member is missing.
   const GltfJson& object(const std::string& at, const GltfJson& of, const char* key) const {
     member(at, of, key, "an object", member_of(of, key).is_object());
     return member_of(of, key);
@@ -232,7 +231,7 @@ private:
     }
   }
 
-  // Members may be missing, but not null.
+  // A missing member is valid; a null is not.
   void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
     if (!good && of.is_object() && of.contains(key))
       fail(at, "\"" + std::string(key) + "\" should be " + form);
@@ -263,7 +262,7 @@ public:
     for (std::size_t i = 0; i < buffers; ++i) take_buffer(i);
     for (const GltfBuffer& buffer : file_.buffers) left_for_images_ += buffer.bytes.size();
     for (std::size_t i = 0; i < list_of(document_, "images").size(); ++i) take_image(i);
-    tell_what_is_not_played();
+    warn_about_ignored_content();
     file_.other_chunks = std::move(chunks_.others);
     return std::move(file_);
   }
@@ -271,7 +270,7 @@ public:
 private:
   void check_version() {
     const std::string version = text_of(member_of(document_, "asset"), "version");
-    if (version.empty()) refuse_gltf(source_, "the JSON has no asset version: this is not glTF");
+    if (version.empty()) refuse_gltf(source_, "this JSON is not glTF: it has no asset version");
     if (!version.starts_with("2."))
       refuse_gltf(source_, "glTF " + version.substr(0, 16) + " is not supported", "export as glTF 2.0");
   }
@@ -291,17 +290,17 @@ private:
                                                 "KHR_lights_punctual",   "KHR_texture_basisu",
                                                 "EXT_texture_webp",      "KHR_animation_pointer"};
     if (shapes.count(name))
-      refuse_gltf(source_, "its shapes are compressed (" + name + "), which is not supported",
+      refuse_gltf(source_, "the meshes are compressed (" + name + "), which is not supported",
                   "export without compression");
     if (!required || known.count(name) || name.starts_with("KHR_materials_")) return;
-    refuse_gltf(source_, "it needs the extension " + name.substr(0, 64) + ", which is not supported",
-                "export without it");
+    refuse_gltf(source_, "the file requires the extension " + name.substr(0, 64) + ", which is not supported",
+                "export without this extension");
   }
 
   void take_buffer(std::size_t i) {
     const std::string place = "buffer " + std::to_string(i);
     const auto fail = [&](const std::string& problem) {
-      throw base::Error(source_.name + ": " + place, problem, "export the model again with its buffers");
+      throw base::Error(source_.name + ": " + place, problem, "export the model and its buffers again");
     };
     GltfJson& json = document_["buffers"][i];
     const auto length = count_of(json, "byteLength");
@@ -315,12 +314,12 @@ private:
     } else if (!uri.empty()) {
       buffer.home = GltfBuffer::Home::beside;
       const auto path = path_within(source_, uri);
-      if (!path) fail("lies outside of the model's folder: " + uri.substr(0, 200));
+      if (!path) fail("is not in the folder of the model: " + uri.substr(0, 200));
       buffer.path = path->lexically_normal();
       const bool again = !beside_.insert(buffer.path).second;
       buffer.bytes = FileBytes(*path, nullptr).view();
       if (again && (repeated_ += buffer.bytes.size()) > most_repeated_bytes)
-        fail("is shared by other buffers that are too large together");
+        fail("refers to the same file as other buffers, more than 256 MB in total");
     } else if (i == 0 && chunks_.binary) {
       buffer.bytes = *chunks_.binary;
     } else {
@@ -329,8 +328,7 @@ private:
     if (buffer.bytes.size() < *length && !buffer.path.empty())
       refuse_foreign(buffer.path.string(), buffer.bytes);
     if (buffer.bytes.size() < *length)
-      fail("should have " + std::to_string(*length) + " bytes and has " +
-           std::to_string(buffer.bytes.size()));
+      fail("declares " + std::to_string(*length) + " bytes and has " + std::to_string(buffer.bytes.size()));
     buffer.bytes.resize(*length);
     file_.buffers.push_back(std::move(buffer));
   }
@@ -347,7 +345,7 @@ private:
       take_image_beside(image, uri);
     } else {
       image.file.bytes = bytes_of_view(count_of(json, "bufferView"));
-      if (!image.file.bytes) warn("image " + std::to_string(i) + " is not in the file");
+      if (!image.file.bytes) warn("image " + std::to_string(i) + " has no data and is ignored");
     }
     file_.images.push_back(std::move(image));
   }
@@ -357,11 +355,11 @@ private:
     if (const auto path = path_of_uri(source_, uri)) {
       image.file.path = fs::absolute(*path);
     } else {
-      warn("image " + uri.substr(0, 200) + " has no file path and is not opened");
+      warn("image " + uri.substr(0, 200) + " is not a relative file path and is not opened");
     }
   }
 
-  // Shares one copy per view, and limits the total to the file's size, as views may overlap.
+  // Keeps one copy per view, and limits all copies to the size of the buffers, because views may overlap.
   std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
     const GltfJson& views = list_of(document_, "bufferViews");
     if (!view || *view >= views.size()) return nullptr;
@@ -379,7 +377,7 @@ private:
     return kept;
   }
 
-  void tell_what_is_not_played() {
+  void warn_about_ignored_content() {
     std::string list;
     for (const char* key : {"animations", "skins", "cameras"}) {
       if (source_.played && key == std::string_view("animations")) continue;
@@ -405,14 +403,10 @@ private:
   std::uint64_t left_for_images_ = 0;
 };
 
-bool is_glb(const Source& source) {
-  return source.bytes.starts_with(glb_magic);
-}
-
 }  // namespace
 
 GltfFile take_apart(const Source& source) {
-  const bool binary = is_glb(source);
+  const bool binary = source.bytes.starts_with("glTF");
   return GltfTaker(source, binary ? chunks_of(source) : Chunks{source.bytes, std::nullopt, {}}, binary)
       .take();
 }

@@ -20,7 +20,7 @@ namespace viete::formats {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// Constants of the specification. Index types are unsigned.
+/// Constants of the specification.
 enum GltfComponent {
   gltf_byte = 5120,
   gltf_unsigned_byte,
@@ -32,7 +32,7 @@ enum GltfComponent {
 enum GltfMode { gltf_points = 0, gltf_triangles = 4, gltf_strip, gltf_fan };
 inline constexpr int gltf_array_buffer = 34962, gltf_element_buffer = 34963, gltf_clamp_to_edge = 33071;
 
-/// Null if missing.
+/// A JSON null if missing.
 inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   static const GltfJson nothing;
   if (!object.is_object()) return nothing;
@@ -40,7 +40,7 @@ inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   return found == object.end() ? nothing : *found;
 }
 
-/// Empty if missing.
+/// An empty list if missing.
 inline const GltfJson& list_of(const GltfJson& object, const char* key) {
   static const GltfJson no_list = GltfJson::array();
   const GltfJson& value = member_of(object, key);
@@ -52,7 +52,7 @@ inline std::string text_of(const GltfJson& object, const char* key) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/// A non-negative integer.
+/// The value if it is a non-negative integer.
 inline std::optional<std::uint64_t> count_of(const GltfJson& value) {
   const bool counts =
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
@@ -63,7 +63,7 @@ inline std::optional<std::uint64_t> count_of(const GltfJson& object, const char*
   return count_of(member_of(object, key));
 }
 
-/// An index into a list of the file; -1 if missing.
+/// A member that is an index; -1 if missing.
 inline int index_of(const GltfJson& object, const char* key) {
   constexpr std::uint64_t largest = std::numeric_limits<int>::max();
   const auto count = count_of(object, key);
@@ -75,7 +75,7 @@ inline int accessor_of(const GltfJson& primitive, const char* attribute) {
   return index_of(member_of(primitive, "attributes"), attribute);
 }
 
-/// Null if missing.
+/// An element of a list of the document; a JSON null if missing.
 inline const GltfJson& element_of(const GltfJson& document, const char* list, int index) {
   static const GltfJson nothing;
   const GltfJson& all = list_of(document, list);
@@ -84,38 +84,37 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 }
 
 struct GltfBuffer {
-  enum class Home { chunk, text, beside };  ///< binary chunk of a GLB; base64 in the JSON; external file
+  enum class Home { chunk, text, beside };  ///< binary chunk of a GLB, base64 in the JSON, external file
   Home home = Home::chunk;
-  std::filesystem::path path;  ///< path of an external file
-  std::string bytes;           ///< as many bytes as the JSON declares
+  std::filesystem::path path;  ///< of an external file; otherwise empty
+  std::string bytes;           ///< cut to the length that the JSON declares
 };
 
-/// An image reference of the JSON.
 struct GltfImage {
-  ImageFile file;   ///< name empty if the JSON has none
-  std::string uri;  ///< URI of an external file, as written; otherwise empty
+  ImageFile file;
+  std::string uri;  ///< URI of an external file as in the JSON; otherwise empty
 };
 
 struct GltfFile {
   std::string name;  ///< for messages
   bool binary = false;
-  GltfJson document;  ///< checked, see take_apart(); without embedded buffer data
+  GltfJson document;  ///< checked by take_apart(), without the data of embedded buffers
   std::vector<GltfBuffer> buffers;
   std::vector<GltfImage> images;
   std::vector<std::string> warnings;  ///< one line each
-  std::string other_chunks;           ///< unknown chunks of a GLB, including their headers
+  std::string other_chunks;           ///< unknown chunks of a GLB with their headers
 };
 
-/// Parses glTF 2.0, JSON or GLB. External buffers must lie in the file's folder; images are not opened.
-/// Throws base::Error if data needed for the surface is missing, compressed or invalid.
+/// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below; images are not
+/// opened. Throws base::Error if data needed for the surface is missing, compressed or invalid.
 GltfFile take_apart(const Source& source);
 
-/// Writes the JSON chunk, the binary chunk (may be empty) and further chunks including headers. Throws
-/// base::Error beyond 4 GB.
+/// Writes a GLB. bytes: the binary chunk, left out if empty. others: further chunks with their headers.
+/// Throws base::Error beyond 4 GB.
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
                       TextWriter& out);
 
-/// Percent-encodes a relative path: "a b" becomes "a%20b".
+/// Percent-encodes a relative path; "a b" becomes "a%20b".
 std::string encoded_uri(std::string_view path);
 
 }  // namespace viete::formats

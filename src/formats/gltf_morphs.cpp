@@ -21,9 +21,9 @@ namespace {
 using Numbers = std::vector<double>;
 using SharedNumbers = std::shared_ptr<const Numbers>;
 
-// The animated weights of one node: linear between its keys.
+// The animated weights of one node, interpolated linearly between keys.
 struct WeightTrack {
-  SharedNumbers times, values;  // per time one value per target
+  SharedNumbers times, values;  // for each time one value per target
 
   Numbers at(double t, std::size_t count) const {
     const auto next = std::upper_bound(times->begin(), times->end(), t);
@@ -39,7 +39,7 @@ struct WeightTrack {
   }
 };
 
-// Without the tangents before and after each key of a cubic track.
+// Returns the keys of a cubic track without the tangents before and after each key.
 SharedNumbers keys_of_cubic(const Numbers& values, std::size_t count) {
   Numbers keys;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // The names of its targets, and its default weights.
+  // Reads the target names and default weights of a placement.
   void take_placement(std::size_t p) {
     const GltfPlacement& placement = map_->placements[p];
     resting_[p] = default_weights(document_, placement, counts_[p]);
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  // Reads accessors shared by many channels once.
+  // Reads each accessor once, because many channels may share it.
   SharedNumbers numbers(int accessor) {
     SharedNumbers& known = times_of_[accessor];
     if (!known) known = std::make_shared<const Numbers>(accessors_.numbers(accessor, 1));
@@ -121,7 +121,7 @@ private:
       played |= has_weights;
     }
     if (other > 0)
-      notes_.push_back("using the first of " + base::counted(other + 1, "animation") + " of weights");
+      notes_.push_back("only the first of " + base::counted(other + 1, "animation") + " of weights is used");
     if (moves_nodes) notes_.emplace_back("animations of nodes (bones, transforms) are ignored");
     if (is_curved_) notes_.emplace_back("stepped and curved weights are interpolated linearly between keys");
   }
@@ -139,13 +139,13 @@ private:
     const std::size_t all = list_of(document_, "accessors").size();
     if (!input || !output || *input >= all || *output >= all)
       fail("has a sampler whose accessors do not exist");
-    const std::string way = text_of(samplers[*sampler], "interpolation");
-    const std::size_t parts = way == "CUBICSPLINE" ? 3 : 1;
+    const std::string interpolation = text_of(samplers[*sampler], "interpolation");
+    const std::size_t parts = interpolation == "CUBICSPLINE" ? 3 : 1;
     const WeightTrack track{numbers(static_cast<int>(*input)), numbers(static_cast<int>(*output))};
     const bool is_new = seen_times_.insert(static_cast<int>(*input)).second;
     for (std::size_t i = 0; i < track.times->size() && is_new; ++i) {
       const double t = (*track.times)[i];
-      if (!std::isfinite(t) || (i > 0 && t <= (*track.times)[i - 1])) fail("has times that do not ascend");
+      if (!std::isfinite(t) || (i > 0 && t <= (*track.times)[i - 1])) fail("has times that do not increase");
     }
     for (const double value : *track.values) {
       if (!std::isfinite(value)) fail("has a weight that is not finite");
@@ -160,7 +160,7 @@ private:
       used = true;
     }
     if (!used) return false;
-    is_curved_ |= way == "STEP" || way == "CUBICSPLINE";
+    is_curved_ |= interpolation == "STEP" || interpolation == "CUBICSPLINE";
     if (is_new) add_times(*track.times);
     return true;
   }
@@ -188,7 +188,7 @@ private:
             {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
         if (!is_place(p))
           accessors_.fail("accessor", piece.positions,
-                          "morphs position " + std::to_string(k) + " to an invalid position");
+                          "morphed position " + std::to_string(k) + " is not finite or beyond 1e100");
         result[v] = p;
       }
     }
@@ -199,9 +199,9 @@ private:
   std::shared_ptr<const GltfMap> map_;
   GltfAccessors accessors_;
   const GltfJson& document_;
-  std::vector<std::size_t> counts_;                 // number of targets of each placement
-  std::vector<Numbers> resting_;                    // their default weights
-  std::vector<std::optional<WeightTrack>> tracks_;  // their animation, if any
+  std::vector<std::size_t> counts_;                 // for each placement the number of targets
+  std::vector<Numbers> resting_;                    // for each placement the default weights
+  std::vector<std::optional<WeightTrack>> tracks_;  // for each placement the animated weights, if any
   std::map<int, SharedNumbers> times_of_;
   std::set<int> seen_times_;
   bool is_curved_ = false;
@@ -248,7 +248,7 @@ std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> fil
 
 namespace {
 
-// Appends zeros for the added targets.
+// Appends zeros until there are `count` weights.
 void widen_list(GltfJson& of, std::size_t count) {
   GltfJson& weights = of["weights"];
   if (!weights.is_array()) weights = GltfJson::array();
@@ -305,7 +305,8 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
   return add_floats(deltas, 3);
 }
 
-// Stores only values other than 0; a sparse accessor needs at least one.
+// Adds an accessor: sparse, with only the values other than 0, if that is smaller. A sparse accessor needs at
+// least one value.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
   std::vector<float> some;
@@ -320,7 +321,7 @@ std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t pa
   GltfJson accessor = {{"componentType", gltf_float}, {"count", count}};
   accessor["type"] = parts == 3 ? "VEC3" : "SCALAR";
   const std::size_t index_size = count <= std::size_t{1} << 16 ? 2 : 4;
-  constexpr std::size_t cost = 128;  // in bytes of JSON
+  constexpr std::size_t cost = 128;  // bytes of JSON for a sparse accessor
   if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
     accessor["sparse"] = sparse(where, some, index_size);
   } else {
@@ -403,8 +404,7 @@ void GltfMorphs::animate(const MorphMotion& motion, std::span<const std::size_t>
   const std::vector<float> times(motion.seconds.begin(), motion.seconds.end());
   const std::size_t input = add_floats(times, 1), count = motion.targets.size();
   GltfJson made = {{"name", motion.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
-  std::map<std::vector<double>, std::size_t>
-      samplers;  // keyed by the default weights of the previous targets
+  std::map<std::vector<double>, std::size_t> samplers;  // by the default weights of the older targets
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const GltfPlacement placement{
         static_cast<int>(nodes[i]), index_of(document_["nodes"][nodes[i]], "mesh"), {}};

@@ -1,4 +1,4 @@
-// Morph targets of a glTF file and the animation of their weights: reading and adding.
+// Reads and adds morph targets of a glTF file and the animation of their weights.
 #pragma once
 
 #include <cstddef>
@@ -16,48 +16,48 @@
 
 namespace viete::formats {
 
-/// The default weights of `count` targets: the node's, otherwise the mesh's.
+/// The default weights of `count` targets. Weights of the node replace weights of the mesh.
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// Weighted sum of a piece's target offsets (positions, normals or tangents): three numbers a vertex; empty
-/// if all weights are 0. Throws base::Error.
+/// The weighted sum of the targets' offsets of positions, normals or tangents, with three numbers per vertex.
+/// Empty if all weights are 0. Throws base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
-/// Null if no primitive has targets. Uses the first animation of weights; node animations are ignored. Of
-/// merged vertices (seams) the first one counts. Holds one moment in memory at a time. Throws base::Error.
+/// Returns null if no primitive has targets. Uses the first animation that has weights; ignores animations of
+/// nodes. The first of several merged vertices determines their position. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
-/// Appends bytes to a buffer, aligned to four, and adds a buffer view. Returns the view's index.
+/// Appends data to `bytes` at a multiple of four, and adds a buffer view. Returns the view's index.
 std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
                           std::size_t buffer = 0);
 
-/// Sets the minimum and maximum of each component.
+/// Sets "min" and "max" of each component.
 void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
 
-/// Vertices shared by primitives of one mesh, as written: three numbers each.
+/// Vertices that several primitives of a mesh share. Values at rest have three numbers per vertex.
 struct MorphedVertices {
   std::size_t node = 0;  ///< the only node that places the mesh
   std::vector<std::size_t> primitives;
-  std::vector<float> positions, normals, tangents;  ///< the last two may be empty
+  std::vector<float> positions, normals, tangents;  ///< normals and tangents may be empty
 };
 
-/// Borrows both arguments.
 class GltfMorphs {
 public:
-  /// bytes: the document's first buffer.
+  /// Keeps references to both arguments. bytes: the document's first buffer.
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
-  /// Adds a target to all primitives, three numbers per vertex. Empty normals or tangents are not animated.
+  /// Adds a target to the primitives. The arguments are the values at full weight, three numbers per vertex;
+  /// empty normals or tangents are not animated.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
-  /// Appends the motion's targets to those of the nodes' meshes, and adds its animation. add_target(now) must
-  /// call the function above for all vertices. floats: number of floats that one target adds. Existing weight
-  /// animations of these nodes, read by numbers_of(accessor), are padded with zeros for the new targets.
-  /// progress may be null.
+  /// Appends the motion's targets and its animation to the meshes of these nodes. For each target, calls
+  /// add_target(positions), which must call the function above for all vertices. floats: the number of floats
+  /// that one target adds. Existing animations of weights get zeros for the new targets;
+  /// numbers_of(accessor) must return their weights. progress may be null.
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
            base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {

@@ -70,10 +70,10 @@ public:
   }
 
   std::vector<std::string> write_file(const fs::path& path, const mesh::Surface& rest,
-                                      std::span<const mesh::Point> positions, Digits /*floats have none*/,
+                                      std::span<const mesh::Point> positions, Digits,
                                       base::Progress* progress) const override {
     const bool binary = extension_of(path) == "glb";
-    if (file_.binary == binary && leads_nowhere() && is_at_rest(rest, positions)) {
+    if (file_.binary == binary && has_no_external_files() && is_at_rest(rest, positions)) {
       base::replace_file(path, bytes_);
       return {};
     }
@@ -93,9 +93,9 @@ private:
   std::vector<std::string> write_result(const fs::path& path, GltfRewritten result,
                                         base::Progress* progress) const {
     const bool binary = extension_of(path) == "glb";
-    lead_images(path, result);
+    relocate_images(path, result);
     if (!binary && !file_.other_chunks.empty())
-      result.notes.push_back("unknown chunks are left out: .gltf files cannot contain them");
+      result.notes.push_back("unknown GLB chunks are left out: .gltf files cannot contain chunks");
     base::FilesTogether files;
     put_buffers(path, binary, result, files);
     files.put(path, [&](const base::ByteSink& sink) {
@@ -111,8 +111,7 @@ private:
     return !bytes_.empty() && std::ranges::equal(rest.positions, positions);
   }
 
-  // True without external buffers or images.
-  bool leads_nowhere() const {
+  bool has_no_external_files() const {
     return std::ranges::none_of(file_.buffers,
                                 [](const GltfBuffer& b) { return b.home == GltfBuffer::Home::beside; }) &&
            std::ranges::all_of(file_.images, [](const GltfImage& i) { return i.uri.empty(); });
@@ -123,7 +122,7 @@ private:
         "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
   }
 
-  // In a GLB the first buffer is the binary chunk; the others keep their URIs.
+  // In a GLB the first buffer is the binary chunk; all other buffers keep their URIs.
   void put(GltfRewritten& result, bool binary, TextWriter& out) const {
     const auto& buffers = result.buffers;
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -134,7 +133,7 @@ private:
                      file_.other_chunks, out);
   }
 
-  // Stores the buffers: embedded in a GLB; in a .gltf embedded or in external files, as in the original.
+  // Embeds the buffers in a GLB. In a .gltf, buffers stay embedded or external as in the original.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
@@ -151,27 +150,28 @@ private:
     if (beside.empty()) return;
     std::string names;
     for (const fs::path& name : beside) names += (names.empty() ? "" : ", ") + name.string();
-    result.notes.push_back((beside.size() == 1 ? "the buffer is in " : "the buffers are in ") + names);
+    result.notes.push_back(
+        (beside.size() == 1 ? "the buffer was written to " : "the buffers were written to ") + names);
   }
 
-  // Images stay in place; from another folder they get relative URIs.
-  void lead_images(const fs::path& path, GltfRewritten& result) const {
+  // If the new file is in another folder, changes the relative URIs of images, which stay in place.
+  void relocate_images(const fs::path& path, GltfRewritten& result) const {
     const fs::path to = folder_of(path);
     if (folder_of(file_.name) == to) return;
-    std::size_t led = 0;
+    std::size_t changed = 0;
     for (std::size_t i = 0; i < file_.images.size(); ++i) {
       const GltfImage& image = file_.images[i];
       if (image.uri.empty() || image.file.path.empty()) continue;
-      const fs::path way = (folder_of(image.file.path) / image.file.path.filename()).lexically_relative(to);
-      result.document["images"][i]["uri"] = encoded_uri(way.generic_string());
-      ++led;
+      const fs::path full = folder_of(image.file.path) / image.file.path.filename();
+      result.document["images"][i]["uri"] = encoded_uri(full.lexically_relative(to).generic_string());
+      ++changed;
     }
-    if (led > 0)
-      result.notes.push_back(base::counted(led, "image") + " stayed in the model's old folder, and " +
-                             path.filename().string() + " refers to it: move them together");
+    if (changed > 0)
+      result.notes.push_back(path.filename().string() + " refers to " + base::counted(changed, "image") +
+                             " in the folder of the old file: keep both folders together");
   }
 
-  // A free name: "out.bin", otherwise with a number. Also avoids other buffers of the same file.
+  // The first free name of "out.bin", "out-2.bin", ... that is not in `taken`.
   fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
     for (int i = 1;; ++i) {
       const std::string number = i == 1 ? "" : "-" + std::to_string(i);
@@ -182,7 +182,8 @@ private:
     }
   }
 
-  // True if the buffer belongs to the replaced file and may be overwritten; false for the model's own source.
+  // True if the file that `path` replaces refers to the buffer, which may then be overwritten. False for
+  // buffers of the file that was read.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
     for (const GltfBuffer& own : file_.buffers) {

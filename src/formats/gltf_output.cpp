@@ -1,4 +1,4 @@
-// Writes GLB and glTF: the container, and any surface as a new file.
+// Writes a surface as a new GLB or glTF file.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -25,7 +25,7 @@ double linear_of_srgb(double x) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-// A vertex of the file: a surface vertex with a texture point, a normal and a face colour.
+// A vertex of the file: indices of a surface vertex, a texture point, a normal and a coloured face.
 struct OutputVertex {
   std::uint32_t vertex, texture, normal, color;
   friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
@@ -56,7 +56,6 @@ public:
   GltfJson document;
   std::string bytes;
 
-  // Call last.
   void animate(const MorphMotion& motion, base::Progress* progress) {
     if (motion.targets.empty()) return;
     mesh::Surface base = surface_;
@@ -71,7 +70,7 @@ public:
   }
 
 private:
-  // Normals of the file, followed by computed vertex normals for corners without one.
+  // Collects the given normals, then adds a computed vertex normal for each corner without a normal.
   void list_normals() {
     normals_ = given_.normals;
     corner_normal_ = given_.corner_normal;
@@ -91,7 +90,7 @@ private:
 
   void list_vertices() {
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
-    std::map<Color, std::uint32_t> first_with_color;  // for each face colour the first face that has it
+    std::map<Color, std::uint32_t> first_with_color;  // for each colour the first face with this colour
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
     std::size_t t = 0;
     for_each_triangle(surface_, [&](const mesh::Triangle& triangle, const mesh::Triangle& corners) {
@@ -113,7 +112,7 @@ private:
       vertices_.push_back({v, mesh::none, mesh::none, mesh::none});
   }
 
-  // Offsets of unmoved vertices are exactly 0.
+  // Unmoved vertices get the written values, so that their offsets are exactly 0.
   void add_target(GltfMorphs& out, const mesh::Surface& base, std::span<const mesh::Point> now,
                   bool with_normals) const {
     const bool turns = with_normals && !written_.normals.empty();
@@ -172,7 +171,7 @@ private:
     return made;
   }
 
-  // Adds an accessor with values of all vertices; stores its index in the attribute.
+  // Adds an accessor with values of all vertices and stores its index in the attribute. Returns the values.
   template <class Fill>
   std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
     std::vector<float> values(vertices_.size() * components);
@@ -213,7 +212,7 @@ std::size_t padded_to_four(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// Pads chunks to multiples of four bytes; JSON with blanks.
+// Writes a chunk, padded to a multiple of four bytes.
 void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
   constexpr std::size_t portion = 1 << 20;
   out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);
@@ -224,29 +223,23 @@ void put_chunk(std::string_view bytes, std::string_view kind, char padding, Text
   out.text(std::string(padded_to_four(bytes.size()) - bytes.size(), padding));
 }
 
-void put_made(GltfMaker& made, bool binary, TextWriter& out) {
-  if (binary) return write_glb_chunks(json_text(made.document), made.bytes, {}, out);
-  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base::base64(made.bytes);
-  out.text(json_text(made.document, 2)).text("\n");
-}
-
 }  // namespace
 
 void write_glb(const Content& content, TextWriter& out) {
-  GltfMaker made(content);
-  put_made(made, true, out);
+  write_gltf_animated(content, {}, true, out, nullptr);
 }
 
 void write_gltf(const Content& content, TextWriter& out) {
-  GltfMaker made(content);
-  put_made(made, false, out);
+  write_gltf_animated(content, {}, false, out, nullptr);
 }
 
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress) {
   GltfMaker made(content);
   made.animate(motion, progress);
-  put_made(made, binary, out);
+  if (binary) return write_glb_chunks(json_text(made.document), made.bytes, {}, out);
+  made.document["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base::base64(made.bytes);
+  out.text(json_text(made.document, 2)).text("\n");
 }
 
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
@@ -254,7 +247,7 @@ void write_glb_chunks(std::string_view json, std::string_view bytes, std::string
   const std::size_t binary = bytes.empty() ? 0 : 8 + padded_to_four(bytes.size());
   const std::size_t all = 20 + padded_to_four(json.size()) + binary + others.size();
   if (all > std::numeric_limits<std::uint32_t>::max())
-    throw base::Error("", "more than 4 GB, which a GLB file cannot hold", "write .gltf or another format");
+    throw base::Error("", "the GLB file would exceed its limit of 4 GB", "save as .gltf or another format");
   out.text("glTF").little_endian(std::uint32_t{2}).little_endian(static_cast<std::uint32_t>(all));
   put_chunk(json, {"JSON", 4}, ' ', out);
   if (!bytes.empty()) put_chunk(bytes, {"BIN\0", 4}, '\0', out);

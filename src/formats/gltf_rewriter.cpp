@@ -1,4 +1,3 @@
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -25,8 +24,8 @@ namespace {
 
 using Json = GltfJson;
 
-// Finds accessors that share no bytes with others, so that their values can be replaced in place. Reflects
-// the document at construction; borrows the document and accessors.
+// Finds accessors whose bytes no other accessor or image uses, so that values can be replaced in place.
+// Later changes of the document are not considered. `accessors` must outlive this object.
 class GltfSharing {
 public:
   GltfSharing(const Json& document, const GltfAccessors& accessors) : accessors_(accessors) {
@@ -34,10 +33,10 @@ public:
     list_bytes(document);
   }
 
-  // The number of references to the accessor in the document.
+  // The number of references to this accessor.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
 
-  // True for float elements that share no byte with another accessor or image.
+  // True for float elements of this number of components that share no byte with another accessor or image.
   bool is_alone(int accessor, std::size_t components) {
     const auto index = static_cast<std::size_t>(accessor);
     const GltfPlace place = accessors_.place(accessor);
@@ -45,7 +44,7 @@ public:
     const Bytes mine = bytes_of(place, index);
     auto at = std::lower_bound(bytes_.begin(), bytes_.end(), Bytes{mine.buffer, mine.end, 0, 0, 0});
     while (at != bytes_.begin() && (--at)->buffer == mine.buffer && at->furthest > mine.begin) {
-      if (++comparisons_ > 100'000'000) return false;  // protects against files made to take long
+      if (++comparisons_ > 100'000'000) return false;  // limits the time for malicious files
       if (at->accessor != index && at->end > mine.begin && !interleaved(place, *at)) return false;
     }
     return true;
@@ -55,7 +54,7 @@ private:
   struct Bytes {
     std::size_t buffer, begin, end, stride;
     std::size_t accessor;      // npos for an image
-    std::size_t furthest = 0;  // largest end of the buffer's ranges up to this one
+    std::size_t furthest = 0;  // largest `end` in this buffer up to this range
 
     friend bool operator<(const Bytes& a, const Bytes& b) {
       return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
@@ -114,7 +113,7 @@ private:
     return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
   }
 
-  // True if the elements of both accessors alternate in an interleaved view without overlap.
+  // True if the elements of both accessors alternate in one buffer without overlap.
   bool interleaved(const GltfPlace& a, const Bytes& other) const {
     if (a.stride != other.stride) return false;
     const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
@@ -128,7 +127,6 @@ private:
   std::size_t comparisons_ = 0;
 };
 
-// Builds the file with other positions, before it is stored as JSON or GLB.
 class GltfRewriter {
 public:
   GltfRewriter(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
@@ -158,7 +156,7 @@ private:
     return false;
   }
 
-  // Finds placements with vertices moved by a target.
+  // Finds the placements with a vertex that a target moves.
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
     for (const GltfPiece& piece : map_.pieces) {
@@ -173,7 +171,7 @@ private:
     part_instances();
     sharing_.emplace(document_, accessors_);
     list_primitives();
-    carry_vectors();
+    deform_directions();
     for (const GltfPiece* piece : moved_) {
       const AffineMap inverse = inverse_of(*piece);
       if (!moves(*piece)) continue;
@@ -188,12 +186,12 @@ private:
     const auto inverse = placement.map.inverse();
     if (!inverse)
       throw base::Error(file_.name + ": node " + std::to_string(placement.node),
-                        "flattens its mesh, so that a deformation cannot be inverted",
-                        "apply the node's scale in a modelling program first, or write another format");
+                        "scales its mesh to zero thickness, so moved positions cannot be stored in it",
+                        "apply the node's scale in a modelling program first, or save in another format");
     return *inverse;
   }
 
-  // Gives each moved node of a shared mesh its own copy.
+  // Gives moved nodes their own copies of a shared mesh; one node keeps the original.
   void part_instances() {
     std::map<int, std::size_t> users;
     for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
@@ -209,12 +207,12 @@ private:
       ++parted;
     }
     if (parted > 0)
-      notes_.push_back(std::string(parted == 1 ? "1 copy" : std::to_string(parted) + " copies") +
-                       " of shared meshes became separate meshes, because each deforms differently");
+      notes_.push_back("shared meshes were copied " + base::counted(parted, "time") +
+                       ", because their nodes deform differently");
   }
 
-  // Transforms normals and tangents of all vertices into the scene.
-  void carry_vectors() {
+  // Computes the normals and tangents in scene coordinates, before and after the deformation.
+  void deform_directions() {
     std::vector<mesh::Vec3> normals(map_.surface_vertex.size(), mesh::Vec3{0, 0, 0}), tangents = normals;
     bool has_normals = false, has_tangents = false;
     for (const GltfPiece* piece : moved_) {
@@ -240,7 +238,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Offsets of the file's targets at default weights, which are added to the written values.
+  // The sum of the file's own targets at default weights, which viewers add to the written values.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -252,7 +250,7 @@ private:
                            : mesh::Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // The base vector whose sum with the targets' offsets has this direction.
+  // Returns the unit vector whose sum with `added` has the direction `unit`.
   static mesh::Vec3 before_targets(const mesh::Vec3& unit, const mesh::Vec3& added) {
     const double along = mesh::dot(unit, added), rest = along * along - mesh::dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);
@@ -283,7 +281,7 @@ private:
     return values;
   }
 
-  // Without normals the tangent need not be orthogonal to anything.
+  // The tangent in node coordinates, made orthogonal to the normal unless the normal is 0.
   static mesh::Vec3 local_tangent(const AffineMap& inverse, const mesh::Vec3& tangent,
                                   const mesh::Vec3& normal) {
     const mesh::Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
@@ -314,7 +312,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // Pieces that differ only in texture points share their primitives.
+  // Pieces that differ only in texture points have the same primitives; only the first of them is returned.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;
@@ -341,7 +339,7 @@ private:
 
   void put_morphs(const MorphMotion& motion, base::Progress* progress) {
     const std::vector<MorphedPiece> pieces = morphed_pieces(motion.normals);
-    if (pieces.empty()) return void(notes_.push_back("no key moves the model: no animation was written"));
+    if (pieces.empty()) return void(notes_.push_back("no animation was written: no key moves the model"));
     const std::size_t own = list_of(document_, "animations").size();
     GltfMorphs out(document_, buffers_.front());
     std::vector<std::size_t> nodes;
@@ -359,7 +357,7 @@ private:
                        " in addition to the new one");
   }
 
-  // Offsets of unmoved vertices are exactly 0.
+  // Unmoved vertices get the written values, so that their offsets are exactly 0.
   void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const mesh::Point> now,
                   bool with_normals) const {
     std::vector<mesh::Vec3> normals, tangents;
@@ -432,7 +430,7 @@ private:
       set_gltf_bounds(json, values, components);
   }
 
-  using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals and tangents
+  using Vertices = std::array<int, 4>;  // a mesh, and its accessors of positions, normals and tangents
 
   void list_primitives() {
     const Json& meshes = list_of(file_.document, "meshes");
@@ -445,7 +443,7 @@ private:
     }
   }
 
-  // Primitives of the mesh that use the piece's vertices, by their indices in the file.
+  // Indices of the primitives that use the piece's vertices.
   const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
     return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
                         piece.tangents}];
@@ -460,7 +458,7 @@ private:
     return found;
   }
 
-  // Adds an accessor like the old one, with new data at the end of its buffer.
+  // Adds an accessor like `old` with new data at the end of the same buffer. Returns its index.
   std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
     const GltfPlace place = accessors_.place(static_cast<int>(old));
     const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
@@ -487,7 +485,7 @@ private:
   std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<mesh::Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
-  std::vector<bool> morphing_;  // per placement; empty without an animation
+  std::vector<bool> morphing_;  // for each placement, whether a target moves it; empty without an animation
 };
 
 }  // namespace

@@ -38,7 +38,9 @@ AffineMap map_of_node(const GltfFile& file, int index, const GltfJson& node) {
     Numbers numbers;
     for (const GltfJson& number : list_of(node, key)) numbers.push_back(number.get<double>());
     if (!numbers.empty() && numbers.size() != count)
-      refuse_node(file, index, "its transform has the wrong number of components");
+      refuse_node(file, index,
+                  "\"" + std::string(key) + "\" has " + std::to_string(numbers.size()) +
+                      " numbers instead of " + std::to_string(count));
     return numbers;
   };
   if (const Numbers matrix = numbers("matrix", 16); !matrix.empty()) return from_matrix(matrix);
@@ -78,7 +80,9 @@ private:
     if (!scenes.empty()) {
       const std::size_t scene = count_of(file_.document, "scene").value_or(0);
       if (scene >= scenes.size())
-        throw base::Error(file_.name, "scene " + std::to_string(scene) + " does not exist",
+        throw base::Error(file_.name,
+                          "scene " + std::to_string(scene) + " does not exist, the file has " +
+                              std::to_string(scenes.size()) + " scenes, counted from 0",
                           "export the model again");
       return listed(scenes[scene], "nodes");
     }
@@ -104,8 +108,9 @@ private:
     open_.pop_back();
     const int number = static_cast<int>(index);
     if (index >= nodes_.size())
-      refuse_node(file_, number, "does not exist, the file has " + std::to_string(nodes_.size()));
-    if (seen_[index]) refuse_node(file_, number, "is placed twice: nodes must form trees");
+      refuse_node(file_, number,
+                  "does not exist, the file has " + std::to_string(nodes_.size()) + " nodes, counted from 0");
+    if (seen_[index]) refuse_node(file_, number, "is placed twice, but may have only one parent");
     seen_[index] = 1;
     const GltfJson& node = nodes_[index];
     const AffineMap map = parent * map_of_node(file_, number, node);
@@ -116,7 +121,7 @@ private:
   void place(int index, int mesh, const GltfJson& node, const AffineMap& map) {
     if (element_of(file_.document, "meshes", mesh).is_null())
       refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which does not exist");
-    // A skinned mesh is placed by its bones, not its node: at rest it stays as modelled.
+    // The bones place a skinned mesh, not its node; at rest it has the coordinates of its file.
     placements_.push_back({index, mesh, index_of(node, "skin") >= 0 ? AffineMap{} : map});
   }
 

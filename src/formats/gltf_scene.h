@@ -1,4 +1,4 @@
-// Placement of meshes by the nodes of a glTF scene, and the map from the file's vertices to the surface's.
+// Places meshes by the nodes of a glTF scene, and maps vertices of the file to vertices of the surface.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace viete::formats {
 
-/// x' = M x + offset; M is stored by columns.
+/// Maps a point x to M x + offset; `columns` are the columns of the matrix M.
 struct AffineMap {
   std::array<mesh::Vec3, 3> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   mesh::Vec3 offset{0, 0, 0};
@@ -24,7 +24,8 @@ struct AffineMap {
     return v[0] * columns[0] + v[1] * columns[1] + v[2] * columns[2];
   }
   mesh::Vec3 of_point(const mesh::Point& p) const { return of_vector(p) + offset; }
-  /// Maps a plane's normal by the cofactors, which keep its side even in a mirror. Not normalised.
+  /// Maps a plane's normal by the matrix of cofactors. The normal stays on the same side of the plane even if
+  /// the map is a mirror. The result is not normalised.
   mesh::Vec3 of_normal(const mesh::Vec3& n) const;
   /// Empty if the map is singular.
   std::optional<AffineMap> inverse() const;
@@ -39,27 +40,27 @@ struct GltfPlacement {
   AffineMap map;  ///< from the mesh to the scene
 };
 
-/// Placements of the default scene, otherwise of the first scene, otherwise of all nodes; parents first.
-/// Throws base::Error if the nodes do not form trees or an index is invalid.
+/// The placements in the default scene or, if it is missing, the first scene. A file without scenes uses all
+/// nodes. Parents come first. Throws base::Error if the nodes do not form trees or an index is invalid.
 std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
-/// Accessors of a morph target's offsets; -1: none.
+/// Accessors of a morph target's offsets; -1 if missing.
 struct GltfTarget {
   int positions = -1, normals = -1, tangents = -1;
 };
 
-/// Consecutive vertices of the file that primitives of one placement share.
+/// Consecutive vertices of the file that one or more primitives of a placement use.
 struct GltfPiece {
   std::size_t placement = 0, first = 0, count = 0;
-  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1: none
-  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first of these primitives
+  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1 if missing
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< of the first of these primitives
 };
 
 struct GltfMap {
   std::vector<GltfPlacement> placements;
   std::vector<GltfPiece> pieces;              ///< sorted by `first`
-  std::vector<std::uint32_t> surface_vertex;  ///< for each vertex of the file
-  std::vector<std::uint32_t> corner_vertex;   ///< for each entry of Surface::corners, the vertex of the file
+  std::vector<std::uint32_t> surface_vertex;  ///< for each vertex of the file the vertex of the surface
+  std::vector<std::uint32_t> corner_vertex;   ///< for each entry of Surface::corners the vertex of the file
 };
 
 }  // namespace viete::formats

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
 constexpr std::size_t most_library_bytes = 64 << 20;
 
-// The number of arguments of a map option; -o, -s and -t have one to three.
+// The largest number of arguments of a map option; 0 for an unknown option.
 std::size_t option_words(std::string_view option) {
   constexpr auto one =
       std::to_array<std::string_view>({"-blendu", "-blendv", "-bm", "-boost", "-cc", "-clamp", "-colorspace",
@@ -49,7 +49,7 @@ private:
     if (word == "Kd") {
       diffuse(color);
     } else if (word == "d" || word == "Tr") {
-      if (const auto value = next_number())
+      if (const auto value = number_in(text_.word()))
         color[3] = static_cast<float>(std::clamp(word == "d" ? *value : 1 - *value, 0.0, 1.0));
     } else if (word == "map_Kd") {
       map(true);
@@ -63,9 +63,7 @@ private:
     return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
   }
 
-  std::optional<double> next_number() { return number_in(text_.word()); }
-
-  // Reads three components, or one for all; ignores curves and CIE colours.
+  // Reads three components; missing components equal the last one. Ignores spectral curves and CIE colours.
   void diffuse(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);
@@ -105,13 +103,12 @@ private:
   std::vector<MtlMaterial> found_;
 };
 
-// Throws base::Error.
 std::vector<MtlMaterial> materials_in(const fs::path& path) {
   const FileBytes bytes(path, nullptr, most_library_bytes);
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// One path if the whole text, with blanks, names an existing file; otherwise one path per word.
+// If a file with the whole text as its name exists, returns only this file; otherwise a file per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);
@@ -169,7 +166,7 @@ std::vector<fs::path> read_materials(const Source& source, const std::vector<std
   }
   if (missing > 0 && all_read && !libraries.empty())
     builder.warn(source.name + ": " + base::counted(missing, "material") +
-                 " not found in the material libraries");
+                 " not found in the material libraries; default colour used");
   return {files.begin(), files.end()};
 }
 

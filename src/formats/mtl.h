@@ -10,20 +10,20 @@
 
 namespace viete::formats {
 
-/// A `newmtl` section. Reads Kd, d, Tr and map_Kd, and the file names of other maps.
+/// A `newmtl` section: the statements Kd, d, Tr and map_Kd, and the file names of other maps.
 struct MtlMaterial {
-  Material material;                        ///< without its image
-  std::filesystem::path image;              ///< absolute, not checked for existence; empty: none
-  std::vector<std::filesystem::path> maps;  ///< all images it names, including `image`
+  Material material;                        ///< without base_color_image
+  std::filesystem::path image;              ///< the file of map_Kd, which may not exist; or empty
+  std::vector<std::filesystem::path> maps;  ///< files of all maps, including `image`
 };
 
-/// Never fails: skips unreadable lines. source.folder must be the folder of the library.
+/// Skips unreadable lines. source.folder: the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// Fills in colours and images of the model's materials by name. Each library is the text after `mtllib`: one
-/// name with blanks, or several names, in the model's folder. A missing or unreadable library is a warning if
-/// there are materials. Returns the libraries and the images that they name, as far as readable. Does nothing
-/// if source.folder is empty.
+/// Sets colours and images of the model's materials by name. libraries: the text after the keyword of each
+/// `mtllib` line: one file name with blanks, or several file names, in source.folder. If this folder is
+/// empty, does nothing. Warns about an unreadable library if there are materials. Returns all libraries and
+/// images.
 std::vector<std::filesystem::path> read_materials(const Source& source,
                                                   const std::vector<std::string>& libraries,
                                                   Attributes& attributes, SurfaceBuilder& builder);

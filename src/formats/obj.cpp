@@ -22,12 +22,12 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-// Collects attributes. Unreadable ones cause a warning and are ignored; they never make a file unreadable.
+// Collects attributes. Invalid attributes only cause warnings.
 class ObjAttributes {
 public:
   explicit ObjAttributes(const Source& source) : source_(source) {}
 
-  // Reads an optional weight or colour after x y z.
+  // Reads the colour after x y z; ignores a single number, which is a weight.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
     const std::size_t count = text.numbers(values);
@@ -39,7 +39,7 @@ public:
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
-  // Libraries and images; valid after finish().
+  // Material libraries and images; valid after finish().
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
   void texture_point(TextCursor& text) {
@@ -57,7 +57,7 @@ public:
     found_.normals.push_back(values);
   }
 
-  // Call before the builder receives corner number `corner`, with the text after its vertex index.
+  // Call before adding corner number `corner` to the builder. behind_vertex: the text after its vertex index.
   void corner(std::size_t corner, std::string_view behind_vertex) {
     const ObjIndices indices = obj_indices(behind_vertex);
     bad_indices_ += !indices.readable;
@@ -108,7 +108,7 @@ public:
     if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
   }
 
-  // Null without attributes. Reads the material libraries.
+  // Reads the material libraries. Returns null if there are no attributes.
   std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
@@ -126,7 +126,8 @@ public:
   }
 
 private:
-  // Relative indices refer to this point of the file. Forward references are checked at the end.
+  // Stores an index of the corner. Negative indices count back from the `count` elements read so far. Indices
+  // of later elements are checked at the end of the file.
   void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
     if (index == 0 && indices.empty()) return;
     indices.resize(corner, mesh::none);
@@ -145,7 +146,7 @@ private:
     }
   }
 
-  // A file without groups keeps none.
+  // Removes the groups if all are unnamed, smooth and without material.
   void finish_groups() {
     const auto plain = [](const Group& g) {
       return g.object.empty() && g.name.empty() && g.material == mesh::none && g.smooth;
@@ -155,21 +156,19 @@ private:
 
   void tell_bad(SurfaceBuilder& builder) const {
     const std::string name = source_.name + ": ";
-    if (bad_indices_ > 0) {
-      builder.warn(name + base::counted(bad_indices_, "reference") +
-                   " to missing texture coordinates or normals ignored");
-    }
-    if (bad_numbers_ > 0) {
-      builder.warn(name + base::counted(bad_numbers_, "line") +
-                   " of texture coordinates or normals are unreadable and set to 0");
-    }
+    if (bad_indices_ > 0)
+      builder.warn(name + "ignored " + base::counted(bad_indices_, "reference") +
+                   " to missing texture coordinates or normals");
+    if (bad_numbers_ > 0)
+      builder.warn(name + "used 0 for " + base::counted(bad_numbers_, "unreadable line") +
+                   " of texture coordinates or normals");
     if (groups_left_out_ > 0)
-      builder.warn(name + "keeps " + base::counted(most_groups, "group") + ", further groups are merged");
+      builder.warn(name + "more than " + base::counted(most_groups, "group") + ", further groups are merged");
   }
 
   const Source& source_;
   Attributes found_;
-  Group state_;  // state of the following faces
+  Group state_;  // of the next faces
   bool changed_ = true;
   std::size_t polygons_ = 0;
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
@@ -236,7 +235,7 @@ private:
 
   void face() {
     if (text_.at_line_end())
-      text_.fail("face without vertices", "the file may be cut short: export it again");
+      text_.fail("the face has no vertices", "the file seems to be truncated: export or copy it again");
     do {
       const std::uint32_t v = vertex(text_.leading_integer("vertex index"));
       attributes_.corner(builder_.surface().corners.size(), behind_vertex());
@@ -248,7 +247,8 @@ private:
 
   std::uint32_t vertex(std::int64_t index) {
     const auto count = static_cast<std::int64_t>(builder_.vertex_count());
-    if (index == 0) text_.fail("face refers to vertex 0, OBJ indices start at 1", "export the model again");
+    if (index == 0)
+      text_.fail("face refers to vertex 0, but OBJ indices start at 1", "export the model again");
     if (index < -count) refuse(text_.line(), index);
     if (index < 0) return static_cast<std::uint32_t>(count + index);
     if (index > std::numeric_limits<std::uint32_t>::max()) refuse(text_.line(), index);
@@ -262,9 +262,8 @@ private:
   std::string_view behind_vertex() {
     const std::string_view rest = text_.rest_of_word();
     if (rest.empty()) return rest;
-    if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos) {
+    if (rest[0] != '/' || rest.find_first_not_of("0123456789/+-") != std::string_view::npos)
       text_.fail("vertex index is followed by " + in_quotes(rest), "write corners as 7, 7/2, 7//3 or 7/2/3");
-    }
     return rest;
   }
 
@@ -276,7 +275,7 @@ private:
     const std::string count = std::to_string(builder_.vertex_count());
     throw base::Error(text_.place(line),
                       "face refers to vertex " + std::to_string(index) + ", the file has " + count +
-                          (index < 0 ? " before it" : ""),
+                          (index < 0 ? " vertices before this line" : ""),
                       "export the model again");
   }
 
@@ -294,23 +293,21 @@ private:
   }
 
   void tell_skipped() {
-    if (free_forms_ > 0) {
+    if (free_forms_ > 0)
       builder_.warn(source_.name + ": " + base::counted(free_forms_, "free-form element") +
                     " cannot be shown");
-    }
-    if (unknown_ > 0) {
+    if (unknown_ > 0)
       builder_.warn(text_.place(first_unknown_line_) + ": ignored " + base::counted(unknown_, "line") +
                     " with unknown keywords, the first is " + first_unknown_);
-    }
   }
 
   const Source& source_;
   TextCursor text_;
   SurfaceBuilder builder_;
   ObjAttributes attributes_;
-  std::vector<std::uint32_t> normal_blocks_;  // number of vn lines up to the end of each block
+  std::vector<std::uint32_t> normal_blocks_;  // see obj_original()
   std::size_t lines_ = 0;
-  std::int64_t highest_ = 0;  // largest forward reference
+  std::int64_t highest_ = 0;  // largest vertex index used before its vertex
   std::size_t highest_line_ = 0;
   std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
   std::string first_unknown_;

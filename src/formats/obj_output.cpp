@@ -1,4 +1,4 @@
-// Writes OBJ: any surface as a new file, and a file kept as read.
+// Writes OBJ: a surface as a new file, or the file that was read with moved positions.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -24,9 +24,8 @@ std::string words_of(const mesh::Vec3& normal, const Printed& printed) {
   return words;
 }
 
-// A `vn` line serves any number of corners. After a deformation it splits into one normal per vertex that
-// uses it, or per polygon with flat shading. Normals that print differently get lines of their own after the
-// block of the original line.
+// The `vn` lines after a deformation. Each vertex or flat-shaded polygon that uses a line may now need a
+// different normal. Normals that print differently get additional lines after the block of `vn` lines.
 class ObjNormals {
 public:
   // blocks: see obj_original(). attributes must have normals.
@@ -58,15 +57,15 @@ public:
     number(blocks, attributes, value_of_corner);
   }
 
-  // The normal on the original line; same bits if unmoved.
+  // The normal on an original line. An unmoved normal has the same bits as before.
   const mesh::Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
-  // The normals on lines added for it.
+  // The normals on the lines added for an original line.
   std::span<const mesh::Vec3> added(std::size_t line) const {
     return std::span(values_).subspan(first_[line] + 1, first_[line + 1] - first_[line] - 1);
   }
   bool adds_lines() const { return values_.size() + 1 > first_.size(); }
 
-  // Zero-based index among the `vn` lines of the new file.
+  // Indices among the `vn` lines of the new file, from 0.
   std::uint32_t index_of_line(std::size_t line) const { return index_[line]; }
   std::uint32_t index_of_corner(std::size_t corner) const { return corner_index_[corner]; }
 
@@ -92,13 +91,13 @@ private:
     }
   }
 
-  std::vector<mesh::Vec3> values_;    // per original line, followed by its added lines
-  std::vector<std::uint32_t> first_;  // first value of each line
+  std::vector<mesh::Vec3> values_;  // for each original line its normal, then the normals of its added lines
+  std::vector<std::uint32_t> first_;  // for each original line the index of its normal in values_
   std::vector<std::uint32_t> index_;
   std::vector<std::uint32_t> corner_index_;  // only if lines are added
 };
 
-// Learns the format of the first lines with this keyword.
+// Learns the number format from the first lines with this keyword.
 Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   constexpr std::size_t enough = 10'000;
   Printed printed(digits);
@@ -111,7 +110,7 @@ Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   return printed;
 }
 
-// The line end before this position.
+// The line end just before this offset.
 std::string_view line_end_before(std::string_view bytes, std::size_t place) {
   if (place > 0 && bytes[place - 1] == '\r') return "\r";
   return place > 1 && bytes[place - 2] == '\r' ? "\r\n" : "\n";
@@ -164,7 +163,7 @@ private:
     }
   }
 
-  // Adds the lines of the block that ends here.
+  // Writes the lines added to the block that ends here.
   void add_normals() {
     if (!normals_ || added_ == lines_) return;
     const std::string_view line_end = line_end_before(source_.bytes, block_end_);
@@ -180,7 +179,7 @@ private:
     }
   }
 
-  // False only if the last line of the file has no line end.
+  // True if a line end is just before this offset. False only after a last line without a line end.
   bool ends_line(std::size_t place) const {
     return place > 0 && (source_.bytes[place - 1] == '\n' || source_.bytes[place - 1] == '\r');
   }
@@ -191,7 +190,7 @@ private:
       text_.leading_integer("vertex index");
       indices_.push_back(obj_indices(text_.rest_of_word()));
     }
-    const bool is_polygon = indices_.size() >= 3;  // shorter ones are not polygons of the surface
+    const bool is_polygon = indices_.size() >= 3;  // the surface has no smaller faces
     for (const ObjIndices& corner : indices_) {
       const std::uint32_t index =
           is_polygon ? normals_->index_of_corner(corner_++) : index_of_line(corner.normal);
@@ -219,8 +218,9 @@ private:
   const Attributes* attributes_ = nullptr;
   std::optional<ObjNormals> normals_;
   std::size_t vertices_ = 0, corner_ = 0;
-  std::size_t lines_ = 0, added_ = 0;  // vn lines read so far; those with added lines written
-  std::int64_t written_ = 0;           // vn lines written so far
+  std::size_t lines_ = 0;     // number of vn lines read so far
+  std::size_t added_ = 0;     // number of vn lines whose added lines are written
+  std::int64_t written_ = 0;  // number of vn lines written so far
   std::size_t block_end_ = 0;
   std::vector<ObjIndices> indices_;
   std::array<char, 400> room_;

@@ -12,24 +12,22 @@ namespace {
 
 using enum ObjWord;
 
-constexpr std::pair<std::string_view, ObjWord> rarer_words[] = {
-    {"g", group},
-    {"o", object},
-    {"s", smoothing},
-    {"usemtl", use_material},
-    {"mtllib", material_library},
-    {"curv", free_form},
-    {"surf", free_form},
-    {"fo", face}};  // name of faces before version 3.0
+constexpr std::pair<std::string_view, ObjWord> rarer_words[] = {{"g", group},
+                                                                {"o", object},
+                                                                {"s", smoothing},
+                                                                {"usemtl", use_material},
+                                                                {"mtllib", material_library},
+                                                                {"curv", free_form},
+                                                                {"surf", free_form},
+                                                                {"fo", face}};  // `f` before version 3.0
 
-// Keywords of statements that do not describe a surface.
 constexpr std::string_view other_words[] = {
     "bevel", "bmat",   "bsp",       "bzp",   "c_interp", "call", "cdc",  "cdp",        "con",
     "csh",   "cstype", "ctech",     "curv2", "d_interp", "deg",  "end",  "hole",       "l",
     "lod",   "maplib", "mg",        "p",     "parm",     "res",  "scrv", "shadow_obj", "sp",
     "stech", "step",   "trace_obj", "trim",  "usemap",   "vp"};
 
-// Reads an index after a slash; empty means 0.
+// Reads an index after a slash; a missing index leaves 0. Returns false for invalid text.
 bool take_index(std::string_view& rest, std::int64_t& index) {
   if (rest.empty() || rest.front() == '/') return true;
   const char* const from = rest.data() + (rest.front() == '+' ? 1 : 0);

@@ -1,4 +1,4 @@
-// Keywords of OBJ lines, the indices of a face's corner, and files to be written again.
+// Parses keywords and corners of OBJ lines, and rewrites a file.
 #pragma once
 
 #include <cstdint>
@@ -25,34 +25,35 @@ enum class ObjWord : std::uint8_t {
   use_material,
   material_library,
   free_form,
-  other,   ///< valid OBJ, but not part of a surface
-  unknown  ///< not OBJ
+  other,   ///< a keyword of OBJ that does not describe a surface
+  unknown  ///< not a keyword of OBJ
 };
 
-/// Accepts lower case and, as some programs write, upper case.
+/// Ignores the case, because some programs write capitals.
 ObjWord obj_word(std::string_view word);
-/// Accepts lower case only.
+/// As obj_word(), but accepts only lower case.
 ObjWord small_obj_word(std::string_view word);
 
-/// True for statements that follow a block of vertices and normals; lines are added before them.
+/// True for statements that end a block of vertices and normals. Added lines are inserted before them.
 inline bool ends_block(ObjWord word) {
   return word >= ObjWord::face && word <= ObjWord::use_material;
 }
 
-/// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
+/// Indices of a corner as in the file: from 1; negative if relative; 0 if missing.
 struct ObjIndices {
-  std::int64_t texture_point = 0, normal = 0;  ///< as in the file: from 1, or relative; 0: none
-  std::string_view normal_word;                ///< the text of the normal's index
-  bool readable = true;                        ///< false: invalid syntax; both are 0
+  std::int64_t texture_point = 0, normal = 0;
+  std::string_view normal_word;  ///< the text of the normal's index
+  bool readable = true;          ///< false: the syntax is invalid and both indices are 0
 };
 
+/// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
 ObjIndices obj_indices(std::string_view behind_vertex);
 
-/// The file kept as read, to be written again. Moved coordinates get as many decimals as in the file, and at
-/// least six significant digits of the model's diagonal. Normals are updated; a normal line whose corners now
-/// differ gets additional lines after its block, and face indices are renumbered. attributes may be null.
-/// normal_blocks: for each block of `vn` lines the number of such lines up to its end, ascending; the last is
-/// the total. files: libraries and images.
+/// The result writes the file again with other positions. Moved coordinates get as many decimals as in the
+/// file, and at least six significant digits relative to the model's diagonal. If corners of a `vn` line need
+/// different normals, it adds `vn` lines after the block and renumbers the indices of faces. attributes may
+/// be null. normal_blocks: for each block of `vn` lines the number of `vn` lines from the start of the file
+/// to its end. files: material libraries and images.
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
                                              std::vector<std::uint32_t> normal_blocks,

@@ -21,16 +21,16 @@ namespace {
 
 constexpr TextRules off_rules{.comment = '#'};
 
-// Layout of vertex rows after the positions.
+// The values that follow the position of each vertex.
 struct OffForm {
   bool normals = false, colors = false, texture = false;
   bool more_axes = false;     //< 4OFF, nOFF
-  bool colors_first = false;  //< four components before normals, as written by MeshLab
+  bool colors_first = false;  //< four colour components before the normal, as MeshLab writes
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
 };
 
-// The keyword OFF after the prefixes ST (texture), C (colours), N (normals), 4, n (dimension), in this order.
+// Parses the keyword OFF with prefixes: ST (texture), C (colours), N (normals), 4 or n (dimension).
 std::optional<OffForm> off_form(std::string_view word) {
   OffForm form;
   if (word == "off") return form;
@@ -51,7 +51,6 @@ std::optional<OffForm> off_form(std::string_view word) {
   return form;
 }
 
-// numbers: red, green, blue and optionally opacity.
 Color off_color(std::span<const double> numbers) {
   Color color{0, 0, 0, 1};
   for (std::size_t i = 0; i < std::min<std::size_t>(numbers.size(), 4); ++i)
@@ -65,7 +64,7 @@ public:
 
   ReadResult read() {
     head();
-    const std::size_t vertices = count("vertex count"), faces = count("face count");
+    const std::size_t vertices = count("number of vertices"), faces = count("number of faces");
     check_room(vertices, faces);
     text_.next_line();
     if (form_.normals && form_.colors) form_.colors_first = colors_come_first(vertices);
@@ -98,14 +97,14 @@ private:
     const std::string_view word = ahead.word();
     if (const auto form = off_form(word)) {
       if (form->more_axes)
-        text_.fail(in_quotes(word) + " has positions with four or n coordinates instead of three",
+        text_.fail(in_quotes(word) + " is not supported: positions must have three coordinates",
                    "export as OFF");
       text_ = ahead;
       form_ = *form;
       if (ahead.word() == "BINARY") text_.fail("binary OFF is not supported", "export as OFF text or as PLY");
     }
     builder_.comments(text_);
-    text_.need_word("the counts");
+    text_.need_word("the number of vertices");
   }
 
   std::size_t count(std::string_view what) {
@@ -115,16 +114,16 @@ private:
     return static_cast<std::size_t>(value);
   }
 
-  // A vertex needs at least six bytes, a face two.
+  // Compares the counts with the file size. A vertex has at least six bytes, a face at least two.
   void check_room(std::size_t vertices, std::size_t faces) const {
     const std::size_t left = text_.bytes_left() + 1;
     if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
     text_.fail(std::to_string(vertices) + " vertices and " + std::to_string(faces) +
                    " faces do not fit into the " + std::to_string(text_.bytes_left()) + " bytes that follow",
-               "the file seems to be cut short: export or copy it again");
+               "the file seems to be truncated: export or copy it again");
   }
 
-  // Normals contain no numbers beyond 1, and hardly any integers.
+  // Distinguishes colours from normals: components of normals do not exceed 1 and are rarely integers.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
@@ -184,7 +183,7 @@ private:
     }
   }
 
-  // Undeclared values: three or four non-negative numbers are a colour.
+  // Reads values that the keyword does not declare: three or four non-negative numbers are a colour.
   void unnamed() {
     if (text_.at_line_end()) return;
     const auto behind = numbers(5);
@@ -194,7 +193,7 @@ private:
     if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
   }
 
-  // Elements without a colour get the default.
+  // Returns one colour per element; elements without a colour get the default colour.
   static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
                                    std::size_t count) {
     std::vector<Color> colors;
@@ -208,8 +207,8 @@ private:
   std::shared_ptr<const Attributes> finished_attributes() {
     to_unit_range(found_.colors);
     if (unknown_rows_ > 0) {
-      builder_.warn(source_.name + ": ignored extra values after the positions of " +
-                    base::counted(unknown_rows_, "row") + " that the header does not declare");
+      builder_.warn(source_.name + ": ignored undeclared values after the positions of " +
+                    base::counted(unknown_rows_, "vertex row"));
     } else if (!unnamed_colors_.empty()) {
       found_.colors = spread(unnamed_colors_, builder_.vertex_count());
     }
@@ -221,13 +220,13 @@ private:
   }
 
   void face() {
-    const std::size_t corners = count("corner count");
+    const std::size_t corners = count("number of corners");
     for (std::size_t i = 0; i < corners; ++i) {
       text_.need_word("the last face");  // indices may continue on the next line
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
-        text_.fail("face refers to vertex " + std::to_string(index) + " (from 0), the file has " +
-                       std::to_string(builder_.vertex_count()),
+        text_.fail("face refers to vertex " + std::to_string(index) + ", the file has " +
+                       std::to_string(builder_.vertex_count()) + ", counted from 0",
                    "export the model again");
       }
       builder_.corner(static_cast<std::uint32_t>(index));
@@ -237,7 +236,7 @@ private:
     text_.next_line();
   }
 
-  // Reads three or four numbers after the corners; a single one is an index into an external colour map.
+  // Reads three or four numbers after the corners; ignores a single number, the index of a colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));
@@ -249,7 +248,7 @@ private:
   std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
   std::array<double, 9> numbers_{};                                          // of the current row
-  std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // for vertices, for polygons
+  std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // with vertex or polygon index
   std::size_t unknown_rows_ = 0;
   Attributes found_;
 };

@@ -1,4 +1,4 @@
-// A file kept as read, so that it can be written again with other positions.
+// Keeps a file in memory, so that it can be written again with other positions.
 #pragma once
 
 #include <filesystem>
@@ -23,10 +23,10 @@ struct Companions {
   std::vector<std::filesystem::path> files;  ///< absolute; they may not exist
 };
 
-/// Immutable; one implementation per format. Thread-safe.
+/// The file that was read. Each format has its own subclass. Immutable and thread-safe.
 class Original {
 public:
-  /// format: its name in the table. Keeps the owner of the bytes, which must have been read without error.
+  /// format: Format::name. Keeps source.owner, so that the bytes stay valid. Reading must have succeeded.
   Original(std::string_view format, const Source& source)
       : name_(source.name),
         bytes_(source.owner ? source.bytes : std::string_view()),
@@ -36,29 +36,29 @@ public:
 
   std::string_view format() const { return format_; }
 
-  /// Content that a surface and its attributes do not represent, and that other formats therefore lose:
-  /// "animations", "12 lines".
+  /// Content that is in neither the surface nor its attributes, so that other formats lose it: "animations",
+  /// "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  /// External files that must accompany the file; write_file() copies them.
+  /// External files that write_file() copies.
   virtual Companions companions() const { return {}; }
 
-  /// All external files that it uses; they may not exist.
+  /// All external files to which the file refers; they may not exist.
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
-  /// Writes the whole file in its order, with new values for positions that differ from `rest` (the surface
-  /// read from it) and for the normals and tangents that depend on them. Returns messages for the user, one
+  /// Writes the whole file with new values for positions that differ from `rest`, and for the normals and
+  /// tangents that depend on them. rest: the surface read from the file. Returns messages for the user, one
   /// line each. Throws base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                          TextWriter& out) const = 0;
 
-  /// Writes to a file, which is replaced atomically, together with external buffers of formats with several
-  /// files, and with companions that its folder lacks. progress may be null.
+  /// Writes a file and replaces an existing file atomically. Also writes external buffers, and copies
+  /// companions that are missing in the folder. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const mesh::Surface& rest,
                                               std::span<const mesh::Point> positions, Digits digits,
                                               base::Progress* progress) const;
 
-  /// Writes morph targets as well, see check_motion(). Throws base::Error for formats without them.
+  /// Writes morph targets too, see check_motion(). Throws base::Error if the format has no morph targets.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path,
                                                   const mesh::Surface& rest,
                                                   std::span<const mesh::Point> positions,
@@ -82,10 +82,10 @@ private:
 struct ReadResult {
   mesh::Surface surface;
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
-  std::vector<std::string> warnings;  ///< harmless oddities with their place, one line each
-  std::shared_ptr<const Attributes> attributes;  ///< null: only positions and polygons
-  std::shared_ptr<const Original> original;      ///< null: cannot be written again as it was
-  std::vector<std::string> comments;  ///< header comments without marks: at most 64, 200 bytes each
+  std::vector<std::string> warnings;  ///< ignored problems with their place, one line each
+  std::shared_ptr<const Attributes> attributes;  ///< null if the file has no attributes
+  std::shared_ptr<const Original> original;      ///< null if the file cannot be rewritten
+  std::vector<std::string> comments;  ///< header comments without marks, at most 64 with 200 bytes each
 };
 
 }  // namespace viete::formats

@@ -51,16 +51,16 @@ std::string bytes_of(const PointCacheHead& head) {
 
 const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head) {
   if (head.points == 0 || head.frames == 0)
-    throw base::Error(path.string(), "a point cache needs points and frames",
+    throw base::Error(path.string(), "there are no points or no frames to write",
                       "export at least one frame of a model with vertices");
   if (head.points > most_of_cache || head.frames > most_of_cache)
     throw base::Error(path.string(), "a point cache can store at most 2,147,483,647 points and frames",
                       "export fewer frames");
   if (head.format == PointCacheFormat::mdd && head.seconds.size() != head.frames)
-    throw base::Error(
-        path.string(),
-        base::counted(head.seconds.size(), "time") + " for " + base::counted(head.frames, "frame"),
-        "pass one time per frame");
+    throw base::Error(path.string(),
+                      "there are " + base::counted(head.seconds.size(), "time") + " for " +
+                          base::counted(head.frames, "frame"),
+                      "pass one time per frame");
   return head;
 }
 
@@ -108,7 +108,7 @@ PointCache::PointCache(const fs::path& path) : name_(path.string()) {
     open->file.clear();
     open->file.seekg(static_cast<std::streamoff>(offset));
     if (!open->file.read(to.data(), static_cast<std::streamsize>(to.size())))
-      throw base::Error(name, "cannot be read completely", "check the disk and the permissions");
+      throw base::Error(name, "the file cannot be read completely", "check the disk and the permissions");
   };
   read_head(size);
 }
@@ -132,14 +132,6 @@ void PointCache::read_head(std::uint64_t size) {
 
 namespace {
 
-std::int32_t count_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
-  return number_of_bytes<std::int32_t>(bytes.data() + at, order_of(format));
-}
-
-float float_at(std::span<const char> bytes, std::size_t at, PointCacheFormat format) {
-  return number_of_bytes<float>(bytes.data() + at, order_of(format));
-}
-
 std::string cache_size_text(std::int64_t points, std::int64_t frames) {
   return std::to_string(frames) + (frames == 1 ? " frame" : " frames") + " of " + std::to_string(points) +
          (points == 1 ? " point" : " points");
@@ -150,36 +142,36 @@ std::string cache_size_text(std::int64_t points, std::int64_t frames) {
 void PointCache::read_pc2_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::pc2;
   if (size < pc2_head_size)
-    throw base::Error(name_, "ends within the header of a PC2 file", "export the point cache again");
+    throw base::Error(name_, "the file ends within the PC2 header", "export the point cache again");
   std::vector<char> head(pc2_head_size);
   read_(0, head);
-  const std::int32_t points = count_at(head, 16, format), samples = count_at(head, 28, format);
+  const auto points = number_of_bytes<std::int32_t>(&head[16]),
+             samples = number_of_bytes<std::int32_t>(&head[28]);
   if (points <= 0 || samples <= 0)
-    throw base::Error(name_, "a PC2 file of " + cache_size_text(points, samples),
+    throw base::Error(name_, "the PC2 header declares " + cache_size_text(points, samples),
                       "export the point cache again");
   head_ = {format, static_cast<std::size_t>(points), static_cast<std::size_t>(samples),
-           float_at(head, 20, format), float_at(head, 24, format)};
+           number_of_bytes<float>(&head[20]), number_of_bytes<float>(&head[24])};
   first_frame_ = pc2_head_size;
   const std::uint64_t whole = (size - first_frame_) / (12 * head_.points);
   if (whole < head_.frames)
     throw base::Error(name_,
-                      "is shorter than its header says: " + std::to_string(whole) + " whole of " +
+                      "the file is truncated: it contains " + std::to_string(whole) + " of " +
                           cache_size_text(points, samples),
                       "export the point cache again");
   if (size > first_frame_ + head_.frames * 12 * head_.points)
-    warnings_.push_back(name_ + ": continues after its last frame");
+    warnings_.push_back(name_ + ": ignored the bytes after the last frame");
   if (std::isfinite(head_.start) && std::isfinite(head_.rate) && head_.rate > 0) return;
-  warnings_.push_back(name_ + ": its first frame and sample rate are not finite; using 0 and 1");
+  warnings_.push_back(name_ + ": the start frame or the sample rate is invalid; used 0 and 1");
   head_.start = 0, head_.rate = 1;
 }
 
-// MDD has no signature and is recognised by its size.
 void PointCache::read_mdd_head(std::uint64_t size) {
   constexpr auto format = PointCacheFormat::mdd;
-  std::vector<char> head(std::min<std::uint64_t>(size, mdd_head_size));
-  read_(0, head);
-  const std::int32_t frames = head.size() < mdd_head_size ? 0 : count_at(head, 0, format);
-  const std::int32_t points = head.size() < mdd_head_size ? 0 : count_at(head, 4, format);
+  std::vector<char> head(mdd_head_size, 0);
+  if (size >= mdd_head_size) read_(0, head);
+  const auto frames = number_of_bytes<std::int32_t>(&head[0], std::endian::big),
+             points = number_of_bytes<std::int32_t>(&head[4], std::endian::big);
   if (frames <= 0 || points <= 0)
     throw base::Error(name_, "this is neither a PC2 nor an MDD point cache",
                       "check that it is the right file");
@@ -187,16 +179,16 @@ void PointCache::read_mdd_head(std::uint64_t size) {
   const std::uint64_t frame_size = 4 + 12 * std::uint64_t{head_.points}, room = size - mdd_head_size;
   if (room / frame_size < head_.frames || room != frame_size * head_.frames)
     throw base::Error(name_,
-                      "as an MDD point cache it would contain " + cache_size_text(points, frames) +
-                          ", which its " + std::to_string(size) + " bytes do not match",
+                      "the MDD header declares " + cache_size_text(points, frames) + ", but the file has " +
+                          std::to_string(size) + " bytes",
                       "check that it is the right file, or export it again");
   std::vector<char> times(4 * head_.frames);
   read_(mdd_head_size, times);
   head_.seconds.resize(head_.frames);
   for (std::size_t i = 0; i < head_.frames; ++i) {
-    head_.seconds[i] = float_at(times, 4 * i, format);
+    head_.seconds[i] = number_of_bytes<float>(&times[4 * i], std::endian::big);
     if (!std::isfinite(head_.seconds[i]))
-      throw base::Error(name_ + ": frame " + std::to_string(i), "its time is not finite",
+      throw base::Error(name_ + ": frame " + std::to_string(i), "the time is not finite",
                         "export the point cache again");
   }
   first_frame_ = mdd_head_size + times.size();
@@ -207,10 +199,11 @@ std::vector<mesh::Point> PointCache::frame(std::size_t number) const {
   read_(first_frame_ + std::uint64_t{number} * bytes.size(), bytes);
   std::vector<mesh::Point> points(head_.points);
   for (std::size_t v = 0; v < points.size(); ++v) {
-    for (std::size_t k = 0; k < 3; ++k) points[v][k] = float_at(bytes, 12 * v + 4 * k, head_.format);
+    for (std::size_t k = 0; k < 3; ++k)
+      points[v][k] = number_of_bytes<float>(&bytes[12 * v + 4 * k], order_of(head_.format));
     if (!is_place(points[v]))
       throw base::Error(name_ + ": frame " + std::to_string(number),
-                        "the position of point " + std::to_string(v) + " is invalid",
+                        "the position of point " + std::to_string(v) + " is not finite or beyond 1e100",
                         "export the point cache again");
   }
   return points;

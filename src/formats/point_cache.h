@@ -1,4 +1,4 @@
-// Point caches (PC2 and MDD): positions of a model's vertices for a sequence of frames.
+// Point caches (PC2 and MDD): files with the positions of all vertices for a sequence of frames.
 #pragma once
 
 #include <cstddef>
@@ -16,55 +16,52 @@
 
 namespace viete::formats {
 
-/// A cache stores positions only: it needs a model with the same vertices in the same order. OBJ, PLY and OFF
-/// keep that order; STL and glTF do not.
+/// A cache stores positions only. The model must have the same vertices in the same order: OBJ, PLY and OFF
+/// keep that order, STL and glTF do not.
 ///
 /// pc2  Pointcache 2 of 3ds Max, little-endian: "POINTCACHE2\0", int32 version 1, int32 points, float32
-/// number
-///      of the first frame, float32 frames per sample, int32 samples; then float32 x, y, z of every point,
-///      sample after sample. Read by 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier) and Maya
-///      (`cacheFile -pc2 1 -pcf FILE ...` converts it to Maya's own cache).
+///      number of the first frame, float32 frames per sample, int32 samples; then float32 x, y, z of every
+///      point, sample after sample. Readers: 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier)
+///      and Maya (`cacheFile -pc2 1 -pcf FILE ...` converts it to Maya's own cache).
 /// mdd  LightWave, big-endian: int32 frames, int32 points, float32 seconds of every frame; then float32 x, y,
-///      z, frame after frame. Read by LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
+///      z, frame after frame. Readers: LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
 ///
-/// Positions have the axes and unit of the model's file, which the cache does not record. Blender's modifier
-/// applies them in object space, before the object's rotation and scale, rotated only by the modifier's
-/// *Forward axis* and *Up axis*. Blender's OBJ import rotates the object instead of its coordinates; the
-/// modifier's defaults (Y, Z) are correct until that rotation is applied (Ctrl-A). Maya and Houdini import
-/// both unchanged.
+/// Positions have the axes and unit of the model's file. Blender applies them in object space, before the
+/// object's rotation and scale, and rotates them only by the modifier's *Forward axis* and *Up axis*.
+/// Blender's OBJ import rotates the object instead of its coordinates. The modifier's defaults (Y, Z) are
+/// correct until that rotation is applied (Ctrl-A). Maya and Houdini do not rotate the model or the cache.
 enum class PointCacheFormat { pc2, mdd };
 
-/// By extension, .pc2 or .mdd.
+/// The format by the extension, .pc2 or .mdd.
 std::optional<PointCacheFormat> point_cache_format(const std::filesystem::path& path);
 
 struct PointCacheHead {
   PointCacheFormat format = PointCacheFormat::pc2;
   std::size_t points = 0, frames = 0;  ///< 1 to 2147483647 each
-  float start = 0, rate = 1;           ///< PC2: number of the first frame, frames per sample
+  float start = 0, rate = 1;           ///< PC2: number of the first frame; frames per sample
   std::vector<float> seconds{};        ///< MDD: time of each frame
 };
 
-/// Writes one frame at a time, so that only one needs to be in memory. `frame` returns x, y, z of every
-/// point. Atomic. Throws base::Error for sizes beyond the format, a full disk and non-finite numbers; passes
-/// on exceptions of `frame`.
+/// Writes a file atomically, with one frame in memory at a time. frame(i) must return x, y, z of every point
+/// of frame i. Throws base::Error for sizes beyond the format, a full disk and non-finite numbers, and the
+/// exceptions of `frame`.
 void write_point_cache(const std::filesystem::path& path, const PointCacheHead& head,
                        const std::function<std::span<const float>(std::size_t)>& frame);
 
 /// Reads frames on demand. Thread-safe.
 class PointCache {
 public:
-  /// PC2 is recognised by its signature, MDD by its size. Throws base::Error for other files, truncated
-  /// files, no points or frames, and non-finite times. Sizes are checked before memory is allocated.
+  /// Recognises PC2 by its signature and MDD by its size. Throws base::Error for other or truncated files,
+  /// files without points or frames, and non-finite times. Checks sizes before it allocates memory.
   explicit PointCache(const std::filesystem::path& path);
   /// Reads from memory; the bytes must outlive the object.
   PointCache(std::string name, std::string_view bytes);
 
   const PointCacheHead& head() const { return head_; }
-  /// Harmless oddities, one line each.
+  /// Messages about ignored problems, one line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// number must be below head().frames. Throws base::Error if a position is invalid or the file cannot be
-  /// read.
+  /// number must be below head().frames. Throws base::Error for an invalid position or a read error.
   std::vector<mesh::Point> frame(std::size_t number) const;
 
 private:
@@ -75,7 +72,7 @@ private:
   void read_mdd_head(std::uint64_t size);
 
   std::string name_;
-  Read read_;  ///< offset and bytes must lie within the file
+  Read read_;  ///< the requested bytes must be within the file
   PointCacheHead head_;
   std::uint64_t first_frame_ = 0;
   std::vector<std::string> warnings_;

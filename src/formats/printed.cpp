@@ -24,8 +24,7 @@ constexpr auto powers_of_ten = [] {
 // Integers up to this limit are exact in double.
 constexpr double largest_whole = 9007199254740992.0;
 
-// One multiplication and integer digits: ten times as fast as std::to_chars. On ties the last digit may round
-// the other way.
+// Prints value * 10^decimals as an integer, ten times as fast as std::to_chars. Ties may round differently.
 char* print_whole(double value, int decimals, char* to) {
   if (std::signbit(value)) *to++ = '-';
   auto whole = static_cast<std::uint64_t>(std::abs(value) * powers_of_ten[decimals] + 0.5);
@@ -131,7 +130,8 @@ namespace {
     throw base::Error(place, text.data(), "choose other weights, another blend, or a pose nearer to rest");
   std::snprintf(text.data(), text.size(), "the position of vertex %zu is beyond %.3g (%.3g %.3g %.3g)",
                 vertex, largest, p[0], p[1], p[2]);
-  throw base::Error(place, text.data(), "scale the model, or write .obj or .ply, which store larger numbers");
+  throw base::Error(place, text.data(),
+                    "scale the model, or save as .obj or .ply, which store larger numbers");
 }
 
 }  // namespace

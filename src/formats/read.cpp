@@ -20,7 +20,7 @@ ReadResult by_extension(const Source& source) {
   const bool binary = looks_binary(source.bytes);
   if (!binary && looks_like_obj(source)) return read_obj(source);
   if (!binary && named && named->read) return named->read(source);
-  throw base::Error(source.name, "the content is not " + format_names(holds_surface),
+  throw base::Error(source.name, "the file is not " + format_names(holds_surface),
                     "export the model in one of these formats");
 }
 
@@ -28,13 +28,14 @@ ReadResult by_extension(const Source& source) {
 
 ReadResult read(const Source& source) {
   try {
-    // In reverse order: the beginning of a binary file may look like any keyword.
+    // In reverse order, so that STL comes before OFF and PLY: a binary STL may start with any text.
     for (const Format& format : std::views::reverse(all_formats())) {
       if (format.recognised && format.recognised(source)) return format.read(source);
     }
     return by_extension(source);
   } catch (const std::bad_alloc&) {
-    throw base::Error(source.name, "the model does not fit into memory", "reduce it or use a larger machine");
+    throw base::Error(source.name, "the model does not fit into memory",
+                      "simplify the model or use a computer with more memory");
   }
 }
 

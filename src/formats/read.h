@@ -13,11 +13,11 @@
 
 namespace viete::formats {
 
-/// Detects the format by content, then by extension. Throws base::Error with file, place and advice; throws
-/// base::Cancelled. Memory is proportional to the file size: declared sizes are checked against the bytes.
-/// Rejects coordinates beyond 1e100, so that volumes stay finite. A file without faces is read as points,
-/// with a warning. progress may be null. `played`: the caller plays the morph targets, and the surface
-/// excludes them; otherwise they have their default weights, with a warning.
+/// Detects the format by content, then by extension. Throws base::Error with file, place and advice, and
+/// base::Cancelled. Declared sizes are checked against the file size before memory is allocated. Coordinates
+/// beyond 1e100 are rejected, so that volumes stay finite. A file without faces gives points and a warning.
+/// progress may be null. played: true if the caller plays the morph targets, so that the surface excludes
+/// them; otherwise they have their default weights and cause a warning.
 ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr, bool played = false);
 
 /// Reads from memory.

@@ -1,4 +1,4 @@
-// Copies the bytes of a file and replaces some words.
+// Copies a text file and replaces some words.
 #pragma once
 
 #include <algorithm>
@@ -21,24 +21,24 @@ namespace viete::formats {
 
 using ThreeWords = std::array<std::string_view, 3>;
 
-/// The next three words of the line; missing ones are empty.
+/// The next three words of the line; missing words are empty.
 inline ThreeWords three_words(TextCursor& text) {
   return {text.word(), text.word(), text.word()};  // from left to right
 }
 
-/// Replacements must be in file order; everything between them is copied.
+/// Replacements must be in file order. The bytes between them are copied.
 class Rewriter {
 public:
   Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
 
-  /// word must point into the bytes.
+  /// word: a part of the bytes.
   void replace(std::string_view word, std::string_view by) {
-    copy_until(offset_of(word));
+    copy_until(static_cast<std::size_t>(word.data() - bytes_.data()));
     out_.text(by);
     copied_ += word.size();
   }
 
-  /// Replaces the words of a vector that changed. Components that print alike stay.
+  /// Replaces the words of the components that changed. A component that prints to the same text stays.
   void replace(const ThreeWords& words, const mesh::Vec3& before, const mesh::Vec3& now,
                const Printed& printed) {
     if (!mesh::changed(before, now)) return;
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// Copies up to an offset, for insertions there.
+  /// Copies the bytes before this offset, so that the caller can insert text there.
   void copy_until(std::size_t offset) {
     constexpr std::size_t portion = 1 << 18;
     while (copied_ < offset) {
@@ -60,10 +60,6 @@ public:
   }
 
   void finish() { copy_until(bytes_.size()); }
-
-  std::size_t offset_of(std::string_view word) const {
-    return static_cast<std::size_t>(word.data() - bytes_.data());
-  }
 
 private:
   std::string_view bytes_;

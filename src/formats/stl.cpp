@@ -18,15 +18,15 @@ namespace viete::formats {
 
 namespace {
 
-constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // of a binary file
+constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // sizes in a binary file
 
-// A keyword in lower case, at most 16 letters.
+// The first 16 letters in lower case; no keyword is longer.
 std::string lower_stl_word(std::string_view word) {
   return lower_case(word.substr(0, 16));
 }
 
-// Bytes read at a wrong offset give implausible coordinates and normals.
-bool makes_sense(const char* triangle) {
+// False for implausible coordinates or normals, which result from reading at a wrong offset.
+bool is_plausible(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
     if (size != 0 && !(size > 1e-37 && size < (i < 3 ? 1e6 : 1e30))) return false;
@@ -52,17 +52,17 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// The triangles of a binary file. Some files store the counted attribute bytes after each triangle.
+// The offsets of triangles in a binary file. In some files attribute bytes follow each triangle.
 struct Layout {
   std::size_t count = 0, end = 0;
-  std::vector<std::size_t> starts = {};  // only if attributes follow
+  std::vector<std::size_t> starts = {};  // empty if no attribute bytes follow
 
   std::size_t offset(std::size_t triangle) const {
     return starts.empty() ? head_bytes + triangle_bytes * triangle : starts[triangle];
   }
 };
 
-// False if no attributes follow the triangles, or if they exceed the file.
+// Sets the offsets if attribute bytes follow the triangles. Returns false if they do not, or exceed the file.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;
@@ -90,21 +90,20 @@ Layout layout_of(const Source& source) {
     refuse("a binary STL has at least 84 bytes, this file has " + std::to_string(bytes.size()));
   Layout layout{.count = announced(bytes)};
   const std::size_t room = bytes.size() - head_bytes;
-  const std::string header = "the header announces " + std::to_string(layout.count) + " triangles";
+  const std::string header = "the header declares " + std::to_string(layout.count) + " triangles";
   if (layout.count > room / triangle_bytes)
     refuse(header + ", the file has room for " + std::to_string(room / triangle_bytes));
   if (layout.count == 0 && room > 0) refuse(header + ", and " + std::to_string(room) + " bytes follow");
   layout.end = head_bytes + layout.count * triangle_bytes;
   if (layout.end == bytes.size() || follow_attributes(bytes, layout)) return layout;
   for (std::size_t t = 0; t < layout.count; ++t) {
-    if (!makes_sense(bytes.data() + layout.offset(t)))
-      refuse(header +
-             ", but the file size matches them neither without nor with the attributes that they count");
+    if (!is_plausible(bytes.data() + layout.offset(t)))
+      refuse(header + ", which does not match the file size with or without attributes");
   }
   return layout;
 }
 
-// Joins equal corners.
+// Adds corners to the builder; equal corners become one vertex.
 class CornerJoiner {
 public:
   explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
@@ -122,7 +121,7 @@ private:
   mesh::PointIndex index_;
 };
 
-// The corners and the normals of facets, still without their places.
+// The corners and normals of facets; the caller sets their places.
 VectorFile vectors_of_facets(bool text) {
   VectorFile file{.format = "STL", .text = text};
   file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});
@@ -144,10 +143,9 @@ ReadResult read_binary(const Source& source) {
     for (int c = 0; c < 3; ++c) {
       mesh::Point p{};
       for (int i = 0; i < 3; ++i) p[i] = number_of_bytes<float>(at + 12 * c + 4 * i);
-      if (!std::isfinite(p[0] + p[1] + p[2])) {
+      if (!std::isfinite(p[0] + p[1] + p[2]))
         throw base::Error(source.place("triangle", t), "a coordinate is not a finite number",
                           "repair the triangle");
-      }
       corners.add(p);
     }
     builder.end_polygon();
@@ -155,10 +153,9 @@ ReadResult read_binary(const Source& source) {
   }
   if (!layout->starts.empty()) builder.warn(source.name + ": ignored the attributes of triangles");
   const std::size_t behind = source.bytes.size() - layout->end;
-  if (behind > 0) {
+  if (behind > 0)
     builder.warn(source.name + ": ignored " + std::to_string(behind) + " bytes after the " +
-                 std::to_string(triangles) + " triangles that the header announces");
-  }
+                 std::to_string(triangles) + " triangles that the header declares");
   ReadResult result = builder.finish("STL binary");
   VectorFile file = vectors_of_facets(false);
   for (FileVectors& vectors : file.vectors) {
@@ -187,7 +184,7 @@ public:
     }
     if (in_facet_)
       text_.fail("the file ends within a facet", "it seems to be truncated: export or copy it again");
-    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be cut short");
+    if (!ended_) builder_.warn(source_.name + ": the last line is not endsolid, the file may be truncated");
     ReadResult result = builder_.finish("STL ascii");
     VectorFile file = vectors_of_facets(true);
     file.vectors[0].set_places(std::move(corner_places_));
@@ -201,12 +198,12 @@ private:
     if (word == "vertex") {
       TextCursor ahead = text_;
       const double x = text_.coordinate(), y = text_.coordinate(), z = text_.coordinate();
-      if (!in_facet_) text_.fail("vertex outside of a facet", "export the model again");
+      if (!in_facet_) text_.fail("a vertex is outside of a facet", "export the model again");
       corners_.add({x, y, z});
       if (source_.owner) corner_places_.push_back(places_of_three(ahead));
       ++facet_corners_;
     } else if (word == "facet") {
-      if (in_facet_) text_.fail("facet within a facet", "export the model again");
+      if (in_facet_) text_.fail("a facet begins within another facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
       text_.word();  // "normal"
@@ -218,16 +215,15 @@ private:
     } else if (word == "endsolid") {
       ended_ = true;
     } else if (word != "outer" && word != "endloop") {
-      text_.fail(in_quotes(word) + " is not a word of STL", "export the model again");
+      text_.fail(in_quotes(word) + " is not an STL keyword", "export the model again");
     }
     if (word != "endsolid") ended_ = false;
   }
 
   void end_facet() {
-    if (!in_facet_ || facet_corners_ != 3) {
-      text_.fail("facet with " + std::to_string(facet_corners_) + " corners instead of 3",
+    if (!in_facet_ || facet_corners_ != 3)
+      text_.fail("a facet has " + std::to_string(facet_corners_) + " corners instead of 3",
                  "export the model again");
-    }
     builder_.end_polygon();
     in_facet_ = false;
   }
@@ -250,14 +246,14 @@ bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (count == 0 || least >= file_size) return least == file_size;
   std::size_t at = head_bytes;
   for (std::size_t t = 0; t < count && at + triangle_bytes <= beginning.size(); ++t) {
-    if (!makes_sense(beginning.data() + at)) return false;
+    if (!is_plausible(beginning.data() + at)) return false;
     at += triangle_bytes;
     at += number_of_bytes<std::uint16_t>(beginning.data() + at - 2);
   }
   return true;
 }
 
-// The facet normal; zero without area.
+// The unit normal; 0 0 0 for a triangle without area.
 mesh::Point unit_normal(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   mesh::Point u = b - a, v = c - a;
   const double scale = std::max(mesh::largest_abs(u), mesh::largest_abs(v));

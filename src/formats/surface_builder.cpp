@@ -9,24 +9,18 @@
 
 namespace viete::formats {
 
-namespace {
-
 constexpr std::size_t most_indices = std::numeric_limits<std::uint32_t>::max();
 
-}  // namespace
-
 void SurfaceBuilder::position(const mesh::Point& p) {
-  if (vertex_count() >= most_indices) {
-    throw base::Error(source_.name, "more than 4294967295 vertices", "split the model");
-  }
+  if (vertex_count() >= most_indices)
+    throw base::Error(source_.name, "the file has more than 4294967295 vertices", "split the model");
   result_.surface.positions.push_back(p);
 }
 
 void SurfaceBuilder::end_polygon() {
   mesh::Surface& s = result_.surface;
-  if (s.corners.size() > most_indices) {
-    throw base::Error(source_.name, "more than 4294967295 polygon corners", "split the model");
-  }
+  if (s.corners.size() > most_indices)
+    throw base::Error(source_.name, "the file has more than 4294967295 polygon corners", "split the model");
   if (s.corners.size() < s.polygon_starts.back() + std::size_t{3}) {
     s.corners.resize(s.polygon_starts.back());
     ++short_polygons_;
@@ -47,15 +41,14 @@ void SurfaceBuilder::comments(TextCursor& text) {
 
 ReadResult SurfaceBuilder::finish(std::string format) {
   for (std::string& warning : result_.warnings) warning = base::printable(warning);
-  if (result_.surface.positions.empty()) {
+  if (result_.surface.positions.empty())
     throw base::Error(source_.name, "no vertices found in this " + format + " file",
                       "export the model again");
-  }
-  if (short_polygons_ > 0) {
-    warn(source_.name + ": left out " + base::counted(short_polygons_, "face") +
+  if (short_polygons_ > 0)
+    warn(source_.name + ": ignored " + base::counted(short_polygons_, "face") +
          " with fewer than three corners");
-  }
-  if (result_.surface.polygon_count() == 0) warn(source_.name + ": no faces, only a set of points");
+  if (result_.surface.polygon_count() == 0)
+    warn(source_.name + ": the file has no faces, only a set of points");
   result_.format = std::move(format);
   triangulate(result_.surface);
   source_.report(1);

@@ -1,4 +1,4 @@
-// Collects a reader's data and ensures the invariants of Surface.
+// Builds a valid Surface from the vertices and polygons that a reader finds.
 #pragma once
 
 #include <cstddef>
@@ -24,20 +24,20 @@ public:
   /// Throws base::Error past 2^32 - 1 vertices.
   void position(const mesh::Point& p);
 
-  /// The index must be checked before finish().
+  /// The caller must check the index before finish().
   void corner(std::uint32_t vertex) { result_.surface.corners.push_back(vertex); }
 
-  /// Ends a polygon of the corners added since the last one. Drops and counts those with fewer than three
-  /// corners; finish() warns about them.
+  /// Makes a polygon of the corners added since the previous polygon. Drops a polygon with fewer than three
+  /// corners; finish() adds a warning.
   void end_polygon();
 
-  /// Keeps the comment if it is among the first 64 of the header.
+  /// Keeps the first 64 comments.
   void comment(std::string_view text);
-  /// The comments up to the first statement.
+  /// Adds the comments before the first statement.
   void comments(TextCursor& text);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
-  /// Triangulates the polygons. Throws base::Error without vertices; warns without polygons.
+  /// Triangulates the polygons. Throws base::Error if there are no vertices; warns if there are no polygons.
   ReadResult finish(std::string format);
 
 private:

@@ -10,8 +10,8 @@ namespace viete::formats {
 
 namespace {
 
-// True if a decimal number beyond the range of double is too small rather than too large, which
-// std::from_chars does not tell.
+// For a number beyond the range of double: true if it is too small, false if it is too large. The error code
+// of std::from_chars does not distinguish these cases.
 bool is_tiny(std::string_view number) {
   long double value = 0;
   const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
@@ -26,15 +26,15 @@ std::string advice_on(std::string_view word) {
   if (holds("\xE2\x88\x92") || holds("\xE2\x80\x93"))
     return "its sign is a typographic dash: use the ASCII minus sign -";
   if (holds("#") || holds("ind") || holds("IND"))
-    return "it stands for an invalid number: repair it, or export again";
+    return "it means an invalid number: repair it, or export the file again";
   if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write it in decimals";
   const std::string_view signs = "+-";
   for (std::size_t i = 1; i < word.size(); ++i) {
     if (signs.find(word[i]) == std::string_view::npos) continue;
     if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
-    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: write e for d";
+    if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: replace d by e";
     if (word[i - 1] != 'e' && word[i - 1] != 'E')
-      return "it contains a sign: separate numbers by a blank or write e before the exponent";
+      return "it contains a sign: put a blank between numbers, or e before the exponent";
   }
   return "repair or export the file again";
 }
@@ -82,9 +82,8 @@ bool TextCursor::next_filled_line() {
 }
 
 void TextCursor::need_word(std::string_view what) {
-  if (!next_filled_line()) {
+  if (!next_filled_line())
     fail("the file ends before " + std::string(what), "it seems to be truncated: export or copy it again");
-  }
 }
 
 std::string_view TextCursor::word() {
@@ -111,7 +110,7 @@ std::string_view TextCursor::rest_of_line() {
 }
 
 double TextCursor::coordinate() {
-  if (at_line_end()) fail("a coordinate is missing", "every vertex needs x, y and z");
+  if (at_line_end()) fail("a coordinate is missing", "write x, y and z for every vertex");
   const char* const from = at_;
   double value = 0;
   const auto [to, code] = std::from_chars(from, end_, value);
@@ -128,7 +127,7 @@ double TextCursor::coordinate() {
   return value;
 }
 
-// Handles a plus sign, which from_chars rejects, and underflow to 0; otherwise reports a non-number.
+// Accepts a plus sign, which from_chars rejects, and returns 0 on underflow. Other text throws base::Error.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
   const char* const number = from + (plus ? 1 : 0);
@@ -160,23 +159,20 @@ std::int64_t TextCursor::leading_integer(std::string_view what) {
   const char* const from = at_ + (*at_ == '+' ? 1 : 0);
   std::int64_t value = 0;
   const auto [to, code] = std::from_chars(from, end_, value);
-  if (code == std::errc::result_out_of_range) {
+  if (code == std::errc::result_out_of_range)
     fail(std::string(what) + " " + in_quotes(rest_of_word()) + " is too large",
          "repair or export the file again");
-  }
-  if (code != std::errc()) {
+  if (code != std::errc())
     fail(in_quotes(rest_of_word()) + " is not a " + std::string(what), "repair or export the file again");
-  }
   at_ = to;
   return value;
 }
 
 std::int64_t TextCursor::integer(std::string_view what) {
   const std::int64_t value = leading_integer(what);
-  if (!ends_word(at_)) {
+  if (!ends_word(at_))
     fail(std::to_string(value) + std::string(rest_of_word().substr(0, 16)) + " is not a " + std::string(what),
          "repair or export the file again");
-  }
   return value;
 }
 

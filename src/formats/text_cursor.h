@@ -1,4 +1,4 @@
-// Reads a text file word by word, with line numbers and precise errors.
+// Reads a text file word by word. Errors contain the line number.
 #pragma once
 
 #include <charconv>
@@ -13,13 +13,12 @@
 
 namespace viete::formats {
 
-/// Differences between text formats.
 struct TextRules {
-  char comment = '\0';           ///< starts a comment up to the line end; '\0': no comments
+  char comment = '\0';           ///< starts a comment that ends with the line; '\0': no comments
   bool continued_lines = false;  ///< a backslash at the line end joins the next line (OBJ)
 };
 
-/// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. Nothing depends on the locale.
+/// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. Independent of the locale.
 class TextCursor {
 public:
   TextCursor(const Source& source, TextRules rules);
@@ -28,10 +27,10 @@ public:
   std::size_t line() const { return line_; }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
-  /// The part already read, in [0, 1].
+  /// The fraction already read, in [0, 1].
   double done() const { return static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_ + 1); }
 
-  /// Skips blanks. True at the end of the line, of its uncommented part or of the text.
+  /// Skips blanks. True if a line end, a comment or the end of the text follows.
   bool at_line_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '\r' || (*at_ == rules_.comment && rules_.comment);
@@ -40,31 +39,31 @@ public:
   /// Moves past the end of this line and its continuation lines.
   void next_line();
 
-  /// Moves to the next non-empty line, starting with the current one; false at the end of the text.
+  /// Moves to the next word, if necessary in a later line. Returns false at the end of the text.
   bool next_filled_line();
 
-  /// As next_filled_line(), for text where line ends are ordinary blanks. Throws at the end of the text.
+  /// As next_filled_line(), but throws base::Error at the end of the text. what: the missing word.
   void need_word(std::string_view what);
 
-  /// The next word of this line, empty if there is none.
+  /// Reads the next word of this line; empty if there is none.
   std::string_view word();
 
-  /// The rest of this line, trimmed, with comments, without continuation lines. Stops before the line end.
+  /// Reads the rest of this line without blanks at its ends. Includes comments, but no continuation lines.
   std::string_view rest_of_line();
 
-  /// The next word as a coordinate: finite, at most 1e100 in size so that volumes stay finite.
+  /// Reads the next word as a finite number of size at most 1e100, so that volumes stay finite.
   double coordinate();
 
-  /// Reads at most to.size() numbers of this line, up to the first other word. Returns their number.
+  /// Reads up to to.size() numbers of this line, until a word is not a number. Returns how many it has read.
   std::size_t numbers(std::span<double> to);
 
-  /// The next word as an integer. what: its name in messages, "face index".
+  /// Reads the next word as an integer. what: its name in messages, "face index".
   std::int64_t integer(std::string_view what);
 
-  /// The integer at the start of the next word; leaves the rest of the word.
+  /// Reads the integer at the start of the next word and leaves the rest of the word.
   std::int64_t leading_integer(std::string_view what);
 
-  /// The characters up to the next blank. Does not skip blanks first.
+  /// Reads the characters up to the next blank, without skipping blanks first.
   std::string_view rest_of_word();
 
   /// `name:line`.
@@ -101,13 +100,13 @@ private:
   std::size_t line_ = 1;
 };
 
-/// A word as a finite number; empty if it is not a finite number.
+/// The word as a finite number; empty if it is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
-/// A word for messages: quoted, cut after 32 bytes, unprintable characters replaced by '?'.
+/// The word in quotes for messages: cut after 32 bytes, with '?' for characters that are not printable ASCII.
 std::string in_quotes(std::string_view word);
 
-/// A comment to keep: trimmed, without leading marks, at most 200 bytes.
+/// The comment without leading blanks and '#', cut to at most 200 bytes.
 std::string clipped(std::string_view comment);
 
 }  // namespace viete::formats

@@ -1,4 +1,4 @@
-// Writes numbers as text that reads back exactly; independent of the locale.
+// Writes text and numbers in portions. Numbers read back exactly and are independent of the locale.
 #pragma once
 
 #include <charconv>
@@ -21,29 +21,29 @@ namespace viete::formats {
 /// Digits of coordinates in text files.
 struct Digits {
   enum class Kind {
-    as_printed,  ///< as many decimals as the original file has; without one, as `all`
-    all,         ///< the shortest that read back as the same double
+    as_printed,  ///< as many decimals as in the file that was read; for a new file as `all`
+    all,         ///< the shortest digits that read back as the same double
     decimals     ///< a fixed number of decimals
   };
   Kind kind = Kind::as_printed;
   int decimals = 0;  ///< for Kind::decimals
 };
 
-/// Content of a file to write.
+/// The content of a file to write.
 struct Content {
   const mesh::Surface& surface;
-  std::span<const mesh::Point> positions;  ///< replace those of the surface
+  std::span<const mesh::Point> positions;  ///< written instead of surface.positions
   const std::vector<std::string>& comments;
-  const Attributes* attributes = nullptr;  ///< belong to the surface; may be null
+  const Attributes* attributes = nullptr;  ///< of the surface; may be null
 
-  /// The attributes; empty ones if null.
+  /// The attributes, or empty attributes if null.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;
   }
 };
 
-/// Passes bytes on in portions, so that a large file is never entirely in memory.
+/// Sends bytes to the sink in portions, so that a large file is never entirely in memory.
 class TextWriter {
 public:
   explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr, Digits digits = {})
@@ -56,7 +56,7 @@ public:
     return *this;
   }
 
-  /// The shortest digits (17 at most) that read back exactly.
+  /// Writes the shortest digits (17 at most) that read back exactly.
   TextWriter& number(double value) { return shortest(value); }
   TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
@@ -71,11 +71,12 @@ public:
     return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]);
   }
 
-  /// Writes each line after the mark; line ends and control characters become blanks.
+  /// Writes each comment on a line after the mark.
   void comments(std::string_view mark, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
   }
 
+  /// Replaces control characters by blanks and removes blanks and backslashes from the end.
   static std::string one_line(std::string text) {
     for (char& c : text) {
       if (static_cast<unsigned char>(c) < 32) c = ' ';
@@ -84,7 +85,7 @@ public:
     return text;
   }
 
-  /// Call after each element with the number written and the total. Throws base::Cancelled.
+  /// Call after each element with the number of elements written and their total. Throws base::Cancelled.
   void element_done(std::size_t count, std::size_t of) {
     constexpr std::size_t portion = 1 << 18;
     if (out_.size() < portion) return;
@@ -92,7 +93,7 @@ public:
     if (progress_) progress_->report(static_cast<double>(count) / static_cast<double>(of));
   }
 
-  /// Passes on the remaining bytes.
+  /// Sends the remaining bytes.
   void finish() {
     sink_(out_);
     out_.clear();

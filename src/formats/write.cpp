@@ -27,7 +27,7 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-// The attributes after deformation; adds notes about lost content.
+// The attributes after deformation; sets notes about content that the format cannot store.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;
@@ -46,8 +46,8 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies external files beside the new file, so that it finds them, and adds them to `written`. Files outside
-// of the old folder are not copied, and no other file is overwritten. Returns messages for the user.
+// Copies external files to the folder of the new file and adds them to `written`. Does not copy files outside
+// the old folder, and does not overwrite files. Returns messages for the user.
 std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
                                          std::vector<fs::path>& written) {
   if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
@@ -74,9 +74,9 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   const auto tell = [&](const char* what, const std::set<std::string>& names) {
     if (!names.empty()) notes.push_back(what + list_of_names(names));
   };
-  tell("copied files it refers to: ", copied);
-  tell("kept existing files of the same name that differ: ", others);
-  tell("not copied, and possibly not found by it: ", stayed);
+  tell("copied files to which the model refers: ", copied);
+  tell("not copied, because different files with these names exist: ", others);
+  tell("not copied, because they are not in the folder of the model: ", stayed);
   return notes;
 }
 
@@ -100,8 +100,9 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
     return original->write_file(path, content.surface, content.positions, digits, progress);
   const Format& format = surface_format(path);
   if (!format.holds(held::points) && content.surface.triangles.empty())
-    throw base::Error(path.string(), std::string(format.name) + " stores only triangles, and there are none",
-                      "write " + format_extensions([](const Format& f) { return f.holds(held::points); }));
+    throw base::Error(path.string(),
+                      std::string(format.name) + " stores only triangles, and the model has no triangles",
+                      "save as " + format_extensions([](const Format& f) { return f.holds(held::points); }));
   std::vector<std::string> notes;
   const Attributes now = converted(format, content, original, notes);
   const Content what{content.surface, content.positions, content.comments, &now};
@@ -114,8 +115,8 @@ std::vector<std::string> write_animated(const std::filesystem::path& path, const
                                         base::Progress* progress) {
   const Format& format = surface_format(path);
   if (!format.holds_morphs)
-    throw base::Error(path.string(), "this format has no morph targets",
-                      "write " + format_extensions(holds_morphs));
+    throw base::Error(path.string(), "this format cannot store morph targets",
+                      "save as " + format_extensions(holds_morphs));
   check_motion(motion, content.surface.positions.size());
   check_written(path.string(), content.positions);
   std::vector<std::string> notes;
@@ -133,7 +134,7 @@ void check_keeps_vertices(const std::filesystem::path& path) {
   const Format* format = find_format(path);
   if (!format || !format->write || format->keeps_order) return;
   throw base::Error(path.string(), std::string(format->name) + " does not keep the order of the vertices",
-                    "save it as " + format_extensions(keeps_order));
+                    "save as " + format_extensions(keeps_order));
 }
 
 std::vector<std::string> Original::write_file(const std::filesystem::path& path, const mesh::Surface& rest,
@@ -143,10 +144,8 @@ std::vector<std::string> Original::write_file(const std::filesystem::path& path,
   std::vector<std::string> notes;
   try {
     notes = copy_companions(path, companions(), copies);
-    base::replace_file(path, [&](const base::ByteSink& sink) {
-      TextWriter out(sink, progress, digits);
+    write_as(path, digits, progress, [&](TextWriter& out) {
       std::ranges::move(write(rest, positions, out), std::back_inserter(notes));
-      out.finish();
     });
   } catch (...) {
     std::error_code ignored;
@@ -159,21 +158,22 @@ std::vector<std::string> Original::write_file(const std::filesystem::path& path,
 std::vector<std::string> Original::write_animated(const std::filesystem::path& path, const mesh::Surface&,
                                                   std::span<const mesh::Point>, const MorphMotion&,
                                                   base::Progress*) const {
-  throw base::Error(path.string(), "this format has no morph targets", "use a format with morph targets");
+  throw base::Error(path.string(), "this format cannot store morph targets",
+                    "save as " + format_extensions(holds_morphs));
 }
 
 void check_motion(const MorphMotion& motion, std::size_t vertices) {
   const auto& seconds = motion.seconds;
-  if (seconds.empty()) throw base::Error("", "an animation without keys", "add at least one");
+  if (seconds.empty()) throw base::Error("", "the animation has no keys", "add at least one key");
   for (std::size_t i = 0; i < seconds.size(); ++i) {
     const bool ascends = i == 0 || static_cast<float>(seconds[i]) > static_cast<float>(seconds[i - 1]);
     if (!std::isfinite(seconds[i]) || !ascends)
-      throw base::Error("key " + std::to_string(i), "its time does not come after that of the key before it",
-                        "use ascending times");
+      throw base::Error("key " + std::to_string(i), "the time is not after the time of the previous key",
+                        "move the key to a later time");
   }
   if (motion.moves.size() != vertices || motion.weights.size() != seconds.size() * motion.targets.size())
-    throw base::Error("", "the animation belongs to another model or other targets",
-                      "create it for this model");
+    throw base::Error("", "the animation does not match the number of vertices or targets of this model",
+                      "create the animation for this model");
 }
 
 }  // namespace viete::formats

@@ -13,7 +13,7 @@ const void* buffer_offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
-/// The clip rectangle in framebuffer pixels with origin bottom left, clipped to the framebuffer.
+/// A clip rectangle within the framebuffer, in device pixels, with the origin at the bottom left.
 struct Scissor {
   int x, y, width, height;
 };
@@ -29,7 +29,7 @@ Scissor scissor(const ImDrawCmd& command, const ImDrawData& data) {
           static_cast<int>(bottom - top)};
 }
 
-// For types that ImGui zero-fills, so that padding bytes compare equal.
+// Compares bytes; T must be a type that ImGui fills with zeros, so that padding bytes are equal.
 template <class T>
 bool same(const ImVector<T>& a, const ImVector<T>& b) {
   return a.Size == b.Size &&
@@ -60,7 +60,7 @@ void ImGuiRenderer::upload_fonts() {
   ImFontAtlas& fonts = *ImGui::GetIO().Fonts;
   fonts.GetTexDataAsRGBA32(&pixels, &width, &height);
   render::set_texture(gl_, 0, font_, width, height, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, pixels);
-  // NOLINTNEXTLINE(performance-no-int-to-ptr): a pointer before ImGui 1.91.4, an integer after
+  // NOLINTNEXTLINE(performance-no-int-to-ptr): ImTextureID is a pointer before ImGui 1.91.4, then an integer
   fonts.SetTexID((ImTextureID)(std::intptr_t)font_.id());
   drawn_.clear();
 }

@@ -1,4 +1,4 @@
-// Draws Dear ImGui's lists with OpenGL 3.3 (the packaged GL backend cannot run on OSMesa).
+// Draws Dear ImGui's lists with OpenGL 3.3. The renderer of the ImGui package does not work with OSMesa.
 #pragma once
 
 #include <imgui.h>
@@ -10,18 +10,18 @@
 
 namespace viete::platform {
 
-/// For the ImGui context current at construction. Works with ImGui 1.86 to 1.92. Add fonts before
-/// upload_fonts(). Texture ids in draw commands are GL texture names: (ImTextureID)(intptr_t)texture.
+/// Uses the ImGui context that is current at construction. Works with ImGui 1.86 to 1.92. Add fonts before
+/// upload_fonts(). The texture id in a draw command is a GL texture name: (ImTextureID)(intptr_t)texture.
 class ImGuiRenderer {
 public:
   explicit ImGuiRenderer(const render::Gl& gl);
 
   /// Builds and uploads the font atlas. Call again after font changes.
   void upload_fonts();
-  /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. Data from
+  /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. data: the result of
   /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
   void draw(const ImDrawData& data);
-  /// True if the last draw() had the same data, so that another one would give the same picture.
+  /// True if the last draw() had the same data and therefore gave the same picture.
   bool has_drawn(const ImDrawData& data) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   render::Buffer vertices_, indices_;
   render::Texture font_;
   std::vector<Drawn> drawn_;
-  ImVec2 size_{0, 0}, scale_{0, 0};  // used in the last drawing
+  ImVec2 size_{0, 0}, scale_{0, 0};  // of the last draw()
 };
 
 }  // namespace viete::platform

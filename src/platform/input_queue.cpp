@@ -27,7 +27,7 @@ bool is_modifier(const InputEvent& e) {
   return modifier_of(e) != no_modifier;
 }
 
-// GLFW codes of character keys: alphanumeric block and number pad.
+// True for the codes of keys that type a character, including the number pad.
 bool writes(int code) {
   return (code >= 32 && code < 256) || (code >= 320 && code <= 334);
 }
@@ -74,7 +74,7 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
 void InputQueue::configure() {
   ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM >= 18700
-  io.ConfigInputTrickleEventQueue = false;  // done by this queue
+  io.ConfigInputTrickleEventQueue = false;  // this queue does it
 #else
   const struct {
     ImGuiKey key;
@@ -94,7 +94,7 @@ void InputQueue::configure() {
 #endif
 }
 
-// Text fields use the character, not the key. A key release is only passed on if its press was.
+// True for a key that types a character into a text field: ImGui gets the character instead of the key.
 bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   if (event.kind != Kind::key || is_modifier(event)) return false;
   if (!event.down) return std::erase(written_, event.code) > 0;
@@ -103,10 +103,9 @@ bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   return true;
 }
 
-// A frame accepts many events, but never two changes of one key or button, a move after a button, a modifier
-// change after a key or button, a second key, or, in a text field, text after a key. ImGui samples its input
-// once per frame and would lose short presses, press positions, modifiers and the order of keys. Text alone
-// goes into a field at once, including capitals.
+// Passes on many events in one frame, but not two changes of one key or button, a move after a button, a
+// modifier change after a key or button, a second key or, in a text field, text after a key. ImGui reads its
+// input once per frame and would lose short presses, positions, modifiers and the order of keys.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   const bool typing = io.WantTextInput;
@@ -124,7 +123,6 @@ void InputQueue::feed_frame() {
     if (stroke && (is_modifier(event) || (strokes && event.down))) return;
     if (stroke && typing && event.kind == Kind::text) return;
     if (switches) changed.push_back(what);
-    // With Ctrl or Alt a key is a command, even in a text field.
     if (modifier_of(event) == ctrl || modifier_of(event) == alt) commands_ = event.down;
     stroke |= strokes;
     button_changed |= event.kind == Kind::button;

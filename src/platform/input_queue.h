@@ -1,4 +1,4 @@
-// Passes events of the window or of a script to ImGui in order.
+// Passes the events of a window or script to ImGui in order.
 #pragma once
 
 #include <deque>
@@ -9,12 +9,11 @@
 
 namespace viete::platform {
 
-/// Positions in logical pixels; key codes are GLFW's.
 struct InputEvent {
   enum class Kind { move, button, wheel, key, text, leave };
   Kind kind = Kind::move;
-  glm::vec2 position{0, 0};  ///< move
-  int code = 0;              ///< button 0..2 (left, right, middle) or key
+  glm::vec2 position{0, 0};  ///< for move, in logical pixels
+  int code = 0;              ///< for button: 0 left, 1 right, 2 middle; for key: the key code of GLFW
   bool down = false;
   float wheel = 0;
   std::string text{};  ///< UTF-8
@@ -27,21 +26,20 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// Events that ImGui cannot tell apart within one frame, such as a press and release, wait for the next
-/// frame, so that a fast click is not lost.
+/// ImGui may lose an event if two events change the same button in one frame, for example a fast click. The
+/// second event therefore waits for the next frame.
 class InputQueue {
 public:
-  /// ImGui's key for a key code; before ImGui 1.87 the code itself; 0: unused.
+  /// Returns ImGui's key for a key code (before ImGui 1.87 the code itself), or 0 for an unused key.
   using KeyTable = int (*)(int code);
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
-  /// All characters of a frame go to the text field at once.
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Configures ImGui's input (old versions need a key map). Call once per ImGui context.
+  /// Configures the input of ImGui. Call once per ImGui context.
   static void configure();
-  /// Feeds ImGuiIO; call before ImGui::NewFrame().
+  /// Passes the events of a frame to ImGuiIO. Call before ImGui::NewFrame().
   void feed_frame();
 
 private:
@@ -49,7 +47,7 @@ private:
 
   KeyTable imgui_key_;
   bool commands_ = false;     // Ctrl or Alt is pressed
-  std::vector<int> written_;  // keys pressed only for their character
+  std::vector<int> written_;  // pressed keys that typed a character and were not passed on
   std::deque<InputEvent> events_;
 };
 

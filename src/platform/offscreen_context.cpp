@@ -22,15 +22,15 @@ namespace {
 
 using base::Error;
 
-/// A library that stays loaded until the process ends, because drivers do not survive unloading. RTLD_LOCAL
-/// separates its GL functions from those of other GL libraries.
+/// A library that stays loaded until the process ends, because drivers crash when unloaded. RTLD_LOCAL keeps
+/// its GL functions separate from other GL libraries.
 class Library {
 public:
   Library(std::initializer_list<const char*> names) {
     for (const char* name : names) {
       if (handle_ == nullptr) handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL);
     }
-    if (handle_ == nullptr) throw Error(*names.begin(), "is not installed");
+    if (handle_ == nullptr) throw Error(*names.begin(), "the library is not installed");
   }
 
   struct Function {
@@ -42,7 +42,7 @@ public:
   };
   Function find(const char* name) const {
     void* const address = dlsym(handle_, name);
-    if (address == nullptr) throw Error(name, "is missing in the library");
+    if (address == nullptr) throw Error(name, "the function is missing in the library");
     return {address};
   }
 
@@ -50,9 +50,9 @@ private:
   void* handle_ = nullptr;
 };
 
-// Copied from GL/osmesa.h, so that the header need not be installed.
+// The functions of GL/osmesa.h, declared here so that building does not need this header.
 struct OsmesaApi {
-  // Format, bits of depth, core profile, version.
+  // RGBA, 24 bits of depth, core profile, version 3.3.
   static constexpr int attributes[] = {0x22, GL_RGBA, 0x30, 24, 0x33, 0x34, 0x36, 3, 0x37, 3, 0};
 
   Library library{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
@@ -66,7 +66,7 @@ struct OsmesaApi {
 class OsmesaContext final : public OffscreenContext {
 public:
   OsmesaContext() {
-    if (context_ == nullptr) throw Error("OSMesa", "offers no OpenGL 3.3 core context");
+    if (context_ == nullptr) throw Error("OSMesa", "OpenGL 3.3 core is not supported");
     if (api_.make_current(context_, buffer_.data(), GL_UNSIGNED_BYTE, side, side) == GL_FALSE)
       throw Error("OSMesa", "the context cannot be made current");
   }
@@ -78,7 +78,7 @@ public:
   render::Proc get_proc_address(const char* name) const override { return api_.get_proc_address(name); }
 
 private:
-  static constexpr int side = 16;  // OSMesa needs a buffer, but drawing uses a framebuffer object
+  static constexpr int side = 16;  // OSMesa requires a buffer, which is not used
 
   OsmesaApi api_;
   std::array<std::uint8_t, 4 * side * side> buffer_{};
@@ -96,7 +96,7 @@ struct EglApi {
   decltype(&eglMakeCurrent) make_current = library.find("eglMakeCurrent");
 };
 
-// Without a surface. Never terminates the display, which all contexts of the process share.
+// A context without a surface. Does not terminate the display, which all contexts of the process share.
 class EglContext final : public OffscreenContext {
 public:
   EglContext() {
@@ -131,7 +131,7 @@ private:
       for (EGLint i = 0; i < count; ++i)
         if (open(EGL_PLATFORM_DEVICE_EXT, devices[i])) return;
     }
-    throw Error("EGL", "offers no display without a surface");
+    throw Error("EGL", "drawing without a window is not supported");
   }
 
   void create_context() {
@@ -147,9 +147,9 @@ private:
     EGLint count = 0;
     api_.bind_api(EGL_OPENGL_API);
     api_.choose_config(display_, wanted, &config, 1, &count);
-    if (count == 0) throw Error("EGL", "offers no configuration for desktop OpenGL");
+    if (count == 0) throw Error("EGL", "desktop OpenGL is not supported");
     context_ = api_.create_context(display_, config, EGL_NO_CONTEXT, attributes);
-    if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "offers no OpenGL 3.3 core context");
+    if (context_ == EGL_NO_CONTEXT) throw Error("EGL", "OpenGL 3.3 core is not supported");
   }
 
   EglApi api_;
@@ -170,8 +170,8 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 }  // namespace
 
 void spare_rasteriser_threads() {
-  const int wanted =
-      static_cast<int>(std::thread::hardware_concurrency()) + 2;  // the driver creates additional threads
+  constexpr int other_threads = 2;  // of the driver
+  const int wanted = static_cast<int>(std::thread::hardware_concurrency()) + other_threads;
   if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }
 
@@ -183,7 +183,7 @@ std::unique_ptr<OffscreenContext> OffscreenContext::create(Kind kind) {
   if (!context && kind != Kind::osmesa)
     context = attempt(tried, [] { return std::make_unique<EglContext>(); });
   if (context) return context;
-  throw Error("offscreen picture", "no OpenGL context can be made (tried: " + tried + ")",
+  throw Error("offscreen picture", "no OpenGL context could be created (" + tried + ")",
               "install libosmesa6, or libegl1 with libgl1-mesa-dri");
 }
 

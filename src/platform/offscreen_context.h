@@ -1,4 +1,4 @@
-// An OpenGL context without a window: OSMesa, else EGL without a surface, both loaded at run time.
+// An OpenGL context without a window, by OSMesa or EGL; both libraries are loaded at run time.
 #pragma once
 
 #include <memory>
@@ -7,15 +7,15 @@
 
 namespace viete::platform {
 
-/// A context, current in the thread that created it. Draw into a render::Framebuffer, as there is no default
-/// one. One context per thread: never create one in the thread that owns a GLFW window (they share Mesa's
-/// current-context slot).
+/// A context, which is current in the thread that created it. It has no default framebuffer: draw into a
+/// render::Framebuffer. Each thread may have only one context. The thread of a GLFW window must not create
+/// another, because Mesa would replace the current context.
 class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: OSMesa first, then EGL with Mesa's CPU rasteriser (sets LIBGL_ALWAYS_SOFTWARE for the
-  /// process), so that pictures are the same on every machine, then EGL with any driver. Throws base::Error
+  /// any: tries OSMesa, then EGL with Mesa's CPU rasteriser, then EGL with any driver. CPU rasterisers give
+  /// the same pictures on every machine. EGL sets LIBGL_ALWAYS_SOFTWARE for the process. Throws base::Error
   /// with the reason of each failed attempt.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
@@ -23,16 +23,16 @@ public:
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// For render::load_gl: load_gl([&](const char* n) { return context.get_proc_address(n); }).
+  /// For render::load_gl().
   virtual render::Proc get_proc_address(const char* name) const = 0;
 
 protected:
   OffscreenContext() = default;
 };
 
-/// Call before creating any context, including a window's. Mesa's CPU rasteriser waits forever for threads
-/// that the system refused to create; if there are too few, this disables its threads (LP_NUM_THREADS=0,
-/// unless set).
+/// Call before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to create
+/// its threads. If that would happen, this function disables them: it sets LP_NUM_THREADS=0 unless already
+/// set.
 void spare_rasteriser_threads();
 
 }  // namespace viete::platform

@@ -23,7 +23,7 @@ std::string last_glfw_error() {
   return reason;
 }
 
-// GLFW names keys by their position on a US keyboard; shortcuts use the printed label.
+// The code of the letter printed on the key. GLFW names keys by their position on a US keyboard.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);
@@ -31,8 +31,8 @@ int labelled(int key, int scancode) {
   return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
 
-// Without any of these variables GLFW is not initialised: the Wayland library would print an error if the
-// session has no runtime folder, and otherwise open a window on any display found there.
+// Checked before GLFW is initialised. Otherwise the Wayland library might print an error, or open a window on
+// any display that it finds in the runtime folder.
 bool display_is_named() {
   const auto given = [](const char* variable) {
     const char* value = std::getenv(variable);
@@ -41,10 +41,9 @@ bool display_is_named() {
   return given("DISPLAY") || given("WAYLAND_DISPLAY") || given("WAYLAND_SOCKET");
 }
 
-// Set by the signal handler, which must not touch anything else.
 volatile std::sig_atomic_t end_signal = 0;
 
-// The first signal acts as the close button. A second one before the window has reacted ends the program.
+// The first signal acts as the close button. A second signal before the window reacts ends the program.
 void take_end_signal(int number) {
   if (end_signal) {
     std::signal(number, SIG_DFL);
@@ -53,7 +52,7 @@ void take_end_signal(int number) {
   end_signal = 1;
 }
 
-// Keeps signals ignored that were ignored at start (nohup).
+// Signals that are already ignored, for example by nohup, stay ignored.
 void listen_to_end_signals() {
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
@@ -67,8 +66,8 @@ GLFWwindow* open_window(glm::ivec2 size) {
   glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
-  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // keeps full screen while another screen is used
-  // Identifies the application: the desktop looks for these names in assets/desktop/viete.desktop.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // stay full screen while another screen is used
+  // The desktop finds the application by these names in assets/desktop/viete.desktop.
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
 #ifdef GLFW_WAYLAND_APP_ID
@@ -83,7 +82,7 @@ float content_scale(GLFWwindow* window) {
   return scale;
 }
 
-// The screen area without desktop bars and window frame.
+// The size of the screen without desktop bars and window frame, or `otherwise` if it is unknown.
 glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (!screen) return otherwise;
@@ -94,14 +93,13 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Scales the window if window units are pixels; at most as large as the screen, and at least large enough for
-// the panels.
+// Sets the size of the window, limited to the screen, and a minimum size for the panels.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
   glfwGetWindowSize(window, &units.x, &units.y);
   glfwGetFramebufferSize(window, &pixels, nullptr);
-  const float factor = units.x == pixels ? scale : 1;
+  const float factor = units.x == pixels ? scale : 1;  // window units per logical pixel
   const auto in_units = [&](glm::ivec2 logical) { return glm::ivec2(glm::vec2(logical) * factor); };
   const glm::ivec2 wanted = in_units(size), least = in_units({640, 400});
   glfwSetWindowSizeLimits(window, least.x, least.y, GLFW_DONT_CARE, GLFW_DONT_CARE);
@@ -120,8 +118,7 @@ Area area_of(GLFWmonitor* screen) {
   return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
 }
 
-// The screen that shows most of the window; null if there is none. The first screen if the system does not
-// report window positions.
+// The screen that shows most of the window, or the first screen if positions are unknown. May be null.
 GLFWmonitor* screen_of(const Area& window) {
   int count = 0;
   GLFWmonitor** const screens = glfwGetMonitors(&count);
@@ -182,8 +179,7 @@ glm::ivec2 Window::size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(device_size()) / scale_));
 }
 
-// Window units are pixels on X11 and logical pixels on Wayland; events are converted by the size of one unit
-// in device pixels.
+// Logical pixels per window unit. A unit is a device pixel on X11 and a logical pixel on Wayland.
 float Window::logical_per_unit() const {
   int units = 0;
   glfwGetWindowSize(handle_, &units, nullptr);
@@ -222,7 +218,6 @@ void Window::listen(WindowEvents events) {
   listen_to_end_signals();
 }
 
-// The clipboard functions differ between ImGui versions.
 void Window::share_clipboard() {
 #if IMGUI_VERSION_NUM >= 19110
   ImGuiPlatformIO& io = ImGui::GetPlatformIO();

@@ -1,4 +1,4 @@
-// A GLFW window with an OpenGL context: receives events, presents pictures.
+// A GLFW window with an OpenGL context, which receives events and shows pictures.
 #pragma once
 
 #include <filesystem>
@@ -17,19 +17,20 @@ struct GLFWwindow;
 
 namespace viete::platform {
 
-/// Callbacks, called while the window polls or waits for events.
+/// Functions that poll_events() and wait_for_events() call.
 struct WindowEvents {
   std::function<void(InputEvent)> input;
   std::function<void(std::vector<std::filesystem::path>)> dropped;  ///< files dropped on the window
   std::function<void()> exposed;                                    ///< the window was resized or uncovered
 };
 
-/// At most one, in the main thread, where its context is current. While it exists, SIGTERM, SIGINT and SIGHUP
-/// ask it to close.
+/// Create at most one window, in the main thread. Its context is current in this thread. After listen(), the
+/// signals SIGTERM, SIGINT and SIGHUP act as the close button.
 class Window {
 public:
-  /// `size` is in logical pixels of `scale` device pixels each (0: the display's scale), and is limited to
-  /// the screen. Null without a display or OpenGL 3.3; `reason` then explains why.
+  /// size: in logical pixels; it is reduced to the size of the screen. scale: device pixels per logical
+  /// pixel; 0 selects the display's scale. Returns null if there is no display or no OpenGL 3.3, and sets
+  /// `reason`.
   static std::unique_ptr<Window> open(glm::ivec2 size, float scale, std::string& reason);
   ~Window();
   Window(const Window&) = delete;
@@ -41,7 +42,7 @@ public:
   glm::ivec2 size() const;
 
   void listen(WindowEvents events);
-  /// For the current ImGui context.
+  /// Connects the current ImGui context to the clipboard.
   void share_clipboard();
   void poll_events();
   void wait_for_events(double seconds);
@@ -49,7 +50,7 @@ public:
   bool asked_to_close();
 
   void set_title(const std::string& title);
-  /// Fills the screen that shows most of the window, or restores its place and size. No effect if already so.
+  /// true: fills the screen that shows most of the window. false: restores the previous place and size.
   void set_full_screen(bool full);
   bool full_screen() const;
   void present(render::Framebuffer& framebuffer);

@@ -1,4 +1,4 @@
-// Background gradient and ground grid.
+// Draws the background gradient and the ground grid.
 #pragma once
 
 #include "render/gl.h"
@@ -7,7 +7,8 @@
 
 namespace viete::render {
 
-/// A vertical gradient over the whole target, dithered against banding. Draw first; ignores depth.
+/// Draws a vertical gradient over the whole target, with dithering against visible steps. Draw it first: it
+/// ignores depth.
 class Backdrop {
 public:
   explicit Backdrop(const Gl& gl);
@@ -19,19 +20,18 @@ private:
   VertexArray vertex_array_;
 };
 
-/// Place and cell size of the ground grid, in world units.
+/// Place and cell size of the ground grid, in world units. Lines are aligned to the world origin.
 struct GridStyle {
-  Point center{0, 0, 0};  ///< a ground point below the model, from which the grid fades out; lines
-                          ///< are aligned to the world origin
-  double cell = 1;        ///< distance of fine lines; every tenth one is stronger
-  double radius = 10;     ///< distance from center at which the grid has faded out
-  int up = 1;             ///< axis that points up: 0 x, 1 y, 2 z
+  Point center{0, 0, 0};  ///< a ground point below the model, where the grid is strongest
+  double cell = 1;        ///< distance of fine lines; every tenth line is stronger
+  double radius = 10;     ///< distance from center at which the grid becomes invisible
+  int up = 1;             ///< the up axis: 0 x, 1 y, 2 z
 
   friend bool operator==(const GridStyle&, const GridStyle&) = default;
 };
 
-/// A plane of fine lines of constant width, faded by distance and at grazing angles. Draw after the surface:
-/// uses the depth test but writes no depth.
+/// Draws a plane of fine lines of constant width, which fade with the distance and at flat viewing angles.
+/// Draw it after the surface: it tests the depth but does not write it.
 class Grid {
 public:
   explicit Grid(const Gl& gl);

@@ -22,7 +22,7 @@ void require_supported(const Gl& gl, glm::ivec2 size) {
   if (size.x <= limit && size.y <= limit) return;
   throw base::Error(
       "picture",
-      size_text(size) + " pixels exceeds the driver's limit of " + std::to_string(limit) + " per side",
+      size_text(size) + " pixels exceed the driver's limit of " + std::to_string(limit) + " per side",
       "choose a smaller size or scale");
 }
 
@@ -57,7 +57,7 @@ void Framebuffer::begin(glm::ivec2 size, int samples) {
 
 void Framebuffer::allocate(glm::ivec2 size, int samples) {
   require_supported(gl_, size);
-  size_ = {0, 0};  // if anything below throws, the next begin() tries again
+  size_ = {0, 0};  // if an error follows, the next begin() tries again
   samples_ = samples;
   set_texture(gl_, 0, color_, size.x, size.y, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, nullptr);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());
@@ -83,7 +83,7 @@ void Framebuffer::allocate_multisampled(glm::ivec2 size) {
 
 void Framebuffer::require_complete(const char* what, glm::ivec2 size) const {
   if (gl_.CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
-  throw base::Error(what, "the driver rejects a target of " + size_text(size) + " pixels",
+  throw base::Error(what, "the graphics driver rejects a picture of " + size_text(size) + " pixels",
                     "choose a smaller size or fewer samples");
 }
 
@@ -127,9 +127,8 @@ Image Framebuffer::read(bool opaque) {
   check_gl(gl_, "reading the picture");
 
   Image image{size_.x, size_.y, std::vector<std::uint8_t>(bottom_up.size())};
-  for (int y = 0; y < size_.y; ++y) {
+  for (int y = 0; y < size_.y; ++y)
     std::memcpy(&image.rgba[row * y], &bottom_up[row * (size_.y - 1 - y)], row);
-  }
   for (std::size_t i = 3; opaque && i < image.rgba.size(); i += 4) image.rgba[i] = 255;
   return image;
 }

@@ -1,4 +1,4 @@
-// A render target: multisampled on request, resolved to a texture, read back or copied to the window.
+// A drawing target with optional multisampling, whose picture can be read or copied to the window.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,24 +8,24 @@
 
 namespace viete::render {
 
-/// Target of all drawing, in a window, OSMesa or EGL, which makes their pictures equal. Reallocated only when
-/// size or samples change. Colour is RGBA8 as displayed (no sRGB conversion by GL), depth 24 bits.
+/// All drawing goes to such a target, so that a window, OSMesa and EGL give the same picture. Memory is only
+/// reallocated if size or samples change. Colours are RGBA8 as displayed; depth has 24 bits.
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);
 
-  /// Binds the target and clears it to opaque black, depth 1. samples is clamped to GL_MAX_SAMPLES; below 2
-  /// means no multisampling. size is in device pixels, at least 1 x 1. Throws base::Error if the driver
-  /// rejects the size.
+  /// Binds the target and clears it to opaque black and depth 1. size: in device pixels, increased to at
+  /// least 1 x 1. samples: limited to GL_MAX_SAMPLES; no multisampling below 2. Throws base::Error if the
+  /// driver rejects the size.
   void begin(glm::ivec2 size, int samples);
-  /// Resolves multisampling (if any) and binds the result for further drawing.
+  /// Averages the samples of each pixel and binds the resulting picture for more drawing.
   void resolve();
-  /// Starts with another resolved picture stretched to the size instead of clearing; then open for drawing.
+  /// Binds the target and fills it with another resolved picture, stretched to the size.
   void begin_with(const Framebuffer& picture, glm::ivec2 size);
-  /// Copies the resolved picture to the default framebuffer of the current context and leaves that bound.
+  /// Copies the resolved picture to the window and leaves the window's framebuffer bound.
   void blit_to_window(glm::ivec2 window_size);
-  /// The resolved picture, top row first, alpha 255. If not `opaque`, keeps the drawn alpha; colours are
-  /// premultiplied.
+  /// Returns the resolved picture, top row first. opaque: sets alpha to 255; otherwise keeps the drawn alpha,
+  /// by which the colours are multiplied.
   Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }

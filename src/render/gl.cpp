@@ -9,11 +9,11 @@ namespace viete::render {
 namespace {
 
 void look_up_functions(Gl& gl, const GetProc& get) {
-#define X(name)                                                                                             \
-  gl.name = reinterpret_cast<decltype(gl.name)>(get("gl" #name));                                           \
-  if (gl.name == nullptr) {                                                                                 \
-    throw base::Error("OpenGL", "the driver has no gl" #name, "install a driver with OpenGL 3.3 or newer"); \
-  }
+#define X(name)                                                                 \
+  gl.name = reinterpret_cast<decltype(gl.name)>(get("gl" #name));               \
+  if (gl.name == nullptr)                                                       \
+    throw base::Error("OpenGL", "the graphics driver has no function gl" #name, \
+                      "install a driver with OpenGL 3.3 or newer");
   VIETE_GL_FUNCTIONS(X)
 #undef X
 }
@@ -28,7 +28,7 @@ void require_version(const Gl& gl) {
   gl.GetIntegerv(GL_MAJOR_VERSION, &major);
   gl.GetIntegerv(GL_MINOR_VERSION, &minor);
   if (major * 10 + minor >= 33) return;
-  throw base::Error("OpenGL", "version 3.3 is needed, this context is \"" + gl.version + "\"",
+  throw base::Error("OpenGL", "version 3.3 is needed, the graphics driver has \"" + gl.version + "\"",
                     "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
 }
 
@@ -58,7 +58,7 @@ void check_gl(const Gl& gl, const char* where) {
   if (error == GL_NO_ERROR) return;
   char code[16];
   std::snprintf(code, sizeof code, "0x%x", error);
-  throw base::Error(where, std::string("OpenGL reports error ") + code);
+  throw base::Error(where, std::string("OpenGL reports error ") + code, "update the graphics driver");
 }
 
 void bind_texture(const Gl& gl, int unit, const Texture& texture) {
@@ -78,7 +78,6 @@ void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int 
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-// GL_ARRAY_BUFFER is not part of a vertex array's state, so binding it for an upload has no side effects.
 void Buffer::upload(const void* data, std::size_t bytes, GLenum usage) {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
   if (bytes == bytes_ && usage != GL_STATIC_DRAW) {
@@ -97,7 +96,8 @@ void* Buffer::map(std::size_t bytes) {
   void* memory = gl_->MapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes),
                                      GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
   if (memory == nullptr)
-    throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes");
+    throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes",
+                      "use a smaller model or close other programs");
   return memory;
 }
 

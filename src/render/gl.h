@@ -1,4 +1,4 @@
-// OpenGL 3.3 core entry points, looked up at run time, and owners of GL objects.
+// OpenGL 3.3 core functions, looked up at run time, and classes that own GL objects.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace viete::render {
 
-/// The entry points that the program uses. Calling glFoo instead of gl.Foo intentionally fails to link.
+/// The functions that the program uses. A direct call of glFoo instead of gl.Foo intentionally does not link.
 // clang-format off
 #define VIETE_GL_FUNCTIONS(X) \
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \
@@ -36,11 +36,11 @@ namespace viete::render {
 // clang-format on
 
 using Proc = void (*)();
-/// Returns an entry point by its full name ("glClear") or null; needs a current context.
+/// Returns a function by its full name ("glClear") or null. Needs a current context.
 using GetProc = std::function<Proc(const char*)>;
 
-/// The functions of one context: load once the context is current, then pass by reference to drawing objects,
-/// which keep the reference. Use only in the thread where that context is current.
+/// The functions of one context. Drawing objects keep a reference. Use them only in the thread where this
+/// context is current.
 struct Gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
   VIETE_GL_FUNCTIONS(X)
@@ -49,17 +49,17 @@ struct Gl {
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
   int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: limits 3 x triangles and 2 x vertices of a surface
-  bool software =
-      false;  ///< a CPU rasteriser (llvmpipe, softpipe, swrast): draw without multisampling in a window
+  /// True for a CPU rasteriser (llvmpipe, softpipe, swrast), too slow for multisampling in a window.
+  bool software = false;
 };
 
-/// Throws base::Error naming the first missing entry point, or the version found when it is below 3.3.
+/// Loads the functions of the current context. Throws base::Error if one is missing or OpenGL is below 3.3.
 Gl load_gl(const GetProc& get);
 
-/// Throws base::Error naming `where` if GL has recorded an error since the last check.
+/// Throws base::Error if GL has recorded an error since the last check. where: the place in the message.
 void check_gl(const Gl& gl, const char* where);
 
-/// Calls check_gl() in debug builds only, as it stalls the pipeline.
+/// Calls check_gl(), but only in debug builds, because it waits for the GPU.
 inline void debug_check_gl([[maybe_unused]] const Gl& gl, [[maybe_unused]] const char* where) {
 #ifndef NDEBUG
   check_gl(gl, where);
@@ -90,13 +90,12 @@ private:
 
 using VertexArray = Object<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>;
 using Texture = Object<&Gl::GenTextures, &Gl::DeleteTextures>;
-/// The format of a texture's pixels.
+/// The formats of a texture and of the data to upload.
 struct TexelFormat {
-  GLint stored;  ///< GL_RGBA8, ...
-  GLenum given, type;
+  GLint stored;        ///< of the texture: GL_RGBA8, ...
+  GLenum given, type;  ///< of the data: GL_RGBA, ... and GL_UNSIGNED_BYTE, ...
 };
-/// Makes a texture of one level, filtered linearly and clamped at its edges; bound to the unit afterwards.
-/// data may be null.
+/// Sets and binds a texture with one level, linear filtering and clamped edges. data may be null.
 void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
                  const TexelFormat& format, const void* data);
 void bind_texture(const Gl& gl, int unit, const Texture& texture);
@@ -111,10 +110,10 @@ public:
 
   GLuint id() const { return object_.id(); }
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for per-frame data.
+  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
-  /// Maps `bytes` > 0 bytes of new storage and discards the old content (never waits for the GPU). Call
-  /// unmap() after writing.
+  /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 bytes of new
+  /// content. Call unmap() after writing.
   void* map(std::size_t bytes);
   void unmap();
 
@@ -124,7 +123,7 @@ private:
   std::size_t bytes_ = 0;
 };
 
-/// A buffer that shaders read as a one-dimensional array of texels (texelFetch on a samplerBuffer).
+/// A buffer that shaders read as an array of texels by texelFetch() on a samplerBuffer.
 class BufferTexture {
 public:
   /// format: GL_RGBA32F, GL_R32UI, ...

@@ -1,4 +1,4 @@
-// A picture in memory, and its PNG file.
+// Pictures in memory. Reads and writes picture files.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ namespace viete::render {
 using Rgba8 = std::array<std::uint8_t, 4>;
 using Image = base::Picture;
 
-/// Divides colours by alpha: drawing gives premultiplied colours, files store straight ones.
+/// Divides colours by alpha. Drawing gives colours multiplied by alpha; files store colours without it.
 void divide_by_opacity(Image& image);
 
-/// Writes a temporary file, syncs and renames it: atomic. Throws base::Error.
+/// Replaces the file atomically. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// Decodes PNG, JPEG, BMP or TGA; halves it (in linear light) until no side is longer than `longest`. Checks
-/// the size first: sides up to 16384, 64 million pixels. Throws base::Error at `place`.
+/// Decodes PNG, JPEG, BMP or TGA, and halves the picture until no side is longer than `longest`. Throws
+/// base::Error with `place` for invalid data, sides above 16384 or more than 64 million pixels.
 Image decode_image(const std::string& place, std::string_view bytes, int longest);
 
 }  // namespace viete::render

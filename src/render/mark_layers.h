@@ -1,4 +1,4 @@
-// Points, lines and translucent faces drawn over the scene, with constant size on screen.
+// Draws points, lines and translucent faces over the scene; points and lines have a constant size on screen.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@ namespace viete::render {
 
 /// Appearance of one point.
 struct Disc {
-  glm::vec4 color{1, 1, 1, 1};  ///< as displayed, alpha 0 to 1
+  glm::vec4 color{1, 1, 1, 1};  ///< as displayed, with opacity
   float radius = 3.0F;          ///< logical pixels, without the outline; 0 draws nothing
-  bool ring = false;            ///< a thin ring around it, for the hovered point
+  bool ring = false;            ///< draws a thin ring around the disc, for the hovered point
 
   friend bool operator==(const Disc&, const Disc&) = default;
 };
@@ -23,8 +23,8 @@ struct Disc {
 struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
-  /// Opacity factor of discs behind something; rings are not faded. A point less than 2.5 radii behind a face
-  /// counts as in front, so that the slanted faces around it do not cut into its disc.
+  /// Opacity factor of hidden discs; rings keep their opacity. A point less than 2.5 radii behind a face
+  /// counts as visible, so that inclined faces around the point do not cut its disc.
   float hidden_opacity = 0.3F;
 };
 
@@ -33,10 +33,9 @@ class DiscLayer {
 public:
   explicit DiscLayer(const Gl& gl);
 
-  /// Appearance, one per point; call when the selection or the hovered point changes. Later points cover
-  /// earlier ones.
+  /// Sets the appearance of each point. Later points cover earlier points.
   void set_discs(std::span<const Disc> discs);
-  /// One per point; call every frame.
+  /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
   void draw(const View& view, const DiscStyle& style) const;
 
@@ -53,27 +52,24 @@ using Segment = std::array<std::uint32_t, 2>;
 
 struct LineStyle {
   float width = 1.5F;            ///< logical pixels
-  float opacity = 1;             ///< opacity of visible parts
-  float hidden_opacity = 0.25F;  ///< factor on opacity for hidden parts
-  glm::vec4 halo{0};             ///< colour of a thin edge around the visible part, which
-                                 ///< separates it from the background; opacity 0: none
+  float opacity = 1;             ///< of visible parts
+  float hidden_opacity = 0.25F;  ///< hidden parts have the opacity `opacity` times this factor
+  glm::vec4 halo{0};             ///< colour and opacity of a thin edge around visible parts
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a segment uses an invalid
-/// point index.
+/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
 class LineLayer {
 public:
   explicit LineLayer(const Gl& gl);
 
-  /// New topology: pairs of point indices. Discards positions and colours.
+  /// Sets the segments as pairs of point indices. Discards positions and makes all lines white.
   void set_segments(std::span<const Segment> segments, std::size_t point_count);
-  /// One per point; call every frame.
+  /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
-  /// One colour per segment as displayed, alpha 0 to 1. Until then lines are white.
+  /// Sets a colour for each segment, as displayed, with opacity.
   void set_colors(std::span<const glm::vec4> colors);
-  /// Two colours per segment, one for each end, interpolated between.
+  /// Sets a colour for each end of each segment. Colours are interpolated between the ends.
   void set_end_colors(std::span<const glm::vec4> colors);
-  /// One colour for all segments.
   void set_color(const glm::vec4& color);
 
   /// Draws nothing before set_positions().
@@ -91,20 +87,19 @@ private:
 
 struct FaceStyle {
   glm::vec3 color{1, 1, 1};  ///< as displayed
-  float opacity = 0.05F;     ///< opacity of front-facing faces; 0: no tint
-  float rim = 0.10F;         ///< added for faces seen edge-on
-  bool occlude = true;  ///< writes depth after tinting, so that lines and discs behind faces appear faint
+  float opacity = 0.05F;     ///< of faces seen from the front
+  float rim = 0.10F;         ///< additional opacity of faces seen from the side
+  bool occlude = true;       ///< writes depth, so that lines and discs behind faces are drawn as hidden
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error if sizes do not match or a triangle uses an invalid
-/// point index.
+/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
 class FaceLayer {
 public:
   explicit FaceLayer(const Gl& gl);
 
-  /// New topology; discards positions.
+  /// Sets the triangles and discards positions.
   void set_triangles(std::span<const Triangle> triangles, std::size_t point_count);
-  /// One per point; call every frame.
+  /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
   /// Draws nothing before set_positions().
   void draw(const View& view, const FaceStyle& style) const;

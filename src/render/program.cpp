@@ -11,7 +11,7 @@ namespace viete::render {
 
 namespace {
 
-/// Deletes a shader object at the end of the scope; the linked program keeps what it needs.
+/// A shader object, deleted at the end of the scope. A linked program no longer needs it.
 struct Shader {
   Shader(const Gl& api, GLenum kind) : gl(api), id(api.CreateShader(kind)) {}
   Shader(const Shader&) = delete;
@@ -22,7 +22,7 @@ struct Shader {
   GLuint id;
 };
 
-/// Inserts `defines` after the version line of a shader, which must come first; preserves line numbers.
+/// The text of a shader with `defines` after the version line. Compiler messages keep the line numbers.
 std::string with_defines(const std::string& file, const std::string& defines) {
   std::string text(shader_text(file));
   const std::size_t version = text.find("#version");

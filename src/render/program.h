@@ -1,4 +1,4 @@
-// A linked shader program from the embedded sources of shaders/.
+// Compiles the shaders in shaders/, which are embedded in the program.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,15 +13,15 @@ namespace viete::render {
 /// The source of an embedded shader by file name ("surface.vert"). Throws base::Error if it does not exist.
 std::string_view shader_text(std::string_view file);
 
-/// A vertex and a fragment shader, compiled and linked. Call use() before set(). set() ignores names that the
-/// compiler removed.
+/// A linked program of a vertex and a fragment shader. Call use() before set(). set() ignores variables that
+/// the compiler removed.
 class Program {
 public:
-  /// Compiles shaders/`name`.vert and shaders/`name`.frag, with `defines` ("#define A\n") after the version
-  /// line. Throws base::Error with the file name and the compiler's message ("surface.frag: 0:12(3): error:
+  /// Compiles shaders/NAME.vert and shaders/NAME.frag, where NAME is `name`, with `defines` ("#define A\n")
+  /// after the version line. Throws base::Error with the compiler's message ("surface.frag: 0:12(3): error:
   /// ...").
   Program(const Gl& gl, const std::string& name, const std::string& defines = "");
-  /// Compiles the given sources; `name` is only used in messages.
+  /// Compiles these sources; `name` is for messages.
   Program(const Gl& gl, const std::string& name, std::string_view vertex, std::string_view fragment);
   Program(Program&& other) noexcept;
   Program& operator=(Program&&) = delete;

@@ -42,10 +42,10 @@ void require_count(const char* what, std::size_t count, std::size_t expected) {
 
 void require_texels(const Gl& gl, const char* what, std::size_t texels) {
   if (texels <= static_cast<std::size_t>(gl.max_texels)) return;
-  throw base::Error(
-      what,
-      "need " + std::to_string(texels) + " texels, the driver's limit is " + std::to_string(gl.max_texels),
-      "use a smaller mesh or another graphics driver");
+  throw base::Error(what,
+                    std::to_string(texels) + " texels are needed, the graphics driver's limit is " +
+                        std::to_string(gl.max_texels),
+                    "use a smaller mesh or another graphics driver");
 }
 
 template <std::size_t n>

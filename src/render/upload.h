@@ -10,22 +10,22 @@
 
 namespace viete::render {
 
-/// The first finite point, or 0 if there is none. Vertices are stored as float relative to it.
+/// The first finite point, or (0, 0, 0) if there is none. Vertices are stored as float relative to it.
 Point origin_of(std::span<const Point> points);
 
-/// point - origin as float; non-finite points give 0.
+/// point - origin as float, or 0 for a non-finite point.
 glm::vec3 relative(const Point& point, const Point& origin);
 
-/// Uploads points as vec4 (position relative to origin, 1).
+/// Uploads each point as a vec4: x, y, z relative to the origin, and 1.
 void upload_points(Buffer& buffer, std::span<const Point> points, const Point& origin);
 
-/// Throws base::Error naming `what` if the sizes differ.
+/// Throws base::Error with the place `what` if the numbers differ.
 void require_count(const char* what, std::size_t count, std::size_t expected);
 
-/// Throws base::Error naming `what` if a buffer texture cannot store that many texels.
+/// Throws base::Error with the place `what` if a buffer texture cannot store this number of texels.
 void require_texels(const Gl& gl, const char* what, std::size_t texels);
 
-/// Throws base::Error naming the first element of `what` with a vertex index >= vertex_count.
+/// Throws base::Error with the place `what` and the element if a vertex index is not below vertex_count.
 template <std::size_t n>
 void require_indices(const char* what, std::span<const std::array<std::uint32_t, n>> elements,
                      std::size_t vertex_count);
@@ -35,10 +35,10 @@ extern template void require_indices<2>(const char*, std::span<const std::array<
 extern template void require_indices<3>(const char*, std::span<const std::array<std::uint32_t, 3>>,
                                         std::size_t);
 
-/// Sets the matrices of points stored relative to origin.
+/// Sets the camera matrices for points stored relative to `origin`.
 void set_camera(const Program& program, const View& view, const Point& origin);
 
-/// GL state of translucent layers for the current scope: blending on, depth tested but not written.
+/// In its scope the GL state is that of translucent layers: blending is on, depth is tested but not written.
 class BlendScope {
 public:
   explicit BlendScope(const Gl& gl);
@@ -50,7 +50,8 @@ private:
   const Gl& gl_;
 };
 
-/// Draws the parts behind something first, then the rest. Calls set_opacity(factor) before each.
+/// Calls set_opacity(hidden) and draw() for the hidden parts, then set_opacity(visible) and draw() for the
+/// visible parts.
 template <class SetOpacity, class Draw>
 void draw_hidden_then_visible(const Gl& gl, float hidden, float visible, SetOpacity set_opacity, Draw draw) {
   const BlendScope blend(gl);

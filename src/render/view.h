@@ -1,23 +1,22 @@
-// View of the scene: camera matrices, size in pixels, and theme colours.
+// The camera matrices, size and colours of a picture.
 //
-// Drawing of one frame (in this order; every layer is optional):
+// To draw one frame, call the following functions in this order. Every layer is optional.
 //
-//   framebuffer.begin(view.size, samples);         // our own target, cleared
+//   framebuffer.begin(view.size, samples);
 //   backdrop.draw(theme);                          // background gradient
-//   surface.draw(view, theme, surface_style);      // the model, lit
-//   shadow.draw(view, theme, shadow_style);        // of the model on the ground
-//   grid.draw(view, theme, grid_style);            // ground grid, behind and below the model
-//   faces.draw(view, face_style);                  // tinted; they hide later layers behind them
-//   lines.draw(view, line_style);                  // hidden parts faint, visible parts full
-//   discs.draw(view, disc_style);
-//   framebuffer.resolve();                         // samples -> pixels; the resolved picture is now bound
-//   whole.begin_with(framebuffer, size);           // a second target keeps the view while panels change
-//   imgui_renderer.draw(*ImGui::GetDrawData());    // panels, after the resolve
+//   surface.draw(view, theme, surface_style);      // the model
+//   shadow.draw(view, theme, shadow_style);        // the shadow of the model on the ground
+//   grid.draw(view, theme, grid_style);            // ground grid
+//   faces.draw(view, face_style);                  // cage faces
+//   lines.draw(view, line_style);                  // cage edges
+//   discs.draw(view, disc_style);                  // cage vertices
+//   framebuffer.resolve();
+//   whole.begin_with(framebuffer, size);           // a second target: the view stays while panels change
+//   imgui_renderer.draw(*ImGui::GetDrawData());    // panels
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
-// Every draw() sets the GL state that it needs, and leaves blending, depth test and scissor off and depth
-// writes on. Data change at three rates: topology (set_triangles, set_segments), looks (set_colors,
-// set_discs), positions (set_positions, every frame, no allocation while the count stays the same).
+// Every draw() sets the GL state that it needs. It leaves blending, depth test and scissor off, and depth
+// writes on. set_positions() does not allocate memory while the number of points stays the same.
 #pragma once
 
 #include <array>
@@ -33,21 +32,21 @@ namespace viete::render {
 using Point = base::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Double precision until the last step: vertices are stored relative to one of them, which avoids jitter far
-/// from the origin. Converts to glm::mat4 implicitly.
+/// The matrices have double precision to avoid jitter far from the origin.
 struct View {
-  glm::dmat4 view{1};        ///< world to eye: right-handed, looking down -z
-  glm::dmat4 projection{1};  ///< eye to clip space, depth -1 to 1 as glm::perspective and glm::ortho make it
-  glm::ivec2 size{1, 1};     ///< device pixels
-  float scale = 1;           ///< device pixels per logical pixel; widths and radii below are logical
+  glm::dmat4 view{1};  ///< from world to eye space, right-handed, looking along -z
+  glm::dmat4 projection{
+      1};                 ///< from eye to clip space with depth -1 to 1, as glm::perspective and glm::ortho
+  glm::ivec2 size{1, 1};  ///< in device pixels
+  float scale = 1;        ///< device pixels per logical pixel
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// World to eye matrix for vertices stored relative to `origin`.
+/// The matrix to eye space for vertices stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);
 
-/// Factor (x, y) and offset (z, w) that map device pixels (origin bottom left) to the view ray: (factor *
-/// pixel + offset, -1) in eye space. For an orthographic view the ray is (0, 0, -1) everywhere.
+/// Returns (factor x, factor y, offset x, offset y). The view ray of a device pixel, counted from the bottom
+/// left, is (factor * pixel + offset, -1) in eye space; in an orthographic view it is (0, 0, -1).
 glm::vec4 eye_ray(const View& view);
 
 /// A colour from 0xRRGGBB, components 0 to 1 as displayed (sRGB).
@@ -59,18 +58,18 @@ constexpr glm::vec3 rgb(std::uint32_t hex) {
 /// Colours as displayed (sRGB, 0 to 1).
 struct Theme {
   glm::vec3 background_top, background_bottom;
-  glm::vec3 grid;       ///< ground lines
+  glm::vec3 grid;
   glm::vec3 model;      ///< the surface in full light
   glm::vec3 held;       ///< vertices that stay at rest
   glm::vec3 wire;       ///< triangle edges on the surface
-  glm::vec3 cage;       ///< cage lines and vertices at rest
+  glm::vec3 cage;       ///< unselected cage edges and vertices
   glm::vec3 selection;  ///< selected elements
-  glm::vec3 hover;      ///< the ring under the cursor
+  glm::vec3 hover;      ///< the ring around the hovered point
   glm::vec3 finding;    ///< problems found by checks
-  glm::vec3 outline;    ///< thin edge around discs, for contrast
-  glm::vec4 halo;       ///< thin edge around lines, with its opacity
+  glm::vec3 outline;    ///< thin edge around discs
+  glm::vec4 halo;       ///< thin edge around lines, with opacity
   glm::vec4 shadow;     ///< ground shadow, with its largest opacity
-  float exposure;       ///< brightness of the lights, 1 = neutral
+  float exposure;       ///< brightness of the lights; 1 is normal
 };
 
 Theme dark_theme();
@@ -79,20 +78,19 @@ inline Theme theme(bool dark) {
   return dark ? dark_theme() : light_theme();
 }
 
-// Colour maps, perceptually uniform and safe for colour-blind readers.
-
-/// Linear light of a display value.
+/// Converts an sRGB component to linear light, both in [0, 1].
 float linear_light(float display);
 
-/// For magnitudes on lit surfaces: blue over grey to yellow, with uniformly rising lightness, bright enough
-/// to show shading. `count` >= 2 colours as displayed.
+// Colour maps of `count` >= 2 colours as displayed. Colour-blind people can distinguish the colours.
+
+/// For positive values: from blue to grey to yellow with increasing lightness, bright enough to show shading.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: blue over light grey to orange, with grey in the middle.
+/// For signed values: from blue to light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
-/// Interpolates colours uniformly in Oklab (B. Ottosson, 2020, "A perceptual color space for image
-/// processing"). keys: at least 2, as displayed.
+/// Interpolates between the colours `keys` (at least 2, as displayed) in Oklab. Source: B. Ottosson, 2020, "A
+/// perceptual color space for image processing".
 std::vector<glm::vec3> blend_palette(const std::vector<glm::vec3>& keys, int count);
 
 }  // namespace viete::render

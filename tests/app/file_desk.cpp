@@ -14,6 +14,7 @@
 #include "formats/write.h"
 #include "support/files.h"
 #include "support/shapes.h"
+#include "support/text.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -22,7 +23,7 @@ using QuestionKind = workspace::Question::Kind;
 
 namespace {
 
-// FileDesk without the viewer: cubes to open, and a state folder.
+// A FileDesk without the viewer, with files of cubes and a state folder.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -32,7 +33,7 @@ struct Desk {
   explicit Desk(bool remembers = true) { begin(remembers); }
   void begin(bool remembers = true) {
     desk.reset();
-    std::destroy_at(&workspace), std::construct_at(&workspace);  // GCC 12 warns wrongly about moving one
+    std::destroy_at(&workspace), std::construct_at(&workspace);  // avoids a wrong warning of GCC 12
     desk.emplace(remembers ? state : std::filesystem::path(), workspace);
   }
   void frame(bool no_drag = true) {
@@ -79,7 +80,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   d.frame();
   d.answer(workspace::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // without a model
+  d.workspace.requests.save_model = d.files / "out.obj";  // but no model is open
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
@@ -194,7 +195,7 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   d.answer(workspace::Answer::cancel);
   CHECK(test::file_bytes(session) == "theirs");
   save();
-  d.answer(workspace::Answer::save);  // under another name
+  d.answer(workspace::Answer::save);  // asks for another name
   CHECK(d.workspace.browser.open);
   CHECK(test::file_bytes(session) == "theirs");
   d.workspace.browser.open = false;
@@ -207,7 +208,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
   for (const bool fails : {false, true}) {
     CAPTURE(fails);
     Desk d;
-    formats::write(d.files / "large.ply", test::sphere(6));  // too large to be written immediately
+    formats::write(d.files / "large.ply", test::sphere(6));  // large enough to be written in the background
     d.open({d.files / "large.ply", d.files.cage});
     d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
     d.quit();
@@ -223,7 +224,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
 
 namespace {
 
-// Makes the desk's recovery file look like that of an ended program.
+// Renames the recovery file of the desk, so that it belongs to an ended program.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();
@@ -249,7 +250,7 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   d.open_cubes();
   d.edit();
   d.frame();
-  d.workspace.document.put_method(sym3::Method::sd);  // kept with the edit
+  d.workspace.document.put_method(sym3::Method::sd);  // stored with the unsaved edit
   const auto posed = d.workspace.document.pose.positions;
   d.quit();
   REQUIRE(d.desk->closed());
@@ -338,7 +339,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     d.begin();
     d.open({d.files / "a.viete"}, what);
     REQUIRE(d.asks(QuestionKind::locate_model));
-    CHECK(d.workspace.question->why.find("model.obj: there is no such file") != std::string::npos);
+    CHECK(test::mentions(d.workspace.question->why, "model.obj: there is no such file"));
     CHECK(d.workspace.messages.all().empty());
     d.answer(workspace::Answer::cancel);
     CHECK(d.last_message() == "Cancelled opening; nothing was changed.");
@@ -382,7 +383,7 @@ TEST_CASE("a_cage_with_a_fin_is_opened_without_it_after_a_question") {
     d.desk->finish_loading(d.workspace);
     REQUIRE(d.workspace.document.has_cage());
     CHECK(d.workspace.document.cage->surface.positions.size() == 8);
-    CHECK(d.last_message().find("removed 1 protruding face of fin.obj") != std::string::npos);
+    CHECK(test::mentions(d.last_message(), "removed 1 protruding face of fin.obj"));
   }
 }
 
@@ -404,7 +405,7 @@ TEST_CASE("an_export_overwrites_no_open_file") {
     d.frame();
     d.desk->finish_exports(d.workspace);
     CHECK(d.workspace.messages.all().back().severity == workspace::Severity::error);
-    CHECK_MESSAGE(d.last_message().find(why) != std::string::npos, d.last_message());
+    CHECK_MESSAGE(test::mentions(d.last_message(), why), d.last_message());
     CHECK(test::file_bytes(d.files / name) == before);
   };
   refuses(requests.save_model, "m.obj", "(the model)");
@@ -412,7 +413,7 @@ TEST_CASE("an_export_overwrites_no_open_file") {
   refuses(requests.save_model, "cage.obj", "(the cage)");
   refuses(requests.save_model, "key_9.obj", "(the keys)");
   refuses(requests.save_animation, "key_#.obj", "(the keys)");
-  refuses(requests.save_animation, "skin_####.png", "(what the model leads to)");
+  refuses(requests.save_animation, "skin_####.png", "(used by the model)");
   requests.save_model = d.files / "out.obj";
   d.frame();
   d.desk->finish_exports(d.workspace);

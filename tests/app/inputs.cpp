@@ -16,7 +16,6 @@ using test::mentions;
 
 namespace {
 
-// Parses a command line for this use; throws its error.
 Inputs parsed(Use use, const std::string& arguments) {
   CLI::App command;
   Inputs inputs{use};
@@ -26,7 +25,6 @@ Inputs parsed(Use use, const std::string& arguments) {
   return inputs;
 }
 
-// The error message; empty if the arguments are valid.
 std::string refusal(Use use, const std::string& arguments) {
   return test::problem_of([&] { parsed(use, arguments); });
 }
@@ -84,6 +82,5 @@ TEST_CASE("stitching_takes_a_number_of_iterations_or_one") {
 TEST_CASE("settings_that_do_not_go_together_are_told_before_anything_is_opened") {
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --blend srl --weights mean-value"), base::Error);
   CHECK_THROWS_AS(parsed(Use::picture, "a.obj --weights mean-value --radius 3"), base::Error);
-  // The session's settings are not known yet.
   CHECK(refusal(Use::picture, "s.viete --radius 3").empty());
 }

@@ -23,7 +23,6 @@ Result loaded(app::Loader& loader, const files::OpenRequest& request,
   return *std::move(result);
 }
 
-// A document opened by the loader.
 document::Document opened(app::Loader& loader, const files::OpenRequest& request) {
   const Result result = loaded(loader, request);
   REQUIRE_MESSAGE(result.value, result.problem);
@@ -37,7 +36,7 @@ TEST_CASE("a_model_and_its_cage_come_with_look_and_binding_and_only_once") {
   app::Loader loader;
   CHECK_FALSE(loader.poll(true));
   app::start_loading(loader, {What::model, {files.cage}}, {});
-  app::start_loading(loader, {What::model, {files.model, files.cage}}, {});  // replaces the first request
+  app::start_loading(loader, {What::model, {files.model, files.cage}}, {});  // cancels the first request
   CHECK(loader.running());
   CHECK(loader.state().running);
   const auto result = loader.poll(true);

@@ -179,7 +179,7 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   CHECK(f.document().library.poses.size() == 6);
   CHECK(f.document().library.poses[5].name == "third 2");
   CHECK(!open_now(f.w, {What::shapes, {f.cage_file()}}));
-  CHECK(mentions(f.w.messages.all().back().text, "the number of vertices is 8, in the model it is 68"));
+  CHECK(mentions(f.w.messages.all().back().text, "the file has 8 vertices, the model has 68"));
   CHECK(f.document().library.poses.size() == 6);
   REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());

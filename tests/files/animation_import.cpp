@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The cage's own motion as a file.
+// Writes the motion of the cage to files.
 struct CageMotion : test::AnimatedCube {
   void write(const fs::path& file) const {
     std::vector<std::vector<mesh::Point>> frames;
@@ -67,7 +67,7 @@ TEST_CASE("numbered_posed_cages_are_keys_at_their_numbers") {
     }
   }
   CHECK(test::mentions(m.problem(m / "q_#.obj"), "no file matches this name"));
-  CHECK(test::mentions(m.problem(m.cage), "its name has no frame number"));
+  CHECK(test::mentions(m.problem(m.cage), "the file name has no frame number"));
 }
 
 TEST_CASE("point_caches_of_the_cage_are_keys_at_every_frame") {
@@ -96,9 +96,9 @@ TEST_CASE("morph_targets_of_a_cage_are_poses_and_their_animation_keys") {
   for (const PoseKey& key : keys) CHECK(farthest(key.pose->cage, m.pose(key.frame).cage) < 1e-5);
   const fs::path file = m / "c.glb";
   const auto poses = read_poses(std::span(&file, 1), *m.document.cage);
-  CHECK(poses.warnings.empty());  // no note about unplayed animation
+  CHECK(poses.warnings.empty());
   CHECK(read_keys(file, *m.document.cage, {}).warnings.empty());
-  REQUIRE(poses.poses.size() >= 16);  // rest needs no target
+  REQUIRE(poses.poses.size() >= 16);  // the rest pose has no target
   CHECK(poses.poses.back().name == "frame 17");
   CHECK(farthest(poses.poses.back().pose->cage, m.pose(17).cage) < 1e-5);
   write_animation(animation_export_of(m.document, m / "model.glb"));
@@ -111,7 +111,7 @@ TEST_CASE("several_keys_on_one_frame_give_a_warning") {
   const ImportedKeys keys = read_keys(m / "c.mdd", *m.document.cage, {1, 12});
   CHECK(keys.keys.size() == 9);
   REQUIRE(keys.warnings.size() == 1);
-  CHECK(test::mentions(keys.warnings[0], "8 keys fall on the frame of another at 12"));
+  CHECK(test::mentions(keys.warnings[0], "skipped 8 keys because another key has the same frame at 12"));
 }
 
 TEST_CASE("a_folder_of_posed_cages_is_poses_in_the_order_of_their_numbers") {

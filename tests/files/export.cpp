@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "formats/read.h"
 #include "support/files.h"
+#include "support/text.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -46,7 +47,7 @@ TEST_CASE("a_deformed_model_is_written_in_every_format") {
 TEST_CASE("a_model_at_rest_is_exported_byte_for_byte") {
   const test::CubeFiles files;
   const Document document = open_document(files.model, files.cage);
-  for (const char* name : {"same.obj", "model.obj"}) {  // the second overwrites the opened file
+  for (const char* name : {"same.obj", "model.obj"}) {  // model.obj is the opened file
     const std::string before = test::file_bytes(files.model);
     CHECK(write_deformed(export_of(document, files.model.parent_path() / name)).empty());
     CHECK(test::file_bytes(files.model.parent_path() / name) == before);
@@ -94,7 +95,6 @@ TEST_CASE("a_method_is_named_with_its_error_only_where_that_matters") {
   CHECK(method_note(sym3::Method::fast, 0).empty());
   CHECK(method_note(sym3::Method::sd, 1e-10).empty());
   const std::string note = method_note(sym3::Method::sd, 2.84e-6);
-  for (const char* part : {"method sd", "2.9e-06", "fast"})
-    CHECK_MESSAGE(note.find(part) != std::string::npos, note);
-  CHECK(method_note(sym3::Method::improved_sd, INFINITY).find("gives NaN") != std::string::npos);
+  for (const char* part : {"method sd", "2.9e-06", "fast"}) CHECK_MESSAGE(test::mentions(note, part), note);
+  CHECK(test::mentions(method_note(sym3::Method::improved_sd, INFINITY), "gives NaN"));
 }

@@ -54,8 +54,8 @@ TEST_CASE("the_enclosing_one_of_two_dropped_files_is_the_cage_or_else_the_one_wi
   } cases[] = {
       {{files.model, files.cage}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
       {{files.cage, files.model}, files.cage, "Imported model.obj as the model and cage.obj as its cage"},
-      {{files.model, files / "small.obj"}, files.model, "encloses it"},
-      {{files / "aside.obj", files.model}, files / "aside.obj", "does not enclose it"}};
+      {{files.model, files / "small.obj"}, files.model, "encloses the model"},
+      {{files / "aside.obj", files.model}, files / "aside.obj", "does not enclose the model"}};
   for (const auto& c : cases) {
     Workspace w;
     REQUIRE(drop(w, c.dropped));
@@ -138,7 +138,7 @@ TEST_CASE("a_dropped_session_is_opened_and_more_than_two_files_are_refused") {
   CHECK(other.document.has_cage());
   const auto* surface = other.document.model.surface.get();
   CHECK_FALSE(drop(other, {files.model, files.cage, files.pose}));
-  CHECK(said(other, "3 files were dropped, and this one is not a shape of the model"));
+  CHECK(said(other, "3 files dropped, and this file is not a shape of the model"));
   CHECK_FALSE(drop(other, {files / "a.viete", files.model}));
   CHECK_FALSE(drop(other, {}));
   CHECK_FALSE(drop(other, {files.broken}));
@@ -153,9 +153,8 @@ TEST_CASE("reading_can_be_cancelled_and_says_how_far_it_is") {
   CHECK(progress.done() > 0.5);
   CHECK(progress.done() <= 0.8);
   progress.cancel();
-  for (const What what : {What::model, What::dropped}) {
+  for (const What what : {What::model, What::dropped})
     CHECK_THROWS_AS(open_files({what, {files.model}}, {}, &progress), base::Cancelled);
-  }
 }
 
 TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
@@ -165,7 +164,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
   CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
-  CHECK(said(w, "give the cage as well"));
+  CHECK(said(w, "open the cage too"));
 }
 
 TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
@@ -179,7 +178,7 @@ TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   CHECK(w.preferences.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
-// The manifest allows an open cage to load "with a plain warning".
+// The manifest requires only a warning for a cage with holes.
 TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
           doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
@@ -281,17 +280,15 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   CHECK(text(opened({{.radius = 0.2}}, files.model)) == "cutoff, srl");
   CHECK_THROWS_AS(opened({{.choice = {.weights = deform::Weights::mean_value}, .radius = 0.3}}, files.model),
                   base::Error);
-  // For a session they count as chosen.
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
-        "inverse, srl");  // the former default
+        "inverse, srl");  // the default of old sessions
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
   CHECK_THROWS_AS(open_files({OpenRequest::What::model, {files / "b.viete"}, {{.radius = 0.3}}}, {}),
                   base::Error);
-  // Points without triangles have no surface for weights.
   test::put_file(files / "points.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0.5 0.5\n");
   try {
     CHECK(text(opened({}, files / "points.obj")) == "inverse, srl");
@@ -351,9 +348,9 @@ TEST_CASE("a_cage_opens_without_its_fin_on_request") {
   };
   const std::pair<mesh::Surface, std::size_t> cages[] = {
       {with({{0, 3, 3}}, {{6, 7, 8}}), 1},                         // a protruding triangle
-      {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two
-      {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // at two edges
-      {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall through the middle
+      {with({{0, 3, 3}, {1, 4, 4}}, {{6, 7, 8}, {7, 9, 8}}), 2},   // two connected triangles
+      {with({{0, 3, 3}, {0, 3, -3}}, {{6, 7, 8}, {2, 3, 9}}), 2},  // triangles at two edges
+      {with({}, {{0, 1, 6}, {1, 7, 6}}), 2},                       // a wall inside the cage
   };
   for (const auto& [cage, fins] : cages) {
     formats::write(files / "fin.obj", cage);
@@ -408,7 +405,7 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   REQUIRE(save_session(w, files / "loop.viete"));
 
   Workspace own = test::opened({files.model, files.cage});
-  CHECK_FALSE(test::run_command(own, "open_example"));  // the session's location is unknown
+  CHECK_FALSE(test::run_command(own, "open_example"));  // own.example is not set
   own.example = files / "loop.viete";
   REQUIRE(test::run_command(own, "open_example"));
   REQUIRE(open_now(own, *own.requests.open));

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 TEST_CASE("only_the_work_of_programs_that_have_ended_is_left_over") {
   const test::TemporaryFolder folder;
   CHECK(find_recovery_files(folder / "none").empty());
-  const test::Zombie zombie;  // has ended and is still listed
+  const test::Zombie zombie;  // an ended process that the system still lists
   const fs::path aside = set_aside_file(folder.path());
   for (const fs::path& file : {recovery_file(folder.path()), aside, folder / "999999999-1.viete",
                                folder / "999999999-1_2.viete", folder / (zombie.name + ".viete")})
@@ -76,19 +76,19 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
     CHECK(fs::exists(kept) == any);
     return any;
   };
-  CHECK_FALSE(offered());  // at rest, like the cage's file
+  CHECK_FALSE(offered());  // the pose equals the file of the cage
   move();
   CHECK(offered());
   REQUIRE(save_session(w, files / "a.viete"));
   w.camera.orbit({30, 0});
   w.view.wireframe = true;
-  CHECK_FALSE(offered());  // changing the view is no edit
+  CHECK_FALSE(offered());  // a change of the view is not an edit
   move();
   CHECK(offered());
   undo(w.document);
   CHECK_FALSE(offered());
   fs::remove(files / "a.viete");
-  CHECK(offered());  // its session is gone
+  CHECK(offered());
 }
 
 TEST_CASE("times_are_told_with_their_day") {

@@ -45,7 +45,7 @@ TEST_CASE("saving_a_session_or_a_pose_makes_edits_saved_and_undo_makes_them_unsa
   const test::CubeFiles files;
   Workspace w = edited(files);
   undo(w.document);
-  CHECK_FALSE(has_unsaved_edits(w));  // as it was opened
+  CHECK_FALSE(has_unsaved_edits(w));
   redo(w.document);
   REQUIRE(save_session(w, files / "a.viete"));
   CHECK_FALSE(has_unsaved_edits(w));
@@ -105,7 +105,7 @@ TEST_CASE("poses_and_cages_are_not_saved_where_their_vertices_would_not_come_bac
   const test::CubeFiles files;
   Workspace w = edited(files);
   CHECK_FALSE(save_pose(w, files / "a.STL"));
-  CHECK(test::mentions(w.messages.all().back().text, "save it as .obj, .ply or .off"));
+  CHECK(test::mentions(w.messages.all().back().text, "save as .obj, .ply or .off"));
   for (const char* name : {"a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(save_cage(w, files / name));
   for (const char* name : {"a.STL", "a.stl", "a.glb", "a.gltf"}) CHECK_FALSE(fs::exists(files / name));
   CHECK(has_unsaved_edits(w));
@@ -137,13 +137,13 @@ TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
   REQUIRE(save_session(w, session));
   CHECK_FALSE(changed_on_disk(w, session));
   const std::string bytes = test::file_bytes(session);
-  test::put_file(session, bytes);  // rewritten with the same content
+  test::put_file(session, bytes);  // a new file with the same content
   CHECK_FALSE(changed_on_disk(w, session));
   test::put_file(session, bytes + " ");
   CHECK(changed_on_disk(w, session));
   CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
   fs::remove(session);
-  CHECK_FALSE(changed_on_disk(w, session));  // overwriting it loses nothing
+  CHECK_FALSE(changed_on_disk(w, session));  // saving overwrites nothing
 }
 
 TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
@@ -214,7 +214,7 @@ TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
-  CHECK_FALSE(save_pose(w, files.cage));  // undo can restore it
+  CHECK_FALSE(save_pose(w, files.cage));  // undo may make it the cage again
   CHECK(save_cage(w, files.cage));
 }
 
@@ -246,7 +246,7 @@ TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one
   w.preferences.folder = files / "other";
   test::run_command(w, "open_model");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
-  test::run_command(w, "open_pose");  // in the folder of its cage
+  test::run_command(w, "open_pose");  // opens in the folder of the cage
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
   CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
@@ -266,9 +266,9 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
     REQUIRE(test::run_command(w, command));
     return chosen_file(w.browser).filename().string();
   };
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // exists, but not open: asks before overwriting
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the file exists, but is not open
   REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // its own file
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the file of the pose itself
   CHECK(proposed("save_cage") == "a_cage.obj");
   CHECK(proposed("save_model") == "a_deformed.obj");
   REQUIRE(test::load_model(w, files / "a.obj", files / "a_deformed.obj"));

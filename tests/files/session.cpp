@@ -40,7 +40,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Every setting of a session differs from its default.
+// A workspace in which every setting differs from its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -87,7 +87,7 @@ Workspace worked(const test::CubeFiles& files) {
   return w;
 }
 
-// As above, with poses, a mix, keys of all easings, and camera keys.
+// As worked(), with poses, a mix, keys with all easings, and camera keys.
 Workspace animated(const test::CubeFiles& files) {
   Workspace w = worked(files);
   w.document.selection = Selection(ElementKind::vertex);
@@ -159,7 +159,7 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
   return all;
 }
 
-// A session of the cube with more members.
+// A session of the cube with additional members.
 std::string with(const std::string& members) {
   return R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" + members +
          "}";
@@ -175,7 +175,7 @@ std::string key_text(const std::string& frame, const std::string& more = "") {
   return "{\"frame\": " + frame + ", " + more + positions() + "}";
 }
 
-// A probe with more members, after a good one.
+// A valid probe, then a probe with additional members.
 std::string probes(const std::string& members, const std::string& place = "[0, 0, 1]") {
   const std::string part = R"({"falloff": "smooth", "radius": 1})",
                     good = "\"turn\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
@@ -198,7 +198,6 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
     back.viewport = w.viewport;
     CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
     if (w.document.library.poses.empty()) continue;
-    // The mix continues from there.
     CHECK(clear_mix(back.document, back.playback.vectors));
     CHECK(back.document.pose.positions != w.document.pose.positions);
     CHECK(has_unsaved_edits(back));
@@ -239,7 +238,7 @@ TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
   CHECK(camera_of(back, 2) == moved);
   back.camera.look(StandardView::front);
   const CameraPose goal = back.camera.destination();
-  CHECK(session_of(back).camera == goal);  // also while it is still easing
+  CHECK(session_of(back).camera == goal);  // even while the camera is still moving
   CHECK(goal.yaw == 0);
 }
 
@@ -288,74 +287,76 @@ TEST_CASE("a_damaged_session_is_refused_with_its_file_and_key") {
   const struct {
     std::string members, said;
   } cases[] = {
-      {R"("cage": 7)", "a.viete: cage: found a number where the name of a file belongs"},
-      {R"("cage_content": "00")", "a.viete: cage_content: these are not 16 hexadecimal digits"},
-      {R"("method": "best")", "a.viete: method: \"best\" is not known"},
+      {R"("cage": 7)", "a.viete: cage: expected a file name, found a number"},
+      {R"("cage_content": "00")", "a.viete: cage_content: the text must have 16 hexadecimal digits"},
+      {R"("method": "best")", "a.viete: method: unknown value \"best\""},
       {R"("blend": "srl", "weights": "mean-value")", "a.viete: blend: these weights and this blend"},
       {R"("weights": "mean-value", "stitched": 1)", "a.viete: stitched: cage vertices give no maps"},
-      {R"("radius": 0.01)", "a.viete: radius: this number is out of range"},
+      {R"("radius": 0.01)", "a.viete: radius: the number 0.01 must be from "},
       {R"("turn": 201)", "a.viete: turn: "},
       {R"("stretch": -1)", "a.viete: stretch: "},
       {R"("stitched": 21)", "a.viete: stitched: "},
       {R"("pins": 101)", "a.viete: pins: "},
       {R"("hold": -1)", "a.viete: hold: "},
-      {R"("camera": [])", "a.viete: camera: found a list of 0 where an object belongs"},
-      {R"("camera": {"target": [0, 1e308, 0]})", "camera.target[1]: this number is out of range"},
-      {R"("camera": {"target": [0, null, 0]})", "camera.target[1]: found null"},
-      {"\"camera\": {" + camera + ", \"up\": \"x\"}", "camera.up: \"x\" is not known"},
+      {R"("camera": [])", "a.viete: camera: expected an object, found a list of length 0"},
+      {R"("camera": {"target": [0, 1e308, 0]})", "camera.target[1]: the number 1e+308 must be from "},
+      {R"("camera": {"target": [0, null, 0]})", "camera.target[1]: expected a number, found null"},
+      {"\"camera\": {" + camera + ", \"up\": \"x\"}", "camera.up: unknown value \"x\""},
       {R"("camera": {"target": [0, 0, 0], "distance": 1e9})", "camera.distance: "},
       {R"("camera": {"target": [0, 0, 0], "distance": 1})", "camera: the key \"yaw\" is missing"},
-      {R"("view": {"grid": 1})", "a.viete: view.grid: found a number where true or false belongs"},
-      {"\"cameras\": [{" + camera + "}]", "a.viete: cameras: their number differs"},
-      {R"("views": [{}, {}, {}, {}])", "a.viete: views: there are more than 3"},
+      {R"("view": {"grid": 1})", "a.viete: view.grid: expected true or false, found a number"},
+      {"\"cameras\": [{" + camera + "}]", "a.viete: cameras: there must be one camera for each"},
+      {R"("views": [{}, {}, {}, {}])", "a.viete: views: the list has 4 entries, at most 3 are allowed"},
       {R"("hand": {"pivot": "nose"})", "a.viete: hand.pivot: "},
-      {R"("window": [8192, 8192])", "a.viete: window: this is not a valid window size"},
-      {R"("window": [1e999, 800])", "a.viete: a number in it is too large"},
-      {R"("selecting": "holes")", "a.viete: selecting: \"holes\" is not known"},
-      {R"("selection": [1, -1])", "a.viete: selection[1]: found a number where a whole number from 0"},
-      {R"("selection": [1, 8])", "a.viete: selection: vertex 8 is named, there are only 8 vertices"},
-      {R"("selecting": "faces", "selection": [12])", "face 12 is named, there are only 12 faces"},
+      {R"("window": [8192, 8192])", "a.viete: window: the window size is invalid"},
+      {R"("window": [1e999, 800])", "a.viete: the file contains a number that is too large"},
+      {R"("selecting": "holes")", "a.viete: selecting: unknown value \"holes\""},
+      {R"("selection": [1, -1])", "a.viete: selection[1]: expected a whole number of 0 or more"},
+      {R"("selection": [1, 8])", "a.viete: selection: vertex 8 does not exist, there are only 8 vertices"},
+      {R"("selecting": "faces", "selection": [12])", "face 12 does not exist, there are only 12 faces"},
       {R"("sets": [{"name": "a", "selecting": "probes", "vertices": [1]}])", "a.viete: sets[0].selecting: "},
-      {R"("mask": [0, 1])", "a.viete: mask: it is of a vertex, the model has 20"},
+      {R"("mask": [0, 1])", "a.viete: mask: the mask is for a vertex, the model has 20"},
       {R"("mask": [256, 8])", "a.viete: mask[0]: a share must be 0 to 255"},
-      {R"("mask": [0, 4294967295])", "a.viete: mask[1]: there are more than"},
-      {R"("mask": [255])", "a.viete: mask: a share lacks the number of its vertices"},
-      {pose("\"positions\": [[0, 0, 0]]"), "a.viete: pose.positions: this is a pose of a vertex, the cage"},
+      {R"("mask": [0, 4294967295])", "a.viete: mask[1]: the mask has more than"},
+      {R"("mask": [255])", "a.viete: mask: the number of vertices is missing after"},
+      {pose("\"positions\": [[0, 0, 0]]"), "a.viete: pose.positions: the pose is for a vertex, the cage"},
       {pose(positions("[0, 0, 1e200]")), "a.viete: pose.positions[0]: this coordinate is too large"},
-      {pose(positions("[0, null, 0]")), "a.viete: pose.positions[0][1]: found null"},
-      {pose(turns + positions()), "a.viete: pose.turns: there are more than the 1 parts of the cage"},
+      {pose(positions("[0, null, 0]")), "a.viete: pose.positions[0][1]: expected a number, found null"},
+      {pose(turns + positions()), "a.viete: pose.turns: the pose is for 2 parts, the cage has 1 part"},
       {pose("\"turns\": [[0, 0, 1e9]], " + positions()), "a.viete: pose.turns[0]: this coordinate is too"},
       {probes("", "[0, 0]"), "probes.all[1].place: "},
       {R"("probes": {"all": [{"place": [0, 0, 0]}]})", "probes.all[0]: the key \"turn\" is missing"},
       {probes(", \"locked\": 3"), "probes.all[1].locked"},
       {probes(", \"turned\": [8e5, 8e5, 0]"), "probes.all[1]: the motion of this probe is too large"},
-      {stretched("[1, 2, 3]"), "probes.all[1].stretched: found a list of 3"},
+      {stretched("[1, 2, 3]"), "probes.all[1].stretched: expected a list of 6 numbers"},
       {probes(", \"moved\": [1e40, 0, 0]"), "probes.all[1].moved: "},
-      {probes(", \"pin\": \"glues\", \"vertex\": 0"), "probes.all[1].pin: \"glues\" is not known"},
-      {probes(", \"pin\": \"holds\", \"vertex\": 20"), "a.viete: probes: vertex 20 is named"},
-      {probes(", \"move\": {\"falloff\": \"odd\", \"radius\": 1}"), "falloff: \"odd\" is not known"},
+      {probes(", \"pin\": \"glues\", \"vertex\": 0"), "probes.all[1].pin: unknown value \"glues\""},
+      {probes(", \"pin\": \"holds\", \"vertex\": 20"), "a.viete: probes: vertex 20 does not exist"},
+      {probes(", \"move\": {\"falloff\": \"odd\", \"radius\": 1}"), "falloff: unknown value \"odd\""},
       {probes(", \"move\": {\"falloff\": \"none\", \"radius\": 0}"), "the radius must be above 0"},
-      {R"("poses": {})", "a.viete: poses: found an object where a list belongs"},
-      {named + turns + positions() + "}]", "a.viete: poses: \"a\" is of another cage or model"},
+      {R"("poses": {})", "a.viete: poses: expected a list, found an object"},
+      {named + turns + positions() + "}]", "a.viete: poses: the pose \"a\" belongs to another cage or model"},
       {named + "\"weight\": 1e9}]", "a.viete: poses[0].weight: "},
-      {named + "\"shape\": 0, " + positions() + "}]", "a.viete: poses[0].shape: there is no such shape"},
+      {named + "\"shape\": 0, " + positions() + "}]", "a.viete: poses[0].shape: shape 0 does not exist"},
       {named + positions("[1e40, 0, 0]") + "}]", "the pose \"a\""},
       {R"("poses": [{"positions": []}])", "a.viete: poses[0]: the key \"name\" is missing"},
-      {"\"poses\": [{\"name\": \"" + std::string(201, 'x') + "\"}]", "poses[0].name: this name is too long"},
+      {"\"poses\": [{\"name\": \"" + std::string(201, 'x') + "\"}]",
+       "poses[0].name: the name has more than 200 bytes"},
       {R"("unmixed": {})", "a.viete: unmixed: "},
-      {R"("shapes": [{"float32": "!"}])", "a.viete: shapes[0].float32: this is not base64"},
+      {R"("shapes": [{"float32": "!"}])", "a.viete: shapes[0].float32: the text is not base64"},
       {R"("shapes": [{"float32": "AAAA"}])", "three numbers for each vertex"},
-      {R"("shapes": [{"float32": "AAAAAAAAAAAAAAAA"}], "shape": 0)", "a.viete: shape: it is of a vertex"},
+      {R"("shapes": [{"float32": "AAAAAAAAAAAAAAAA"}], "shape": 0)",
+       "a.viete: shape: the shape is for a vertex"},
       {time("\"rate\": 0"), "a.viete: time.rate: "},
       {time("\"repeat\": \"often\""), "a.viete: time.repeat: "},
-      {time("\"first\": 50, \"last\": 3"), "a.viete: time: its last frame is not after its first"},
+      {time("\"first\": 50, \"last\": 3"), "a.viete: time: the last frame must be after the first"},
       {time("\"first\": 1e7"), "a.viete: time.first: "},
       {time("\"frame\": \"now\""), "a.viete: time.frame: "},
       {time("\"cameras\": [{\"frame\": 4}]"), "a.viete: time.cameras[0]: the key \"target\" is missing"},
       {keys(key_text("1e9")), "a.viete: time.keys[0].frame: "},
-      {keys(key_text("2") + "," + key_text("2")), "a.viete: time.keys: the keys are not in the order"},
+      {keys(key_text("2") + "," + key_text("2")), "a.viete: time.keys: the keys must be sorted"},
       {keys(key_text("2", "\"easing\": \"fast\",")), "a.viete: time.keys[0].easing: "},
-      {keys("{\"frame\": 7}"), "a.viete: time: the pose of frame 7 is of another cage or model"},
+      {keys("{\"frame\": 7}"), "a.viete: time: the pose of frame 7 belongs to another cage or model"},
       {keys("{\"frame\": 7, " + positions("[1e40, 0, 0]") + "}"), "frame 7"}};
   for (const auto& c : cases) {
     CAPTURE(c.members);
@@ -405,7 +406,7 @@ TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
   for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = 0.29;  // also where the weights do not use it
+    scheme.weighting.radius = 0.29;  // kept even if the weights do not use it
     check_kept(scheme);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);
@@ -430,7 +431,7 @@ TEST_CASE("another_format_and_another_version_are_refused_with_advice") {
   CHECK(mentions(refusal(files / "a.viete"), "not a session"));
   test::put_file(files / "a.viete", R"({"format": "viete session", "version": 2, "model": "model.obj"})");
   CHECK(mentions(refusal(files / "a.viete"),
-                 "version: the session has version 2, this version of Viete reads 1"));
+                 "version: the session has version 2, this version of Viete reads version 1"));
   for (const char* text : {"", "[]", "3", "{", "null", "\xff\xfe{}"}) {
     test::put_file(files / "a.viete", text);
     CHECK_MESSAGE(mentions(refusal(files / "a.viete"), "a.viete"), text);
@@ -442,7 +443,7 @@ TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
   Workspace w = test::opened({files.model, files.cage, files.pose});
   REQUIRE(save_session(w, files / "a.viete"));
   fs::copy(files.cage, files / "same.obj");
-  fs::rename(files / "same.obj", files.cage);  // a new file with the old content
+  fs::rename(files / "same.obj", files.cage);  // a new file with the same content
   CHECK(said_on_opening(files / "a.viete").empty());
 
   mesh::Surface cage = test::cube(1.5);
@@ -485,7 +486,7 @@ TEST_CASE("a_broken_cage_names_both_files") {
   CHECK_MESSAGE((mentions(said, "a.viete: cage: ") && mentions(said, "cage.obj:2")), said);
 }
 
-// Without a change of brackets and quotes most damage leaves valid JSON.
+// Brackets and quotes are not changed, so that the JSON often stays valid.
 TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::test_suite(test::longer)) {
   const test::CubeFiles files;
   const std::string whole = session_text(session_of(animated(files)), files / "a.viete");

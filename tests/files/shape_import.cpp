@@ -23,7 +23,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A model, and files of it.
+// A folder with files of shapes of a model.
 struct ShapeFiles : test::TemporaryFolder {
   mesh::Surface model = test::CubeFiles::subdivided_cube();
 
@@ -53,7 +53,7 @@ struct ShapeFiles : test::TemporaryFolder {
   }
 };
 
-// Reordered vertices with the same faces.
+// The same surface with its vertices in random order.
 mesh::Surface shuffled(const mesh::Surface& surface) {
   std::vector<std::uint32_t> order(surface.positions.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -97,7 +97,7 @@ TEST_CASE("faces_tell_vertices_that_stand_in_another_order") {
   const ImportedShapes read = f.read("a.obj");
   CHECK(*read.shapes.at(0).shape == surface.positions);
   REQUIRE(read.warnings.size() == 1);
-  CHECK(mentions(read.warnings[0], "a.obj: its vertices are in another order"));
+  CHECK(mentions(read.warnings[0], "a.obj: the vertex order differs"));
 }
 
 TEST_CASE("polygons_are_told_by_the_triangles_that_they_are_cut_into") {
@@ -124,15 +124,15 @@ TEST_CASE("vertices_of_no_face_keep_their_order") {
 TEST_CASE("the_first_thing_that_differs_is_named") {
   const ShapeFiles f;
   f.write("other.obj", test::cube(1));
-  CHECK(mentions(f.problem("other.obj"), "the number of vertices is 8, in the model it is 20; choose"));
+  CHECK(mentions(f.problem("other.obj"), "the file has 8 vertices, the model has 20; choose"));
   mesh::Surface changed = f.model;
   changed.triangles.pop_back();
   f.write("fewer.obj", mesh::from_triangles(changed.positions, changed.triangles));
-  CHECK(mentions(f.problem("fewer.obj"), "the number of faces is 35, in the model it is 36; choose"));
+  CHECK(mentions(f.problem("fewer.obj"), "the file has 35 faces, the model has 36; choose"));
   changed = f.model;
   std::swap(changed.triangles[5][0], changed.triangles[5][1]);
   f.write("turned.obj", mesh::from_triangles(changed.positions, changed.triangles));
-  CHECK(mentions(f.problem("turned.obj"), "turned.obj: face 5 (from 0) has the vertices "));
+  CHECK(mentions(f.problem("turned.obj"), "turned.obj: face 5 (counted from 0) has the vertices "));
   std::ranges::reverse(changed.triangles);
   f.write("reversed.obj", mesh::from_triangles(changed.positions, changed.triangles));
   CHECK(f.problem("reversed.obj") != "");
@@ -151,7 +151,7 @@ TEST_CASE("a_numbered_name_stands_for_its_files_by_number") {
   CHECK(read.files.size() == 3);
   CHECK(mentions(f.problem("q_##.ply"), "q_##.ply: no file matches this name with digits"));
   f.write("p_3.ply", test::cube(1));
-  CHECK(mentions(f.problem("p_#.ply"), "p_3.ply: the number of vertices is 8"));
+  CHECK(mentions(f.problem("p_#.ply"), "p_3.ply: the file has 8 vertices"));
 }
 
 TEST_CASE("a_point_cache_is_a_shape_a_frame") {
@@ -166,7 +166,7 @@ TEST_CASE("a_point_cache_is_a_shape_a_frame") {
     f.write_cache(name, {f.moved(30)});
     CHECK(f.read(name).shapes.front().name == "c");
     f.write_cache(name, {test::cube(1).positions});
-    CHECK(mentions(f.problem(name), "it moves 8 points, and the model has 20 vertices"));
+    CHECK(mentions(f.problem(name), "the file has 8 points, and the model has 20 vertices"));
   }
   f.write_cache("many.pc2", std::vector<Points>(Timeline::most_keys + 1, f.model.positions));
   CHECK(mentions(f.problem("many.pc2"), "there are 10001 shapes, and a timeline can have 10,000"));
@@ -186,7 +186,7 @@ TEST_CASE("morph_targets_are_shapes_of_their_names") {
   CHECK(distance(*read.shapes[1].shape, frown) < 1e-6);
   test::write_morphs(f / "moved.glb", {f.model, smile, {}}, nullptr,
                      test::MorphAnimation{"", {{0, "frown", frown}}});
-  CHECK(mentions(f.problem("moved.glb"), "its rest shape is not the model"));
+  CHECK(mentions(f.problem("moved.glb"), "the rest shape differs from the model"));
 }
 
 TEST_CASE("positions_farther_away_than_can_be_drawn_are_refused") {

@@ -49,7 +49,7 @@ struct Converted : test::TemporaryFolder {
 
 TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials") {
   Converted c;
-  CHECK(c.to("out.obj") == Notes{"OBJ cannot store other content of the file: groups, materials, textures"});
+  CHECK(c.to("out.obj") == Notes{"OBJ cannot store some content of the file: groups, materials, textures"});
   CHECK(c.entries() == 3);
   const ReadResult out = formats::read(c / "out.obj");
   CHECK(out.surface.positions == c.moved);
@@ -66,7 +66,7 @@ TEST_CASE("conversion_keeps_texture_points_normals_and_colours_but_no_materials"
 
 TEST_CASE("ply_stores_attributes_with_one_value_per_vertex") {
   Converted c;
-  CHECK(c.to("out.ply") == Notes{"PLY cannot store other content of the file: several normals of a vertex, "
+  CHECK(c.to("out.ply") == Notes{"PLY cannot store some content of the file: several normals of a vertex, "
                                  "groups, materials, textures"});
   const ReadResult out = formats::read(c / "out.ply");
   CHECK(out.surface.positions == c.moved);
@@ -83,12 +83,12 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
   Converted c;
   CHECK(c.to("out.off").size() == 1);
   CHECK(formats::read(c / "out.off").attributes->colors == c.read.attributes->colors);
-  CHECK(c.to("out.stl") == Notes{"STL cannot store other content of the file: texture coordinates, normals, "
+  CHECK(c.to("out.stl") == Notes{"STL cannot store some content of the file: texture coordinates, normals, "
                                  "colours, groups, materials, textures"});
   CHECK(formats::read(c / "out.stl").surface.triangles.size() == 2);
   const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
   const ReadResult obj = test::read_kept(triangle + "l 1 2\nl 2 3\np 1\nlod 3\n", "obj");
-  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store other content of the file: 2 lines, 1 "
+  CHECK(convert(obj, c / "a.stl", true) == Notes{"STL cannot store some content of the file: 2 lines, 1 "
                                                  "point, 1 statement of curves, surfaces and display"});
   CHECK(convert(obj, c / "a.obj", true).empty());
   CHECK(convert(test::read_kept(triangle, "obj"), c / "b.stl", true).empty());
@@ -98,7 +98,7 @@ TEST_CASE("conversion_reports_content_that_is_lost") {
       "quality\nelement edge 1\nproperty int vertex1\nend_header\n1 2 3 4\n0\n",
       "ply");
   CHECK(convert(ply, c / "a.off", true) ==
-        Notes{"OFF cannot store other content of the file: property quality of vertex, element edge"});
+        Notes{"OFF cannot store some content of the file: property quality of vertex, element edge"});
   test::GltfParts parts = test::patch();
   parts.json["animations"] = {{{"channels", test::GltfJson::array()}}};
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", 0}}};
@@ -114,7 +114,7 @@ TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
   for (const char* name : {"a.glb", "a.gltf"}) {
     const Content content{square.surface, square.surface.positions, square.comments, square.attributes.get()};
     CHECK(formats::write(folder / name, content, nullptr, {}) ==
-          Notes{"glTF cannot store other content of the file: groups",
+          Notes{"glTF cannot store some content of the file: groups",
                 "2 faces of more than three corners became triangles"});
     CHECK(formats::read(folder / name).surface.positions.size() == 4);
   }

@@ -68,7 +68,7 @@ TEST_CASE("off_undeclared_colours_are_kept") {
     const ReadResult odd =
         test::read_text("OFF\n3 1 0\n0 0 0 1 0 0\n1 0 0 " + std::string(row) + "\n0 1 0\n3 0 1 2\n", "off");
     CHECK(odd.attributes == nullptr);
-    CHECK(holds(odd.warnings.at(0), "ignored extra values after the positions of 1 row"));
+    CHECK(holds(odd.warnings.at(0), "ignored undeclared values after the positions of 1 vertex row"));
   }
 }
 
@@ -89,7 +89,7 @@ TEST_CASE("face_colours_are_written_where_the_format_has_them") {
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(formats::write(folder / "b.stl",
                        Content{off.surface, off.surface.positions, {}, off.attributes.get()}, nullptr, {}) ==
-        std::vector<std::string>{"STL cannot store other content of the file: colours of faces"});
+        std::vector<std::string>{"STL cannot store some content of the file: colours of faces"});
 }
 
 TEST_CASE("ply_faces_have_texture_points_colours_and_images") {

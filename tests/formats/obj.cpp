@@ -67,21 +67,22 @@ TEST_CASE("obj_errors_name_file_line_and_what_to_do") {
   CHECK(test::refusal(four + "f 1 2 5\n", "obj") ==
         "given.obj:5: face refers to vertex 5, the file has 4; export the model again");
   CHECK(test::refusal(four + "f -5 2 3\n", "obj") ==
-        "given.obj:5: face refers to vertex -5, the file has 4 before it; export the model again");
-  test::check_refusals("obj",
-                       {{four + "f 0 1 2\n", "given.obj:5: face refers to vertex 0, OBJ indices start at 1"},
-                        {"v 0,5 0 0\n", "given.obj:1: \"0,5\" is not a number; use a decimal point"},
-                        {"v 1 2\n", "given.obj:1: a coordinate is missing"},
-                        {"v 1 2 x\n", "\"x\" is not a number"},
-                        {"v 1 2 nan\n", "\"nan\" is not a finite number"},
-                        {four + "f a b c\n", "\"a\" is not a vertex index"},
-                        {four + "f 1 2 3x\n", "vertex index is followed by \"x\""},
-                        {four + "f 1 2 3.5\n", "followed by \".5\""},
-                        {four + "f 1 2 99999999999\n", "refers to vertex 99999999999"},
-                        {four + "f 1 2 99999999999999999999\n", "is too large"},
-                        {four + "f 1 2 3\nf", "given.obj:6: face without vertices"},
-                        {"f 1 2 3\n", "the file has 0"},
-                        {"# nothing\n", "no vertices found"}});
+        "given.obj:5: face refers to vertex -5, the file has 4 vertices before this line; export the model "
+        "again");
+  test::check_refusals(
+      "obj", {{four + "f 0 1 2\n", "given.obj:5: face refers to vertex 0, but OBJ indices start at 1"},
+              {"v 0,5 0 0\n", "given.obj:1: \"0,5\" is not a number; use a decimal point"},
+              {"v 1 2\n", "given.obj:1: a coordinate is missing"},
+              {"v 1 2 x\n", "\"x\" is not a number"},
+              {"v 1 2 nan\n", "\"nan\" is not a finite number"},
+              {four + "f a b c\n", "\"a\" is not a vertex index"},
+              {four + "f 1 2 3x\n", "vertex index is followed by \"x\""},
+              {four + "f 1 2 3.5\n", "followed by \".5\""},
+              {four + "f 1 2 99999999999\n", "refers to vertex 99999999999"},
+              {four + "f 1 2 99999999999999999999\n", "is too large"},
+              {four + "f 1 2 3\nf", "given.obj:6: the face has no vertices"},
+              {"f 1 2 3\n", "the file has 0"},
+              {"# nothing\n", "no vertices found"}});
   CHECK(test::refusal("# made by hand\n\nVERTEX 0 0 0\nVERTEX 1 0 0\n", "obj") ==
         "given.obj:3: unknown OBJ keyword \"VERTEX\", and no vertices were found; export the model again");
 }
@@ -114,14 +115,14 @@ TEST_CASE("obj_continued_lines_accept_any_backslash_position") {
 TEST_CASE("obj_oddities_cause_warnings") {
   const ReadResult points = test::read_text(four, "obj");
   REQUIRE(points.warnings.size() == 1);
-  CHECK(points.warnings[0] == "given.obj: no faces, only a set of points");
+  CHECK(points.warnings[0] == "given.obj: the file has no faces, only a set of points");
   const ReadResult odd =
       test::read_text(four + "f 1 2\nf 1 2 3\nvertex 1\nvertex 2\nsurf 0 1 0 1 1 2\n", "obj");
   REQUIRE(odd.warnings.size() == 3);
   CHECK(odd.surface.polygon_count() == 1);
   CHECK(holds(odd.warnings[0], "1 free-form element cannot be shown"));
   CHECK(holds(odd.warnings[1], "given.obj:7: ignored 2 lines"));
-  CHECK(holds(odd.warnings[2], "left out 1 face with fewer than three corners"));
+  CHECK(holds(odd.warnings[2], "ignored 1 face with fewer than three corners"));
 }
 
 TEST_CASE("obj_comments_of_the_head_are_kept") {
@@ -243,7 +244,7 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
   CHECK(read.attributes->normals[1] == Vec3{0, 0, 0});
   REQUIRE(read.warnings.size() == 3);
   CHECK(holds(read.warnings[0], "5 references to missing texture coordinates or normals"));
-  CHECK(holds(read.warnings[1], "1 line of texture coordinates or normals are unreadable"));
+  CHECK(holds(read.warnings[1], "used 0 for 1 unreadable line of texture coordinates"));
 }
 
 namespace {

@@ -40,15 +40,15 @@ TEST_CASE("off_errors_name_the_line") {
   test::check_refusals(
       "off",
       {{"OFF\n4 2 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 0 1 4\n3 0 1 2\n",
-        "given.off:7: face refers to vertex 4 (from 0), the file has 4"},
+        "given.off:7: face refers to vertex 4, the file has 4, counted from 0"},
        {"OFF\n2000000000 2000000000 0\n0 0 0\n", "given.off:2: 2000000000 vertices and"},
-       {"OFF\n-4 2 0\n" + body, "vertex count -4 is negative"},
+       {"OFF\n-4 2 0\n" + body, "number of vertices -4 is negative"},
        {"OFF\n4 3 0\n" + body + "    ", "the file ends before the last face"},
        {"OFF\n4 2 0\n0 0 0\n1 0\n1 1 0\n0 1 0\n3 0 1 2\n3 0 1 2\n", "given.off:4: a coordinate is missing"},
        {"OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2\n", "the file ends before the last face"},
-       {"4OFF\n4 2 0\n" + body, "positions with four or n coordinates"},
+       {"4OFF\n4 2 0\n" + body, "positions must have three coordinates"},
        {"OFF BINARY\n4 2 0\n" + body, "binary OFF is not supported"},
-       {"OFF\n", "the file ends before the counts"},
+       {"OFF\n", "the file ends before the number of vertices"},
        {"OFF\n0 0 0\n", "no vertices"}});
 }
 
@@ -70,7 +70,7 @@ TEST_CASE("off_prefixes_are_known_in_any_order") {
     CHECK_FALSE(looks_like_off(Source{"given", "off", head + "\n" + body}));
   for (const std::string head : {"4OFF", "nOFF", "STCN4nOFF", "C4OFF"})
     CHECK(holds(test::refusal(head + "\n4 2 0\n" + body, "off"),
-                '"' + head + "\" has positions with four or n coordinates"));
+                '"' + head + "\" is not supported: positions must have three coordinates"));
 }
 
 TEST_CASE("off_colours_before_normals_are_integers") {

@@ -70,9 +70,8 @@ Maker rich_ply(Maker::Form form) {
          "list uchar int vertex_indices\r\nproperty float nx\r\nproperty float ny\r\nproperty float "
          "nz\r\nelement edge 2\r\nproperty int vertex1\r\nproperty int vertex2\r\nend_header\r\n");
   m.body_begins();
-  for (int i = 0; i < 2; ++i) {
+  for (int i = 0; i < 2; ++i)
     m.put<std::uint8_t>(2), m.put(0.5F), m.put(1e-20F), m.put<std::int16_t>(-7), m.end_row();
-  }
   for (int v = 0; v < 16; ++v) {
     const double x = v % 4 + 0.25, y = v / 4 + 0.5, z = 0.125 * x * y;
     const double length = std::hypot(0.125 * y, 0.125 * x, 1);
@@ -166,8 +165,8 @@ TEST_CASE("position_beyond_float_range_is_rejected") {
       "y\nproperty float z\nend_header\n";
   const ReadResult ply = test::read_kept(head + std::string(12, '\0'), "ply");
   CHECK_THROWS_WITH_AS(test::written_again(ply, {{1e39, 0, 0}}),
-                       "given.ply: vertex 0: a position does not fit into the file's type; write another "
-                       "format, or scale the model",
+                       "given.ply: vertex 0: the new value exceeds the range of its number type in this "
+                       "file; save in another format, or scale the model",
                        base::Error);
   std::string stl(84 + 50, '\0');
   stl[80] = 1;

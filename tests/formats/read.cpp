@@ -167,7 +167,7 @@ TEST_CASE("foreign_files_are_rejected_with_their_kind") {
       {"PK\3\4....", "zip"},
       {std::string("\xFF\xFEv\0 \0", 6), "UTF-16"},
       {std::string("\xFE\xFF\0v\0 ", 6), "UTF-16"},
-      {"<!doctype HTML>\n<html><body>Not found", "a web page; download the file itself"},
+      {"<!doctype HTML>\n<html><body>Not found", "a web page; download the model file"},
       {"\xEF\xBB\xBF\n  <HTML>", "a web page"},
       {"<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"\">", "a COLLADA file"},
       {"<?xml version=\"1.0\"?>\n<something>", "XML"},
@@ -179,7 +179,7 @@ TEST_CASE("foreign_files_are_rejected_with_their_kind") {
       {"\x28\xB5\x2F\xFD....", "zstd"},
       {"\x89PNG\r\n", "a picture"},
       {std::string("POINTCACHE2\0", 12), "a point cache"},
-      {std::string(3000, '\0'), "nothing but zeros"},
+      {std::string(3000, '\0'), "only zero bytes"},
       {"", "the file is empty"}};
   for (const auto& [bytes, what] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "glb", "gltf", ""}) {

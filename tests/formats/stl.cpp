@@ -70,29 +70,29 @@ TEST_CASE("stl_text_may_be_upper_case_have_several_solids_and_names") {
 TEST_CASE("stl_errors_name_line_or_triangle") {
   const std::string whole = binary_stl(test::sphere(1), "a");
   test::check_refusals(
-      "stl", {{whole.substr(0, whole.size() - 10), "announces 32 triangles, the file has room for 31"},
+      "stl", {{whole.substr(0, whole.size() - 10), "declares 32 triangles, the file has room for 31"},
               {whole.substr(0, 60), "a binary STL has at least 84 bytes"},
               {binary_stl(Surface{}, "a"), "no vertices"}});
   std::string huge = whole;
   for (int i = 80; i < 84; ++i) huge[i] = '\xff';
-  CHECK(holds(test::refusal(huge, "stl"), "announces 4294967295 triangles"));
+  CHECK(holds(test::refusal(huge, "stl"), "declares 4294967295 triangles"));
   Surface infinite = test::sphere(1);
   infinite.positions[infinite.triangles[0][1]][2] = INFINITY;
   test::check_refusals(
       "stl", {{binary_stl(infinite, "a"), "given.stl: triangle 0: a coordinate is not a finite number"},
               {"solid a\n" + facet.substr(0, facet.size() - 9), "the file ends within a facet"},
-              {"solid a\nvertex 0 0 0\n", "given.stl:2: vertex outside of a facet"},
-              {"solid a\nfacet\nendfacet\n", "given.stl:3: facet with 0 corners"},
-              {"solid a\nnonsense\n", "\"nonsense\" is not a word of STL"}});
+              {"solid a\nvertex 0 0 0\n", "given.stl:2: a vertex is outside of a facet"},
+              {"solid a\nfacet\nendfacet\n", "given.stl:3: a facet has 0 corners"},
+              {"solid a\nnonsense\n", "\"nonsense\" is not an STL keyword"}});
 }
 
 TEST_CASE("stl_truncation_and_trailing_bytes_cause_warnings") {
-  CHECK(holds(test::read_text("solid a\n" + facet, "stl").warnings.at(0), "may be cut short"));
+  CHECK(holds(test::read_text("solid a\n" + facet, "stl").warnings.at(0), "may be truncated"));
   CHECK(holds(test::read_text(binary_stl(test::sphere(1), "a") + "tail", "stl").warnings.at(0),
               "4 bytes after"));
   std::string fewer = binary_stl(test::sphere(1), "a");
   fewer[80] = 0;
-  CHECK(holds(test::refusal(fewer, "stl"), "announces 0 triangles, and 1600 bytes follow"));
+  CHECK(holds(test::refusal(fewer, "stl"), "declares 0 triangles, and 1600 bytes follow"));
   fewer[80] = 31;
   CHECK(
       holds(test::read_text(fewer, "stl").warnings.at(0), "50 bytes after the 31 triangles that the header"));
@@ -118,8 +118,7 @@ TEST_CASE("stl_attributes_after_triangles_are_skipped_and_kept") {
     const std::string moved = test::written_again(r, test::moved(r.surface, 2).positions);
     CHECK(moved.size() == bytes.size());
     CHECK(test::read_text(moved, "stl").surface.positions == test::moved(r.surface, 2).positions);
-    CHECK(
-        holds(test::refusal(bytes.substr(0, bytes.size() - 3), "stl"), "the header announces 32 triangles"));
+    CHECK(holds(test::refusal(bytes.substr(0, bytes.size() - 3), "stl"), "the header declares 32 triangles"));
   }
 }
 

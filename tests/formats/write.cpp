@@ -57,9 +57,8 @@ TEST_CASE("stl_keeps_every_triangle_exactly") {
   REQUIRE(r.surface.triangles.size() == s.triangles.size());
   CHECK(r.comments == std::vector<std::string>{"a name"});
   for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    for (int i = 0; i < 3; ++i) {
+    for (int i = 0; i < 3; ++i)
       CHECK(r.surface.positions[r.surface.triangles[t][i]] == s.positions[s.triangles[t][i]]);
-    }
   }
 }
 

@@ -150,7 +150,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
   put_file(f / "flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   put_file(f / "s.viete", R"({"format": "viete session", "version": 1, "model": "rest.obj"})");
   const std::pair<const char*, const char*> cases[] = {
-      {"between rest.obj other.obj -o m.ply --at 1", "other.obj: the number of vertices is 8"},
+      {"between rest.obj other.obj -o m.ply --at 1", "other.obj: the file has 8 vertices"},
       {"between rest.obj broken.obj -o m.ply --at 1", "broken.obj:2: coordinate \"nan\""},
       {"between broken.obj rest.obj -o m.ply --at 1", "broken.obj:2: coordinate \"nan\""},
       {"between rest.obj none.obj -o m.ply --at 1", "none.obj: there is no such file"},
@@ -166,7 +166,7 @@ TEST_CASE("shapes_that_are_none_and_files_that_are_read_are_refused") {
       {"between rest.obj a.obj -o a.obj --at 1", "an input file (a shape)"},
       {"mix rest.obj --shape a.obj=1 -o a.obj", "an input file (a shape)"},
       {"between rest.obj 's_#.obj' -o 's_#.obj' --force", "s_1.obj: this is an input file"},
-      {"between rest.obj a.obj -o m.obj", "this format stores a single frame; write numbered"},
+      {"between rest.obj a.obj -o m.obj", "this format stores only one frame per file; use a numbered name"},
       {"between rest.obj a.obj -o m.png", "unknown extension .png"},
       {"between rest.obj a.obj -o m.pc2 --at 1", "unknown extension .pc2"},
       {"between rest.obj a.obj b.obj -o m.pc2 --frames 2", "2 frames are too few for 3 shapes"},

@@ -157,7 +157,7 @@ TEST_CASE("deform_says_what_a_method_loses_and_only_where_it_does") {
     return f.done("deform " + in_cage + " --pose " + quoted(file) + " --force -o out.ply --method " + method);
   };
   const auto lost = deform("close.obj", "sd");
-  for (const char* part : {"viete: note: ", "method sd have errors up to ", "fast"})
+  for (const char* part : {"viete: note: ", "method sd has relative errors up to ", "fast"})
     CHECK_MESSAGE(mentions(lost, part), lost.text);
   for (const char* method : {"diag", "fast"}) CHECK_FALSE(mentions(deform("close.obj", method), "method"));
   CHECK_FALSE(mentions(deform(pose, "sd"), "method"));

@@ -22,8 +22,9 @@ TEST_CASE("missing_entry_point_is_named") {
 
 TEST_CASE("gl_mistake_is_reported_once_with_its_place") {
   const test::Stage stage;
-  stage.gl.Enable(GL_RENDERER);  // not a capability
-  CHECK_THROWS_WITH_AS(render::check_gl(stage.gl, "here"), "here: OpenGL reports error 0x500", base::Error);
+  stage.gl.Enable(GL_RENDERER);  // an invalid argument
+  CHECK_THROWS_WITH_AS(render::check_gl(stage.gl, "here"),
+                       "here: OpenGL reports error 0x500; update the graphics driver", base::Error);
   CHECK_NOTHROW(render::check_gl(stage.gl, "here"));
 }
 

@@ -24,15 +24,14 @@ TEST_CASE("png_round_trip_is_exact") {
 TEST_CASE("a_picture_is_decoded_and_halved_until_it_is_short_enough") {
   const test::TemporaryFolder folder;
   render::Image image{8, 4, std::vector<std::uint8_t>(4 * 8 * 4, 255)};
-  for (std::size_t i = 0; i < image.rgba.size(); i += 8)
-    image.rgba[i] = 0;  // red is off in every other pixel
+  for (std::size_t i = 0; i < image.rgba.size(); i += 8) image.rgba[i] = 0;  // no red in every other pixel
   render::write_png(folder / "a.png", image);
   const std::string bytes = test::file_bytes(folder / "a.png");
   CHECK(render::decode_image("a.png", bytes, 8).rgba == image.rgba);
   const render::Image small = render::decode_image("a.png", bytes, 4);
   CHECK(small.width == 4);
   CHECK(small.height == 2);
-  CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // half of the light
+  CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // half of the red light
   CHECK_THROWS_WITH_AS(render::decode_image("given", "nonsense", 4096), doctest::Contains("given: "),
                        base::Error);
 }

@@ -11,19 +11,18 @@ namespace {
 
 const glm::dmat4 perspective = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
 
-// The brightest value of a channel in a row or column of pixels.
+// The largest value of a channel in 20 pixels.
 int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int channel) {
   int most = 0;
   for (int i = 0; i < 20; ++i, from += step) most = std::max<int>(most, image.pixel(from.x, from.y)[channel]);
   return most;
 }
 
-/// A wall at x >= 0, z = 1, drawn black so that only lines and discs are visible.
+/// A black wall at x >= 0, z = 1. Only lines and discs are visible.
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
-    const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
-    surface.set_triangles(triangles, 4);
+    surface.set_triangles(std::vector<render::Triangle>{{0, 1, 2}, {0, 2, 3}}, 4);
     surface.set_positions(corners, std::vector<Point>(4, Point{0, 0, 1}));
   }
   void draw(const render::View& view) const {
@@ -36,8 +35,7 @@ struct Wall {
 
 void set_line(render::LineLayer& lines, const Point& a, const Point& b,
               const glm::vec4& color = glm::vec4(1)) {
-  const std::vector<render::Segment> segments{{0, 1}};
-  lines.set_segments(segments, 2);
+  lines.set_segments(std::vector<render::Segment>{{0, 1}}, 2);
   lines.set_positions(std::vector<Point>{a, b});
   lines.set_color(color);
 }
@@ -76,8 +74,7 @@ TEST_CASE("ring_is_around_the_disc_with_a_gap_and_as_strong_if_the_disc_is_hidde
   test::Stage stage;
   const Wall wall(stage.gl);
   render::DiscLayer discs(stage.gl);
-  render::DiscStyle style;
-  style.ring = glm::vec3(0, 1, 0);
+  const render::DiscStyle style{.ring = glm::vec3(0, 1, 0)};
   for (const int x : {-5, 5}) {
     set_disc(discs, {double(x), 0, -2}, {glm::vec4(1, 0, 0, 1), 6, true});
     const render::Image image = stage.picture([&] {
@@ -107,8 +104,7 @@ TEST_CASE("line_has_the_asked_width_at_any_scale") {
   set_line(lines, {-10, 0.03, 0}, {10, 0.03, 0});
   for (const float scale : {1.0F, 2.0F}) {
     stage.view.scale = scale;
-    render::LineStyle style;
-    style.width = 3;
+    const render::LineStyle style{.width = 3};
     const double area = test::lit_area(stage.picture([&] { lines.draw(stage.view, style); }));
     const double width = 3 * scale, length = 200;
     CHECK(area == doctest::Approx(length * width + M_PI * width * width / 4).epsilon(0.03));
@@ -123,9 +119,7 @@ TEST_CASE("hidden_parts_are_fainter_than_visible_ones") {
   render::DiscLayer discs(stage.gl);
   discs.set_discs(std::vector<render::Disc>(2, render::Disc{glm::vec4(1), 6, false}));
   discs.set_positions(std::vector<Point>{{-5, 0, -2}, {5, 0, -2}});
-  render::LineStyle style;
-  style.width = 4;
-  style.hidden_opacity = 0.25F;
+  const render::LineStyle style{.width = 4, .hidden_opacity = 0.25F};
   const render::Image image = stage.picture([&] {
     wall.draw(stage.view);
     lines.draw(stage.view, style);
@@ -144,22 +138,20 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   render::LineLayer lines(stage.gl);
   set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
-  CHECK(image.pixel(160, 195)[0] > 0);  // reaches the lower border
+  CHECK(image.pixel(160, 195)[0] > 0);  // the line ends at the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);
-  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // entirely behind the eye
+  set_line(lines, {-1, -1, 20}, {1, 1, 40});  // completely behind the eye
   CHECK(test::count_not_black(stage.picture([&] { lines.draw(stage.view, {}); })) == 0);
 }
 
 TEST_CASE("segments_have_their_own_colours_or_interpolate_those_of_their_ends") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
-  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
-  lines.set_segments(segments, 4);
+  lines.set_segments(std::vector<render::Segment>{{0, 1}, {2, 3}}, 4);
   lines.set_positions(std::vector<Point>{{-10, 5, 0}, {10, 5, 0}, {-10, -5, 0}, {10, -5, 0}});
   const glm::vec4 red(1, 0, 0, 1), green(0, 1, 0, 1), blue(0, 0, 1, 1);
   lines.set_colors(std::vector<glm::vec4>{red, green});
-  render::LineStyle style;
-  style.width = 4;
+  const render::LineStyle style{.width = 4};
   const auto picture = [&] { return stage.picture([&] { lines.draw(stage.view, style); }); };
   const render::Image each = picture();
   CHECK(each.pixel(160, 50) == render::Rgba8{255, 0, 0, 255});
@@ -175,12 +167,10 @@ TEST_CASE("segments_have_their_own_colours_or_interpolate_those_of_their_ends") 
 TEST_CASE("halo_is_beside_its_line_and_under_other_lines") {
   test::Stage stage;
   render::LineLayer lines(stage.gl);
-  const std::vector<render::Segment> segments{{0, 1}, {2, 3}};
-  lines.set_segments(segments, 4);
+  lines.set_segments(std::vector<render::Segment>{{0, 1}, {2, 3}}, 4);
   lines.set_positions(std::vector<Point>{{-4, 0.05, 0}, {4, 0.05, 0}, {0.05, -4, 0}, {0.05, 4, 0}});
   lines.set_color(glm::vec4(1, 0, 0, 1));
-  render::LineStyle style;
-  style.width = 2;
+  render::LineStyle style{.width = 2};
   const render::Image plain = stage.picture([&] { lines.draw(stage.view, style); });
   style.halo = glm::vec4(0, 0, 1, 1);
   const render::Image image = stage.picture([&] { lines.draw(stage.view, style); });
@@ -194,11 +184,10 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
   test::Stage stage;
   render::FaceLayer faces(stage.gl);
   faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}}, 3);
-  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // rises towards the viewer
+  faces.set_positions(std::vector<Point>{{0, 0, 0}, {6, -4, 10}, {6, 4, 10}});  // inclined to the viewer
   render::DiscLayer discs(stage.gl);
   set_disc(discs, {0, 0, 0}, {glm::vec4(1), 6, false});
-  render::FaceStyle untinted;
-  untinted.opacity = untinted.rim = 0;
+  const render::FaceStyle untinted{.opacity = 0, .rim = 0};
   const render::Image image = stage.picture([&] {
     faces.draw(stage.view, untinted);
     discs.draw(stage.view, {});
@@ -209,15 +198,12 @@ TEST_CASE("disc_at_a_corner_of_slanted_faces_is_whole") {
 TEST_CASE("faces_tint_and_hide_lines_behind_them") {
   test::Stage stage;
   render::FaceLayer faces(stage.gl);
-  const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
-  faces.set_triangles(triangles, 4);
+  faces.set_triangles(std::vector<render::Triangle>{{0, 1, 2}, {0, 2, 3}}, 4);
   faces.set_positions(std::vector<Point>{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}});
   render::LineLayer lines(stage.gl);
   set_line(lines, {-12, 0, 0}, {12, 0, 0});
-  render::FaceStyle style;
-  style.opacity = 0.1F;
-  render::LineStyle wide;
-  wide.width = 4;
+  render::FaceStyle style{.opacity = 0.1F};
+  const render::LineStyle wide{.width = 4};
   const auto draw = [&] {
     faces.draw(stage.view, style);
     lines.draw(stage.view, wide);
@@ -239,10 +225,8 @@ TEST_CASE("edges_of_faces_are_not_hidden_by_their_own_faces") {
   faces.set_positions(corners);
   render::LineLayer lines(stage.gl);
   set_line(lines, corners[0], corners[1]);
-  render::LineStyle wide;
-  wide.width = 3;
-  render::FaceStyle untinted;
-  untinted.opacity = untinted.rim = 0;
+  const render::LineStyle wide{.width = 3};
+  const render::FaceStyle untinted{.opacity = 0, .rim = 0};
   const render::Image image = stage.picture([&] {
     faces.draw(stage.view, untinted);
     lines.draw(stage.view, wide);

@@ -33,7 +33,7 @@ TEST_CASE("rays_through_pixels_hit_points_drawn_there") {
 
 namespace {
 
-/// CIE lightness (0 to 100) of a colour as displayed.
+/// The CIE lightness, 0 to 100, of a colour as displayed.
 float lightness(const glm::vec3& c) {
   const auto linear = [](float v) {
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);
@@ -49,9 +49,8 @@ TEST_CASE("surface_palette_rises_in_even_steps_of_lightness_and_starts_light") {
   const float step = (lightness(colors.back()) - lightness(colors.front())) / 8;
   CHECK(step > 5);
   CHECK(lightness(colors.front()) > 35);
-  for (std::size_t i = 1; i < colors.size(); ++i) {
+  for (std::size_t i = 1; i < colors.size(); ++i)
     CHECK(lightness(colors[i]) - lightness(colors[i - 1]) == doctest::Approx(step).epsilon(0.25));
-  }
 }
 
 TEST_CASE("palette_starts_and_ends_with_its_keys") {

@@ -100,7 +100,7 @@ TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
   const Revisions before = w.document.revisions();
   CHECK(test::run_command(w, "blend_linear"));
   CHECK(w.document.scheme.blend == deform::Blend::linear);
-  CHECK(w.document.revisions().weights == before.weights);  // other sums with the same weights
+  CHECK(w.document.revisions().weights == before.weights);
   CHECK(w.document.revisions().method > before.method);
   CHECK_FALSE(test::run_command(w, "method_sd"));
   CHECK(test::run_command(w, "weights_mean_value"));
@@ -122,7 +122,7 @@ TEST_CASE("ways_of_blending_are_commands_that_can_be_taken_back") {
 TEST_CASE("amounts_that_slide_are_one_edit_and_stay_with_other_choices") {
   Workspace w = test::cube_workspace();
   for (const double turn : {0.9, 0.5, 0.25}) set_amounts(w.document, {turn, 1});
-  set_amounts(w.document, {0.25, 1});  // no change
+  set_amounts(w.document, {0.25, 1});  // changes nothing
   CHECK(test::edit_count(w.document.history) == 1);
   set_radius(w.document, 0.3);
   set_amounts(w.document, {0.25, 2});
@@ -141,7 +141,7 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK(test::run_command(w, "toggle_stitched"));
   CHECK(w.document.scheme.iterations == 1);
   CHECK(w.document.revisions().method > before.method);
-  CHECK(w.document.revisions().weights == before.weights);  // the same sums with the same weights
+  CHECK(w.document.revisions().weights == before.weights);
   for (const int iterations : {3, 4, 7}) set_iterations(w.document, iterations);
   CHECK(w.document.scheme.iterations == 7);
   CHECK(test::edit_count(w.document.history) == 1);
@@ -149,14 +149,14 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK(test::run_command(w, "redo"));
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_harmonic"));  // stays stitched
+  CHECK(test::run_command(w, "weights_harmonic"));  // keeps stitching
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_mean_value"));  // cannot be stitched
+  CHECK(test::run_command(w, "weights_mean_value"));  // does not support stitching
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
-  // Consecutive changes of the constraints are one edit, and are kept while it is not stitched.
+  // Consecutive changes of the constraints are one edit. They are kept while stitching is off.
   const auto edits = test::edit_count(w.document.history);
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history) == edits + 1);
@@ -176,7 +176,7 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   w.document.pose.positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  revert_scheme(w.document, deform::Scheme());  // keeps later settings
+  revert_scheme(w.document, deform::Scheme());  // keeps settings that were changed later
   CHECK(test::edit_count(w.document.history) == edits + 2);
   CHECK(w.document.scheme == deform::Scheme());
 }
@@ -228,7 +228,7 @@ TEST_CASE("every_command_is_understood_by_its_label_alone") {
     CHECK_MESSAGE((label.find(' ') != label.npos || plain.contains(label)), label);
     CHECK_FALSE(command.brief.empty());
     if (command.submenu.empty()) continue;
-    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // includes its headline
+    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // the label includes the headline
   }
 }
 

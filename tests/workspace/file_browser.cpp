@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "support/folder.h"
+#include "support/text.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Files of several kinds, listed.
+// A file browser that shows a folder with files of several kinds.
 struct Listed : test::TemporaryFolder {
   FileBrowser browser;
 
@@ -45,7 +46,7 @@ TEST_CASE("folders_come_first_then_fitting_files_without_regard_to_case") {
   CHECK(names(browser) == "Sub gamma.viete ");
   enter(browser, folder / "missing");
   CHECK(browser.folder == fs::weakly_canonical(folder.path()));
-  CHECK(browser.problem.find("missing") != std::string::npos);
+  CHECK(test::mentions(browser.problem, "missing"));
   enter(browser, folder / "Sub");
   CHECK(browser.entries.empty());
   CHECK(browser.problem.empty());
@@ -76,7 +77,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   highlight(browser, 2);
   const std::string path = browser.path;
   const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
-    browser.changed = {};  // file times may be coarse
+    browser.changed = {};  // file times may have a low resolution
     refresh(browser);
     CHECK(names(browser) == all);
     CHECK(browser.highlighted == highlighted);
@@ -92,7 +93,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   listed_anew("Sub ", 0);
   browser.entries.clear();
   refresh(browser);
-  CHECK(browser.entries.empty());  // no change was noticed
+  CHECK(browser.entries.empty());  // the folder has not changed
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {
@@ -203,14 +204,14 @@ TEST_CASE("an_unwritable_name_is_detected_before_the_work") {
   FileBrowser& browser = folder.browser;
   CHECK(problem_of_name(browser).empty());
   browser.path = "pose.xyz";
-  CHECK(problem_of_name(browser).find("OBJ, PLY or OFF") != std::string::npos);
+  CHECK(test::mentions(problem_of_name(browser), "OBJ, PLY or OFF"));
   browser.path = "pose";
   CHECK(problem_of_name(browser).empty());
   browser.path = "no/such/folder/pose.obj";
   CHECK_FALSE(problem_of_name(browser).empty());
   show(browser, FileBrowser::Purpose::model, folder.path());
   browser.path = "none.ply";
-  CHECK(problem_of_name(browser).find("none.ply") != std::string::npos);
+  CHECK(test::mentions(problem_of_name(browser), "none.ply"));
 }
 
 TEST_CASE("files_in_use_are_neither_proposed_nor_accepted") {
@@ -226,7 +227,7 @@ TEST_CASE("files_in_use_are_neither_proposed_nor_accepted") {
   for (const char* name : {"Beta.obj", "./Beta.obj", "link.obj", "Beta"}) {
     browser.path = name;
     CHECK_FALSE(browser.replaces());
-    CHECK(problem_of_name(browser).find("is open (the model) and cannot be replaced; ") != std::string::npos);
+    CHECK(test::mentions(problem_of_name(browser), "is open (the model) and cannot be replaced; "));
   }
   browser.path = "alpha.obj";
   CHECK(problem_of_name(browser) == "");

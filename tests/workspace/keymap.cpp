@@ -94,13 +94,13 @@ TEST_CASE("a_changed_key_is_taken_from_others_and_given_back") {
   keymap.change("toggle_grid", {key('F'), true});
   CHECK(text(keys_of(keymap, "toggle_grid").first) == "Ctrl+F");
   keymap.change("toggle_axes", {key('G')});
-  keymap.change("toggle_ghost", {key('G')});  // takes it from the axes, whose default does not return
+  keymap.change("toggle_ghost", {key('G')});  // toggle_axes loses the key and does not get its default
   CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");
   CHECK(text(keys_of(keymap, "toggle_axes").first).empty());
   keymap.change("undo", {});
   CHECK(text(keys_of(keymap, "undo").first).empty());
   keymap.set_preset(KeyPreset::blender);
-  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");  // user changes stay
+  CHECK(text(keys_of(keymap, "toggle_ghost").first) == "G");  // a preset keeps changes by the user
   CHECK(text(keys_of(keymap, "grab").first).empty());
   keymap.take_back("toggle_ghost");
   CHECK(text(keys_of(keymap, "grab").first) == "G");

@@ -23,7 +23,7 @@ using test::distance, test::turned_cube;
 
 namespace {
 
-// Keys: rest at 1, a half turn at 11, twice as wide at 31; ten frames per second.
+// A timeline with keys at rest (frame 1), half a turn (11) and twice the width (31); ten frames per second.
 struct Played {
   Workspace w = test::cube_workspace();
 
@@ -38,7 +38,6 @@ struct Played {
   Timeline& timeline() { return w.document.timeline; }
   const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
   void pass(double seconds) { follow_time(w, seconds); }
-  // Like a drag.
   void put(const deform::Pose& pose) {
     record_edit(document(), "move by hand");
     document().pose = pose;
@@ -96,7 +95,7 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
-    // The same positions after a whole turn.
+    // A full turn does not change the positions.
     deform::Pose pose = p.document().pose;
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
@@ -202,7 +201,7 @@ TEST_CASE("a_stored_or_saved_pose_is_not_unsaved_work_at_other_frames") {
   mark_saved(p.w);
   go_to_frame(p.w, 6);
   CHECK_FALSE(has_unsaved_edits(p.w));
-  mark_saved(p.w);  // with another pose, which is in the list
+  mark_saved(p.w);  // saves a pose that is not in a key, but in the list of poses
   CHECK_FALSE(has_unsaved_edits(p.w));
   p.put(turned_cube(55));
   go_to_frame(p.w, 7);
@@ -246,12 +245,11 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   p.pass(0);
   weights_are(0.2, 0.6);
   CHECK_FALSE(p.document().library.mixes());
-  REQUIRE(test::run_command(p.w, "set_key"));  // keys the played pose
+  REQUIRE(test::run_command(p.w, "set_key"));  // sets a key with the played pose
   CHECK(p.timeline().keys[1].mix.size() == 2);
   undo(p.document());
   p.pass(0);
 
-  // Moving a slider changes only its own pose.
   const auto before = p.positions();
   REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, shown_weights(p.w)));
   CHECK(distance(before, p.positions()) < 1e-5);
@@ -261,7 +259,6 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   CHECK(p.positions() == before);
   p.pass(0);
 
-  // References by name stay while the pose is unchanged.
   rename_pose(p.document(), 0, "Wave");
   p.pass(0);
   weights_are(0.2, 0.6);
@@ -316,7 +313,7 @@ TEST_CASE("it_plays_by_seconds_and_comes_to_rest_at_a_whole_frame") {
   p.pass(1);
   CHECK(p.document().frame == 6);
   start_playing(p.w);
-  p.pass(2.6);  // beyond the end: loops
+  p.pass(2.6);  // plays beyond the end and starts again
   CHECK(p.document().frame == doctest::Approx(2));
   stop_playing(p.w);
   p.timeline().repeat = Repeat::once;
@@ -357,7 +354,7 @@ TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
   p.pass(0.3);
   CHECK(p.w.playback.playing);
   CHECK(p.stands_at(81));
-  reset_pose(p.document());  // an edit of the pose stops it and stays
+  reset_pose(p.document());  // stops the playback
   p.pass(0.1);
   CHECK_FALSE(p.w.playback.playing);
   CHECK(p.positions() == test::cube(1.5).positions);
@@ -377,7 +374,7 @@ TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   set_radius(p.document(), 0.3);
   p.pass(0);
   undo(p.document());
-  CHECK(p.timeline().keys.size() == 3);  // no key without another pose
+  CHECK(p.timeline().keys.size() == 3);  // the pose has not changed
   p.put(turned_cube(77));
   p.pass(0);
   REQUIRE(key_at(p.timeline(), 21));
@@ -392,7 +389,7 @@ TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   p.pass(0);
   CHECK(p.timeline().keys.size() == 3);
   CHECK(p.edits() == 0);
-  // Undo and redo do not count as edits for auto-key.
+  // Undo and redo do not set keys automatically.
   redo(p.document());
   p.pass(0);
   CHECK(p.timeline().keys.size() == 4);

@@ -66,9 +66,7 @@ TEST_CASE("esc_or_the_right_button_during_a_drag_restores_exactly") {
     Mouse m;
     m.click(m.vertex(1));
     const auto before = m.w.document.pose.positions;
-    m.move(m.vertex(7));
-    m.press();
-    m.move(m.vertex(7) + glm::vec2(40, 40));
+    m.begin(m.vertex(7), m.vertex(7) + glm::vec2(40, 40));
     CHECK(m.w.document.pose.positions != before);
     if (by_escape) {
       m.input.escape = true;
@@ -125,9 +123,7 @@ TEST_CASE("middle_right_and_alt_left_drags_orbit_shift_pans_ctrl_zooms") {
 TEST_CASE("a_drag_goes_on_over_panels") {
   Mouse m;
   const glm::vec2 from = m.vertex(7);
-  m.move(from);
-  m.press();
-  m.move(from - glm::vec2(20, 0));
+  m.begin(from, from - glm::vec2(20, 0));
   m.input.over_view = false;
   m.move({50, from.y});
   m.release();
@@ -218,9 +214,7 @@ TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the
 
 TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
   Mouse m;
-  m.move(m.vertex(7));
-  m.press();
-  m.move(m.vertex(7) + glm::vec2(20, 20));
+  m.begin(m.vertex(7), m.vertex(7) + glm::vec2(20, 20));
   m.input.typed = "z.25";
   m.step();
   m.input.typed.clear();
@@ -237,9 +231,7 @@ TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
 
 TEST_CASE("ctrl_pressed_while_the_mouse_rests_snaps_at_once") {
   Mouse m;
-  m.move(m.vertex(7));
-  m.press();
-  m.move(m.vertex(7) + glm::vec2(33, 7));
+  m.begin(m.vertex(7), m.vertex(7) + glm::vec2(33, 7));
   const auto free = m.w.document.pose.positions[7];
   m.input.ctrl = true;
   m.step();

@@ -33,7 +33,7 @@ PictureView view_of(const mesh::Surface& surface, workspace::PictureAngles angle
   return {angles, {surface.positions, {200, 100}, 10}};
 }
 
-// Above 0: clockwise on screen, where y points down.
+// Positive for points in clockwise order on screen, where y points down.
 float signed_area(const std::vector<glm::vec2>& points) {
   float sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -72,11 +72,11 @@ TEST_CASE("a_picture_is_kept_while_its_pose_is_in_use") {
 TEST_CASE("a_view_fills_its_frame_and_keeps_lengths") {
   const mesh::Surface cube = test::cube();
   CHECK(view_of(cube).at({0, 0, 0}) == glm::vec2(100, 50));
-  CHECK(view_of(cube).at({1, 1, 0}) == glm::vec2(140, 10));  // limited by the height
+  CHECK(view_of(cube).at({1, 1, 0}) == glm::vec2(140, 10));  // the cube fills the height
   const PictureView view = view_of(cube, {-30, 25});
   for (const mesh::Vec3& p : {mesh::Vec3{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0.3, -0.2, 0.7}})
     CHECK(mesh::norm(view.seen(p)) == doctest::Approx(mesh::norm(p)));
-  CHECK(view.seen({0, 1, 0})[2] > 0);  // from above
+  CHECK(view.seen({0, 1, 0})[2] > 0);
   CHECK(view.seen({0, 1, 0})[0] == doctest::Approx(0));
 }
 

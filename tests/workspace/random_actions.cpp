@@ -1,4 +1,4 @@
-// Every action can be undone to the start and redone, bit for bit.
+// Random actions can be undone and redone with the same bits.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -26,7 +26,7 @@ using namespace viete::workspace;
 
 namespace {
 
-// Random input: mouse, modifiers, keys and commands, also during drags.
+// Makes random input: mouse, modifiers, keys and commands, also during drags.
 class RandomUser {
 public:
   explicit RandomUser(unsigned seed) : random_(seed) {
@@ -106,7 +106,7 @@ private:
     input_.down = {};
     step();
   }
-  // Random keys during a gesture.
+  // Presses random keys during a drag.
   void disturb() {
     static const std::string keys = "xyzXYZ0123456789.-";
     if (once_in(6)) input_.typed = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
@@ -141,7 +141,7 @@ private:
     test::run_command(w, tools[below(3)]);
     w.view.cage = true;
   }
-  // With armed tools, over vertices and the gizmo too; brushes are sometimes abandoned.
+  // Selects with random tools, also over vertices and the gizmo. Brushes are sometimes cancelled.
   void select_otherwise() {
     static const char* const shapes[] = {"select_box", "select_lasso", "select_brush"};
     test::run_command(w, shapes[below(3)]);
@@ -225,7 +225,7 @@ private:
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     if (command.enabled(w)) command.run(w);
-    w.requests = {};  // nobody fulfils them
+    w.requests = {};
   }
 
   std::mt19937 random_;
@@ -245,7 +245,7 @@ struct Everything {
   bool operator==(const Everything&) const = default;
 };
 
-// The element kind of an empty selection is a mode, not part of the document.
+// Ignores the element kind of an empty selection, which is not part of the document.
 Everything of(const Document& document) {
   const Selection& selection = document.selection;
   return {document.pose.positions, document.pose.turns,
@@ -276,7 +276,7 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
     edits += count;
     std::size_t steps = 0;
     for (; document.history.can_undo(); ++steps) undo(document);
-    document.frame = start.frame;  // changing the frame is no edit
+    document.frame = start.frame;  // a change of the frame is not an edit
     CHECK(of(document) == start);
     CHECK_FALSE(differs_from_rest(document));
     for (std::size_t i = 0; i < steps; ++i) redo(document);

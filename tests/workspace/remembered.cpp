@@ -42,7 +42,7 @@ TEST_CASE("preferences_are_restored") {
   preferences.keymap.change("save_session", *shortcut_of("Ctrl+J"));
   write_preferences(folder / "r.json", preferences);
   CHECK(read_preferences(folder / "r.json") == preferences);
-  preferences.window = glm::ivec2(1, 700);  // a window that is being made
+  preferences.window = glm::ivec2(1, 700);  // an invalid size
   write_preferences(folder / "r.json", preferences);
   CHECK_FALSE(read_preferences(folder / "r.json").window);
 }
@@ -77,7 +77,7 @@ TEST_CASE("a_narrow_window_shows_the_column_unfolded_last") {
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 0);
   CHECK(shown_columns(layout, 800).tools == 320);
-  CHECK(shown_columns(layout, 1280).methods == 320);  // not folded
+  CHECK(shown_columns(layout, 1280).methods == 320);
   toggle_column(layout, Column::tools, 800);
   CHECK(shown_columns(layout, 800).methods == 320);
 }

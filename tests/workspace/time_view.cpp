@@ -91,7 +91,7 @@ TEST_CASE("selected_keys_are_dragged_together_and_each_drag_is_one_edit") {
   CHECK(w.time_view.selected == std::vector{15, 25});
   CHECK(test::edit_count(w.document.history) == edits + 1);
   press_keys(w, 15, 15, false);
-  drag(w, {15.2});  // a click is no edit
+  drag(w, {15.2});  // a click without a drag is not an edit
   CHECK(test::edit_count(w.document.history) == edits + 1);
   w.time_view.selected = {15, 25};
   press_keys(w, 15, 15, false);
@@ -137,7 +137,7 @@ TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
   w.document.frame = 12;
   CHECK(eased_keys(w) == std::vector{10});
-  w.time_view.selected = {1, 10, 20};  // the last one has no successor
+  w.time_view.selected = {1, 10, 20};  // no key follows the key at 20
   CHECK(eased_keys(w) == std::vector{1, 10});
   w.time_view.selected = {20};
   CHECK(eased_keys(w) == std::vector{10});
@@ -156,7 +156,7 @@ TEST_CASE("other_edits_are_disabled_while_keys_are_dragged") {
   CHECK(key_frames(w.document.timeline) == std::vector{1, 10});
   w.time_view.selected = {1};
   CHECK_FALSE(test::run_command(w, "delete_keys"));
-  w.time_view.hovered = true;  // the pointer is over the timeline
+  w.time_view.hovered = true;
   CHECK(test::run_command(w, "delete_keys"));
   CHECK(key_frames(w.document.timeline) == std::vector{10});
 }
