@@ -14,18 +14,18 @@ namespace viete::sym3 {
 
 namespace {
 
-constexpr std::size_t block = 256;  // matrices per copied block
+constexpr std::size_t block = 256;  // matrices that are copied at once
 
-// One array of matrices with N entries that are accessed.
+// An array of matrices, of which N entries are read or written.
 template <class T, int N>
 struct Argument {
   T* data;
   viete_layout layout;
 
-  // Symmetric matrices with all nine entries.
+  // True for symmetric matrices with all nine entries.
   bool is_full() const { return layout.entry_stride == 0; }
   bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
-  // True if a view supports the layout without copying.
+  // True if the layout needs no copy.
   bool is_viewed() const {
     if (is_full()) return layout.matrix_stride == 9;
     return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
@@ -36,14 +36,13 @@ struct Argument {
     if (layout.matrix_stride == 1) return {first, layout.entry_stride};
     return {Layout::packed, first};
   }
-  // Offset of an entry within its matrix.
   std::size_t place(std::size_t k) const {
     constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
     return is_full() ? upper[k] : k * layout.entry_stride;
   }
 };
 
-// A part of a batch: in place, or copied to a buffer and finally back.
+// A part of an array: a view in place, or a copy that finish() writes back.
 template <class T, int N>
 class Part {
 public:
@@ -79,7 +78,7 @@ private:
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// Calls f(views..., count) once for all matrices, or block by block if one layout needs copies.
+// Calls f(views..., count) once for all matrices. If a layout needs copies, calls it for each block.
 template <class F, class... T, int... N>
 int apply(std::size_t count, const F& f, const Argument<T, N>&... all) {
   if (!(all.is_sound() && ...)) return -1;

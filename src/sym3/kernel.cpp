@@ -8,7 +8,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// The kernel of each instruction set, in its namespace.
 namespace viete::sym3::HWY_NAMESPACE {
 
 #define VIETE_FUNCTION(name, ...)                           \
@@ -58,7 +57,7 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
-#if HWY_TARGETS & HWY_SCALAR  // unless all machines have a better one
+#if HWY_TARGETS & HWY_SCALAR  // not compiled if every processor of the platform supports a better one
     {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
 #endif
 };
@@ -77,7 +76,7 @@ bool machine_can_run(const Kernel& k) {
   return k.highway_target == HWY_SCALAR || k.highway_target == HWY_NEON;
 }
 
-// Best kernels first; a machine that supports one also supports those after it.
+// A processor that supports a kernel also supports all kernels after it.
 std::span<const Kernel> find() {
   const std::span<const Kernel> all(compiled);
   std::size_t skipped = 0;
