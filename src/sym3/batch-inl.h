@@ -56,7 +56,6 @@ static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]
 #endif
 }
 
-/// Copies `count` registers from a buffer by non-temporal stores.
 template <class D, class T>
 static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   const std::size_t lanes = hn::Lanes(d);
@@ -183,7 +182,7 @@ static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
 }
 
-/// Copies items [i, i + count) of a view to rows.
+/// Copies items [i, i + count) of a view to rows; scatter() copies them back.
 template <class D, class T, int N>
 static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
                                 std::size_t stride) {
@@ -199,7 +198,6 @@ static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, s
   transfer<ToRow<T>>(v, i + j, count - j, rows + j, stride);
 }
 
-/// Copies items [i, i + count) from rows to a view.
 template <class D, class T, int N>
 static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count,
                                  const View<T, N>& v, std::size_t i) {
@@ -268,7 +266,6 @@ static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in>
   return i;
 }
 
-/// Processes as many whole registers as possible and returns the end.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::in>& in,
                                         const View<T, F::out>& out, std::size_t i, std::size_t end) {
@@ -429,8 +426,6 @@ struct Mapped {
 #define VIETE_DEFINE_FUNCTION(name, F, ...)                            \
   VIETE_DEFINE_FUNCTION_OF(double, name, F __VA_OPT__(, ) __VA_ARGS__) \
   VIETE_DEFINE_FUNCTION_OF(float, name, F __VA_OPT__(, ) __VA_ARGS__)
-
-// Conversions between arrays of registers and Six, Nine and Three.
 
 template <class V>
 static HWY_INLINE Six<V> six(const V (&s)[6]) {

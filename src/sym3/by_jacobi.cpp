@@ -166,7 +166,6 @@ double off_diagonal(const Matrix4& a) {
   return sum;
 }
 
-/// The unit eigenvector of the largest eigenvalue.
 std::array<double, n> top_vector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
@@ -253,8 +252,6 @@ VIETE_FOR(float)
 VIETE_FOR(double)
 #undef VIETE_FOR
 
-// log, square roots, eigenvalues and derivatives.
-
 namespace {
 
 // Jacobi's method in double has errors relative to the largest eigenvalue. If the smallest eigenvalue is
@@ -264,21 +261,6 @@ constexpr double wide = 8;
 struct LogOf {
   double operator()(double x) const { return std::log(x); }
   double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
-};
-
-struct Log1pOf {
-  double operator()(double x) const { return std::log1p(x); }
-};
-
-struct InvSqrtOf {
-  double operator()(double x) const { return 1 / std::sqrt(x); }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
-};
-
-/// Negative values, which are due to rounding, count as zero.
-struct SqrtOf {
-  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
 };
 
 template <class Real>
@@ -327,14 +309,16 @@ Sym3<double> log_in_double(const Sym3<double>& s) {
   if (!is_usable(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return log_of_256_times(log_in_double(times(s, 0x1p-8)));
   if (is_near_identity(s)) {
-    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
+    return recompose([](double x) { return std::log1p(x); },
+                     eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
   }
   return of_spectrum_above(0, LogOf(), s);
 }
 
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
-  return is_usable(s) ? of_spectrum_above(0, InvSqrtOf(), s) : nan_matrix<double>();
+  const auto inv_sqrt = [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); };
+  return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
 }
 
 /// Negative eigenvalues down to this number, relative to the largest entry, count as rounding errors of S.
@@ -345,7 +329,8 @@ template <class T>
 Sym3<double> sqrt_in_double(const Sym3<double>& s) {
   if (!is_finite(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return times(sqrt_in_double<T>(times(s, 0x1p-8)), 0x1p4);
-  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
+  const auto sqrt = [](const auto& x) { return std::sqrt(std::max(jacobi::leading(x), 0.0)); };
+  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, sqrt, s) : Sym3<double>{};
 }
 
 std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
@@ -379,7 +364,6 @@ double homogeneity(const SlopeOf& slope) {
   return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }
 
-/// f'(S)[E], see derivative.h.
 Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
                                   const Sym3<double>& direction) {
   if (!is_usable(s) || !is_finite(direction)) return nan_matrix<double>();

@@ -22,7 +22,6 @@ struct Argument {
   T* data;
   viete_layout layout;
 
-  // True for symmetric matrices with all nine entries.
   bool is_full() const { return layout.entry_stride == 0; }
   bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
   // True if the layout needs no copy.
@@ -137,39 +136,31 @@ using namespace viete;  // NOLINT(google-build-using-namespace): these have no n
         [](const auto& a, const auto& b, const auto& c, std::size_t n) { sym3::f(a, b, c, n); }); \
   }
 
-VIETE_C_FUNCTION(viete_exp, double, exp)
-VIETE_C_FUNCTION(viete_log, double, log)
-VIETE_C_FUNCTION(viete_sqrt, double, sqrt)
-VIETE_C_FUNCTION(viete_inv_sqrt, double, inv_sqrt)
-VIETE_C_FUNCTION(viete_exp_f, float, exp)
-VIETE_C_FUNCTION(viete_log_f, float, log)
-VIETE_C_FUNCTION(viete_sqrt_f, float, sqrt)
-VIETE_C_FUNCTION(viete_inv_sqrt_f, float, inv_sqrt)
+#define VIETE_C_PRECISION(T, suffix)                                                                       \
+  VIETE_C_FUNCTION(viete_exp##suffix, T, exp)                                                              \
+  VIETE_C_FUNCTION(viete_log##suffix, T, log)                                                              \
+  VIETE_C_FUNCTION(viete_sqrt##suffix, T, sqrt)                                                            \
+  VIETE_C_FUNCTION(viete_inv_sqrt##suffix, T, inv_sqrt)                                                    \
+  int viete_pow##suffix(const T* in, viete_layout from, double p, T* out, viete_layout to, size_t count) { \
+    return sym3::map(in, from, out, to, count,                                                             \
+                     [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });         \
+  }                                                                                                        \
+  int viete_polar##suffix(const T* in, viete_layout from, T* rotations, viete_layout to, T* stretches,     \
+                          viete_layout stretch, size_t count) {                                            \
+    return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);                             \
+  }
+
+VIETE_C_PRECISION(double, )
+VIETE_C_PRECISION(float, _f)
 VIETE_C_DERIVATIVE(viete_exp_derivative, exp_derivative)
 VIETE_C_DERIVATIVE(viete_log_derivative, log_derivative)
 VIETE_C_DERIVATIVE(viete_sqrt_derivative, sqrt_derivative)
-
-int viete_pow(const double* in, viete_layout from, double p, double* out, viete_layout to, size_t count) {
-  return sym3::map(in, from, out, to, count,
-                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
-}
-int viete_pow_f(const float* in, viete_layout from, double p, float* out, viete_layout to, size_t count) {
-  return sym3::map(in, from, out, to, count,
-                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
-}
-int viete_polar(const double* in, viete_layout from, double* rotations, viete_layout to, double* stretches,
-                viete_layout stretch, size_t count) {
-  return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);
-}
-int viete_polar_f(const float* in, viete_layout from, float* rotations, viete_layout to, float* stretches,
-                  viete_layout stretch, size_t count) {
-  return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);
-}
 
 const char* viete_kernel(void) {
   static const std::string name(sym3::kernel_name());
   return name.c_str();
 }
 
+#undef VIETE_C_PRECISION
 #undef VIETE_C_FUNCTION
 #undef VIETE_C_DERIVATIVE

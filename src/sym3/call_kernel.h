@@ -43,7 +43,6 @@ void call_one(const F* KernelFunctions<T>::*which, const T* in, T* out, const Mo
   (functions<T>(kernel()).*which)->one(in, out, more...);
 }
 
-/// Calls a function of the batch's kernel for many items.
 template <class T, int N, int M, class F, class... More>
 void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, const View<T, M>& out,
                std::size_t count, const Batch& batch, const More&... more) {

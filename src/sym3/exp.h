@@ -17,7 +17,6 @@
 namespace viete::sym3 {
 
 /// Methods to compute exp. `fast` is the default; the other methods are the paper's.
-///
 /// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
 /// gives exactly the identity matrix I.
 enum class Method {

@@ -278,11 +278,6 @@ Mat3<double> exp_general(const Mat3<double>& l) {
 
 namespace {
 
-// The matrix J that rotates the plane of the pair by 90 degrees. Adding 2 pi J to log M adds a whole turn.
-Mat3<double> quarter_turn(const Deflated& d, const Pair& pair) {
-  return value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, d, pair);
-}
-
 // The number of whole turns between the angle of the principal branch and `turn`.
 double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn) {
   const Vec3<double> axis{j[7] - j[5], j[2] - j[6], j[3] - j[1]};
@@ -305,12 +300,9 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
   if (!other) return l;
-  const Mat3<double> j = quarter_turn(*d, pair);
+  // J rotates the plane of the pair by 90 degrees. Adding 2 pi J adds a whole turn.
+  const Mat3<double> j = value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, *d, pair);
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
-}
-
-bool is_zero(const Mat3<double>& m) {
-  return m == Mat3<double>{};
 }
 
 // M / e^shift, whose entries have powers in range.
@@ -324,7 +316,7 @@ InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
   if (largest > 1e-60 && largest < 1e60) return {m, 0};
-  if (is_zero(m)) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
+  if (m == Mat3<double>{}) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
   if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
   const int exponent = std::ilogb(largest);
   InRange r{m, exponent * std::numbers::ln2};
@@ -333,7 +325,7 @@ InRange in_range(const Mat3<double>& m) {
 }
 
 std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<double>& turn) {
-  if (is_zero(m)) return std::nullopt;
+  if (m == Mat3<double>{}) return std::nullopt;
   const InRange r = in_range(m);
   auto l = log_of_branch(r.m, turn);
   if (!l || !std::isfinite(dot(*l, *l))) return std::nullopt;
@@ -377,7 +369,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
-  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && !is_zero(m);  // false for NaN
+  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && m != Mat3<double>{};  // false for NaN
   Sym3<double>& x = s.parts.stretch;
   if (!s.whole) x = log_of_sizes(p.stretch);
   x.xx += r.shift, x.yy += r.shift, x.zz += r.shift;

@@ -84,12 +84,6 @@ std::span<const Kernel> find() {
   return all.subspan(skipped);
 }
 
-const Kernel& choose() {
-  const char* wanted = std::getenv("VIETE_KERNEL");
-  const Kernel* k = wanted ? kernel_from_name(wanted) : nullptr;
-  return k ? *k : kernels().front();
-}
-
 }  // namespace
 
 std::span<const Kernel> kernels() {
@@ -105,8 +99,12 @@ const Kernel* kernel_from_name(std::string_view name) {
 }
 
 const Kernel& kernel() {
-  static const Kernel& chosen = choose();
-  return chosen;
+  static const Kernel* const chosen = [] {
+    const char* wanted = std::getenv("VIETE_KERNEL");
+    const Kernel* k = wanted ? kernel_from_name(wanted) : nullptr;
+    return k ? k : &kernels().front();
+  }();
+  return *chosen;
 }
 
 std::string_view kernel_name() {

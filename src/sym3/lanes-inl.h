@@ -31,13 +31,11 @@ struct Six {
   }
 };
 
-/// A vector in each lane.
 template <class V>
 struct Three {
   V x, y, z;
 };
 
-/// A general matrix in each lane.
 template <class V>
 struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
@@ -145,7 +143,6 @@ static HWY_INLINE Six<V> adjugate(const Six<V>& a) {
           difference_of_products(a.xy, a.xz, a.xx, a.yz), difference_of_products(a.xx, a.yy, a.xy, a.xy)};
 }
 
-/// The lanes in which all entries are finite.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_finite(D d, const Six<V>& m) {
   const V zero = hn::Zero(d);

@@ -102,11 +102,6 @@ Matrix exp_below(const Sym3<double>& s, double top) {
   return m;
 }
 
-Matrix all_nan() {
-  const Real nan{std::nan(""), 0};
-  return {nan, nan, nan, nan, nan, nan};
-}
-
 /// x with the low part cleared if the high part has overflowed.
 Real tidy(const Real& x) {
   return std::isfinite(x.hi) ? x : Real{x.hi, 0};
@@ -115,7 +110,8 @@ Real tidy(const Real& x) {
 }  // namespace
 
 Matrix exp_reference(const Sym3<double>& s) {
-  if (!is_finite(s) || largest_entry(s) > entry_limit) return all_nan();
+  constexpr Real nan{std::numeric_limits<double>::quiet_NaN(), 0};
+  if (!is_finite(s) || largest_entry(s) > entry_limit) return {nan, nan, nan, nan, nan, nan};
   const auto values = eigen_by_jacobi<double>(s).values;
   const double top = *std::max_element(values.begin(), values.end());
   const Matrix m = times_exp(exp_below(s, top), top);

@@ -34,7 +34,6 @@ double across(double angle) {
   return share > 0 ? share * (angle / 2) / std::tan(angle / 2) : 0;
 }
 
-// The projection n n^T to an axis.
 Mat3<double> projector(const Vec3<double>& axis) {
   const Vec3<double> n = times(1 / norm(axis), axis);
   Mat3<double> m;
