@@ -36,7 +36,6 @@ fs::path target_of(const fs::path& path) {
 
 constexpr std::string_view part_extension = ".part";
 
-// For example "dragon.obj.PROCESS-0.part".
 fs::path part_of(const fs::path& target, int number) {
   return target.string() + "." + base::process_name() + "-" + std::to_string(number) +
          std::string(part_extension);

@@ -26,7 +26,6 @@ enum class Durability { process, power_cut };
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Durability durability = Durability::power_cut);
 
-/// Receives a portion of a file's bytes.
 using ByteSink = std::function<void(std::string_view)>;
 
 /// As above, but calls produce(), which passes the bytes in portions, so that memory contains only one

@@ -68,7 +68,6 @@ struct WorkState {
 /// The estimated remaining seconds, or nullopt if it is too early for an estimate.
 std::optional<double> time_left(double done, double seconds);
 
-/// Progress of work in named steps.
 class StepProgress : public Progress {
 public:
   explicit StepProgress(std::string name) : name_(std::move(name)) {}
@@ -110,7 +109,6 @@ public:
     });
   }
 
-  /// Cancels the job and discards its result.
   void cancel() {
     stop();
     value_ = {};

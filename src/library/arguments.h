@@ -52,7 +52,6 @@ auto named(std::span<const Entry> table, const std::string& name, const char* wh
   throw base::Error(what, "unknown name " + name, "choose one of " + names);
 }
 
-/// Throws base::Error with the valid range if the value is outside.
 inline void check_range(const char* what, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw base::Error(what, plain(value) + " is out of range", "choose " + plain(low) + " to " + plain(high));

@@ -54,7 +54,6 @@ Contiguous<double> numbers(const char* function, const char* what, const py::obj
 /// Weights (..., count), divided by their sum. None gives equal weights. Raises ValueError if the sum is 0.
 Contiguous<double> shares(const char* function, const py::object& weights, py::ssize_t count);
 
-/// True if the arrays share memory.
 bool overlap(const py::array& a, const py::array& b);
 
 /// The result array: `out`, or a new array if `out` is None. Raises TypeError or ValueError, with the name
@@ -63,7 +62,6 @@ template <class T>
 py::array_t<T> output(const char* function, const char* what, const py::object& out,
                       const std::vector<py::ssize_t>& shape);
 
-/// Defines the functions of affine maps.
 void define_affine(py::module_& m);
 
 }  // namespace viete::python

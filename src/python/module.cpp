@@ -166,7 +166,7 @@ constexpr const char* tangent_text =
 
 // Defines a function of matrices with further parameters of types P, whose names are `extra`.
 template <class... P, class F, class... Extra>
-void define(py::module_& m, const char* name, const std::string& text, const F& f, const Extra&... extra) {
+void define(py::module_& m, const char* name, const F& f, const std::string& text, const Extra&... extra) {
   const auto call = [=](const py::object& a, P... p, const py::object& out) {
     return apply(name, a, out, [&](const auto& in, const auto& to, auto n) { f(in, p..., to, n); });
   };
@@ -201,26 +201,22 @@ PYBIND11_MODULE(viete, m) {
       "The instruction set in use, for example 'avx512'.");
   const std::string nan_unless_positive = "; NaN for matrices that are not positive definite.";
   const auto p = py::arg("p");
-  define(m, "exp", "The exponential of each matrix.", [](const auto&... v) { sym3::exp(v...); });
-  define(m, "log", "The logarithm of each matrix" + nan_unless_positive,
-         [](const auto&... v) { sym3::log(v...); });
-  define(m, "sqrt", "The square root of each matrix; NaN for matrices that are not positive semi-definite.",
-         [](const auto&... v) { sym3::sqrt(v...); });
-  define(m, "inv_sqrt", "The inverse of the square root of each matrix" + nan_unless_positive,
-         [](const auto&... v) { sym3::inv_sqrt(v...); });
-  define<double>(
-      m, "pow", "Each matrix to the power p" + nan_unless_positive, [](const auto&... v) { sym3::pow(v...); },
-      p);
-  define_derivative(m, "exp_derivative", [](const auto&... v) { sym3::exp_derivative(v...); });
-  define_derivative(m, "log_derivative", [](const auto&... v) { sym3::log_derivative(v...); });
-  define_derivative(m, "sqrt_derivative", [](const auto&... v) { sym3::sqrt_derivative(v...); });
-  define_derivative<double>(
-      m, "pow_derivative", [](const auto&... v) { sym3::pow_derivative(v...); }, p);
-  define_tangent(m, "exp_tangent", [](const auto&... v) { sym3::exp_tangent(v...); });
-  define_tangent(m, "log_tangent", [](const auto&... v) { sym3::log_tangent(v...); });
-  define_tangent(m, "sqrt_tangent", [](const auto&... v) { sym3::sqrt_tangent(v...); });
-  define_tangent<double>(
-      m, "pow_tangent", [](const auto&... v) { sym3::pow_tangent(v...); }, p);
+#define VIETE_NAMED(f) #f, [](const auto&... v) { sym3::f(v...); }
+  define(m, VIETE_NAMED(exp), "The exponential of each matrix.");
+  define(m, VIETE_NAMED(log), "The logarithm of each matrix" + nan_unless_positive);
+  define(m, VIETE_NAMED(sqrt),
+         "The square root of each matrix; NaN for matrices that are not positive semi-definite.");
+  define(m, VIETE_NAMED(inv_sqrt), "The inverse of the square root of each matrix" + nan_unless_positive);
+  define<double>(m, VIETE_NAMED(pow), "Each matrix to the power p" + nan_unless_positive, p);
+  define_derivative(m, VIETE_NAMED(exp_derivative));
+  define_derivative(m, VIETE_NAMED(log_derivative));
+  define_derivative(m, VIETE_NAMED(sqrt_derivative));
+  define_derivative<double>(m, VIETE_NAMED(pow_derivative), p);
+  define_tangent(m, VIETE_NAMED(exp_tangent));
+  define_tangent(m, VIETE_NAMED(log_tangent));
+  define_tangent(m, VIETE_NAMED(sqrt_tangent));
+  define_tangent<double>(m, VIETE_NAMED(pow_tangent), p);
+#undef VIETE_NAMED
   m.def(
       "polar", polar, py::arg("m"), py::arg("out") = py::none(),
       "The polar decomposition m = r u of each matrix: r is the nearest rotation, for any sign of the "

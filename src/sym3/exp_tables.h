@@ -4,12 +4,10 @@
 namespace viete::sym3 {
 
 /// tests/sym3/make_tables.cpp computes these tables and measures their errors.
-///
 /// `matrix_exp`: e^x for |x| <= 2 sqrt(p_limit / 3), the range of eigenvalues of A, divided by the last
 /// coefficient `lead`. With `lead`, the value at 0 is 1 up to rounding. Minimax relative to the norm of the
 /// result: the other two eigenvalues sum to -x, so the norm is at least max(e^x, e^(-x / 2)). Error 0.45 u
 /// (float 0.51 u).
-///
 /// `scalar_exp`: e^r for |r| <= 0.3467, a little more than ln 2 / 2. Minimax of the relative error, 0.04 u
 /// (float 0.06 u).
 template <class T>

@@ -18,12 +18,11 @@ Mat3<double> exp_general(const Mat3<double>& l);
 /// The principal logarithm: the real L with exp(L) = M whose eigenvalues have imaginary parts between -pi and
 /// pi. |result - exact| <= 32 u (1 + k) |exact|, with 6 instead of 32 if M shears by at most 100. If M is
 /// symmetric, so is L.
-///
 /// M has no logarithm if det M <= 0 or an eigenvalue is negative. The logarithm is unreliable if a stretch is
-/// below 1e-11 of another, or if eigenvalues rotate by 180 degrees up to 1e-7. In these cases has_log() is
-/// false and the result is X + Y of log_polar(). This sum is bounded. It is log M if rotation and stretch
-/// commute, as for all rotations and similarities. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives
-/// nine NaN.
+/// below 1e-11 of another, or if eigenvalues rotate by 180 degrees up to 1e-7. In these cases the result is X
+/// + Y of log_polar(), which is bounded. If rotation and stretch commute, as for all rotations and
+/// similarities, it is log M; otherwise has_log() is false. M = 0 counts as 2^-1074 I. A NaN or an infinity
+/// in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// True if exp_general(log_general(M)) is M up to rounding.
@@ -47,7 +46,6 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// The logarithm L of M whose rotation is nearest to Y, with any number of whole turns. It is made for
 /// blending: if the Y of many maps are coherent, so are their logarithms.
-///
 /// Some matrices have no logarithm: they rotate by 180 degrees and stretch perpendicular to the axis. Close
 /// to them log M is unbounded. To stay bounded and continuous, the result changes from log M to X + Y while
 /// |log M| grows from two to four times |X| + |Y| (Frobenius norms). It is X + Y if a rotation of more than
