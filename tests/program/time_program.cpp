@@ -1,4 +1,4 @@
-// Named poses and the timeline with real events: saved, mixed, keyed, played, retimed.
+// Named poses and the timeline with simulated events: save, mix, set keys, play, move keys.
 #include <cmath>
 
 #include "document/edit.h"
@@ -65,7 +65,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.keep("pose_flight");
   const auto flight = d.pose();
   REQUIRE(d.document().library.poses.size() == 2);
-  d.press_key('R', true);  // to rest
+  d.press_key('R', true);  // resets the pose
   const auto rest = d.pose();
   REQUIRE(rest == d.document().cage->surface.positions);
 
