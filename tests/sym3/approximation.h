@@ -156,8 +156,8 @@ Quad rounded(Quad x, Quad unit) {
 }
 
 /// The minimax polynomial whose coefficients are numbers of T times `unit`. Coefficients in `kept` are fixed.
-/// Those before `one_by_one` are rounded one by one, each time with a new fit of the rest. All others are
-/// rounded at once.
+/// Coefficients before `one_by_one` are rounded one by one, each time with a new fit of the rest. All others
+/// are rounded at once.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {
