@@ -62,7 +62,7 @@ static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
-/// Reads each matrix as two vectors of three numbers, then separates the two halves.
+/// Loads each matrix as two items of three entries, which transpose_pairs() then separates.
 struct InPacked {
   template <class D, class T, class V>
   static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
@@ -90,7 +90,7 @@ struct InPacked {
   }
 };
 
-/// Separates the nine entries of consecutive matrices by separating threes twice.
+/// Loads consecutive matrices of nine entries. Highway can only separate three entries, so it does so twice.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -116,7 +116,7 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// The places of the six entries of Sym3 in the full matrix, and the reverse.
+/// The place of each entry of Sym3 in the full matrix, and the reverse.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
@@ -253,8 +253,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// Processes as many whole groups as possible and returns the end. A separate function, so that other loops
-/// do not need its registers for constants.
+/// Processes as many whole groups as possible and returns the end. It is a separate function, so that its
+/// constants can use all registers.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -278,8 +278,8 @@ static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::
   return i;
 }
 
-/// Planes in a buffer that fits the first-level cache, for layouts that are not processed in place. The
-/// stride places planes in different cache sets.
+/// A buffer of planes that fits the first-level cache, for layouts that are not processed in place. With this
+/// stride, planes use different cache sets.
 template <class T>
 struct Tile {
   static constexpr std::size_t items = 64, stride = items + 64 / sizeof(T);

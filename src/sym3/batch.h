@@ -21,7 +21,7 @@ enum class Stores : unsigned char {
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow them
 };
 
-/// By default a batch uses the active kernel and the calling thread. With an executor, it is split into equal
+/// By default a batch uses the active kernel and the calling thread. With an executor, it is split into
 /// chunks of at least `least_chunk` items; results do not depend on their number.
 struct Batch {
   const Kernel* kernel = nullptr;  ///< a kernel of kernels(); null means kernel()

@@ -66,16 +66,16 @@ Tangent<T> pow_tangent(const Sym3<T>& s, double p);
 //   const SymView<const double> directions[] = {e0, e1, e2};
 //   const SymView<double> out[] = {f0, f1, f2};
 //   exp_derivative(s, directions, out, count);
-// The sizes of `directions` and `out` must be equal. Any layouts; planes are fastest. out[k] may be the same
-// view as directions[k] or as `s`, and must not overlap any other view. Each result has the same bits as a
-// single call with the same kernel.
+// The sizes of `directions` and `out` must be equal. All layouts are allowed; planes are fastest. out[k] may
+// be the same view as directions[k] or as `s`, and must not overlap any other view. Each result has the same
+// bits as a single call with the same kernel.
 
 template <class T>
 using Directions = std::span<const SymView<const T>>;
 template <class T>
 using Derivatives = std::span<const SymView<T>>;
 
-/// Number j of direction k of a tangent is entry 6 k + j. Any layout except `full`.
+/// Number j of direction k of a tangent is entry 6 k + j. The layout must not be `full`.
 template <class T>
 using TangentView = View<T, 36>;
 

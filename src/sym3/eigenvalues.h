@@ -17,8 +17,8 @@ namespace viete::sym3 {
 template <class T>
 std::array<T, 3> eigenvalues(const Sym3<T>& s);
 
-/// The eigenvalues of many matrices, with the same bits as single calls with the same kernel. Any layouts.
-/// `in` and `out` must not overlap.
+/// The eigenvalues of many matrices, with the same bits as single calls with the same kernel. All layouts are
+/// allowed. `in` and `out` must not overlap.
 void eigenvalues(const SymView<const double>& in, const VecView<double>& out, std::size_t count,
                  const Batch& batch = {});
 void eigenvalues(const SymView<const float>& in, const VecView<float>& out, std::size_t count,

@@ -69,9 +69,8 @@ struct Coefficients {
   V z0, z1, z2;
 };
 
-/// The recurrence above; a[k] are the polynomial's coefficients, of which the last is 1. Each step waits for
-/// the result of the previous step. To use this time, each step also calls beside(step, z_{k+2}), which does
-/// other work.
+/// The recurrence above; a[k] are the coefficients of the polynomial, and the last is 1. Each step waits for
+/// the previous step. To use this time, each step also calls beside(step, z_{k+2}), which does other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -174,8 +173,8 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
   return combine(times(z, scalar.value()), m.a, c);
 }
 
-/// Computes exp without squaring and returns true if every lane allows it: spread up to 4.9 (float 6.9) and
-/// e^mean in the normal range. V is one register or Two.
+/// If every lane has a spread up to 4.9 (float 6.9) and e^mean in the normal range, computes exp without
+/// squaring and returns true. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   const Split<V> m = split(d, s);
@@ -203,8 +202,8 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// The number of halvings of A that bring p below p_limit, at most max_squarings; their factor, and p after
-/// them.
+/// `count` halvings of A, at most max_squarings, bring p below p_limit. `scale` is their factor, and p is the
+/// value after them.
 template <class V>
 struct Halvings {
   V p, scale, count;

@@ -37,8 +37,9 @@ enum class Method {
   /// accurate than sd. If S is finite and no term overflows, the result has no NaN.
   improved_sd,
 
-  /// The paper's formula without these guards, misprints corrected; for comparison only. It gives NaN for S =
-  /// c I, for half of all matrices with a double eigenvalue, and for some with close eigenvalues.
+  /// The paper's formula without these guards, misprints corrected; for comparison only. It gives NaN for
+  /// multiples of the identity, for half of all matrices with a double eigenvalue, and for some with close
+  /// eigenvalues.
   improved_sd_faithful,
 
   /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace
@@ -74,9 +75,9 @@ Sym3<T> exp(const Sym3<T>& s, Method method = Method::fast);
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method = Method::fast);
 
-/// exp of `count` matrices by method `fast`. Any layouts; equal layouts are faster. `in` and `out` must be
-/// the same view or not overlap. Each result has the same bits as a single call with the same kernel, for any
-/// number of threads.
+/// exp of `count` matrices by method `fast`. All layouts are allowed; equal layouts are faster. `in` and
+/// `out` must be the same view or not overlap. Each result has the same bits as a single call with the same
+/// kernel, for any number of threads.
 void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count,
          const Batch& batch = {});
 void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count,

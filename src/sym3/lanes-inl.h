@@ -16,7 +16,7 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// A symmetric matrix in each lane. Copied entry by entry, because GCC copies a whole structure through
+/// A symmetric matrix in each lane. It is copied entry by entry, because GCC copies a whole structure through
 /// memory.
 template <class V>
 struct Six {
@@ -41,8 +41,9 @@ struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-/// Two registers that code processes like one: while one waits for a result, the other is computed. Code for
-/// both types calls Add and so on without hn::, so that argument-dependent lookup finds the function.
+/// A pair of registers, which functions of one register also accept: while one register waits for a result,
+/// the other is computed. Such functions call Add and so on without hn::, so that argument-dependent lookup
+/// finds the right function.
 template <class V>
 struct Two {
   V a, b;
@@ -166,8 +167,8 @@ static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   return sum;
 }
 
-/// Replaces the lanes of the mask in `out`: for each, calls one(from, to) with N numbers of `in` and space
-/// for M numbers.
+/// For each lane of the mask, calls one(from, to) with the N numbers of the lane in `in`, and stores the M
+/// results in `out`.
 template <class D, class V, int N, int M, class One>
 static HWY_NOINLINE void replace_lanes(D d, hn::Mask<D> mask, const V (&in)[N], V (&out)[M], One one) {
   using T = hn::TFromD<D>;

@@ -44,8 +44,8 @@ Sym3<T> inv_sqrt(const Sym3<T>& s);
 template <class T>
 Sym3<T> pow(const Sym3<T>& s, double p);
 
-// Batches: each result has the same bits as a single call with the same kernel. Any layouts. `in` and `out`
-// must be the same view or not overlap.
+// Batches: each result has the same bits as a single call with the same kernel. All layouts are allowed. `in`
+// and `out` must be the same view or not overlap.
 
 void log(const SymView<const double>& in, const SymView<double>& out, std::size_t count,
          const Batch& batch = {});

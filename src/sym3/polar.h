@@ -29,8 +29,8 @@ struct Polar {
 template <class T>
 Polar<T> polar(const Mat3<T>& m);
 
-/// The rotations of many matrices, with the same bits as single calls with the same kernel. Any layout except
-/// `full`; planes are fastest. `in` and `rotations` must be the same view or not overlap.
+/// The rotations of many matrices, with the same bits as single calls with the same kernel. All layouts
+/// except `full` are allowed; planes are fastest. `in` and `rotations` must be the same view or not overlap.
 void polar(const MatView<const double>& in, const MatView<double>& rotations, std::size_t count,
            const Batch& batch = {});
 void polar(const MatView<const float>& in, const MatView<float>& rotations, std::size_t count,

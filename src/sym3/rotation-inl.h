@@ -128,8 +128,8 @@ static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Q
           hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// The quaternion of a rotation, times four times its largest component (Shepperd 1978), which avoids
-/// cancellation. The length is between 2 and 4.
+/// A multiple of the quaternion of a rotation, with a length between 2 and 4. It is computed from the largest
+/// component, to avoid cancellation (Shepperd 1978).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   const V one = hn::Set(d, hn::TFromD<D>(1));

@@ -23,8 +23,8 @@ using Mat3 = std::array<T, 9>;
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w);
 
-/// exp_rotation() of `count` vectors. Any layouts except `full`; planes are fastest. `in` and `out` must not
-/// overlap. Each result has the same bits as a single call with the same kernel.
+/// exp_rotation() of `count` vectors. All layouts except `full` are allowed; planes are fastest. `in` and
+/// `out` must not overlap. Each result has the same bits as a single call with the same kernel.
 void exp_rotation(const VecView<const double>& in, const MatView<double>& out, std::size_t count,
                   const Batch& batch = {});
 void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std::size_t count,
