@@ -11,8 +11,8 @@
 
 namespace viete::base {
 
-/// After replace_file() returns, the new content survives a crash of the process or also a power cut. The
-/// latter must wait for the disk, which takes milliseconds.
+/// `process`: the new content survives a crash of the process. `power_cut`: it also survives a power cut, but
+/// replace_file() waits some milliseconds for the disk.
 enum class Durability { process, power_cut };
 
 /// Writes the bytes to a new file in the same folder and renames it to `path`. If this fails, the existing
@@ -21,8 +21,8 @@ enum class Durability { process, power_cut };
 /// device, an unwritable folder, a full disk, or a file whose owner may not write it, even if root writes. If
 /// the file has hard links, only this name gets the new content, see check_replaceable(). Thread-safe.
 ///
-/// The name of the new file is `NAME.PROCESS-NUMBER.part` with process_name(). Also removes such files of
-/// this file if a killed program left them.
+/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(). Removes such files that
+/// killed programs left for this name.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Durability durability = Durability::power_cut);
 
@@ -57,8 +57,8 @@ private:
 /// Error if the file has hard links, which replacing would separate. Does not change an existing file.
 void check_replaceable(const std::filesystem::path& path);
 
-/// The path or, if the name is taken, a name such as "viete-2.png", "viete-3.png" ... A broken link takes its
-/// name. A regular file does not if fits(file) is true.
+/// The path or, if a file with this name exists, a free name such as "viete-2.png". A broken link counts as
+/// an existing file. A regular file for which fits(file) is true does not count.
 std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });

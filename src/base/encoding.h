@@ -17,12 +17,13 @@ std::optional<std::string> bytes_of_base64(std::string_view text);
 /// Encodes all bytes for which is_plain() is false. It must be false for the percent sign.
 std::string percent_encoded(std::string_view bytes, bool (*is_plain)(char));
 
-/// Keeps a percent sign without two hexadecimal digits, and then sets *whole to false. `whole` may be null.
+/// Decodes percent-encoding. Keeps a percent sign without two hexadecimal digits, and then sets *whole to
+/// false if `whole` is not null.
 std::string percent_decoded(std::string_view text, bool* whole = nullptr);
 
 /// A 64-bit checksum of all added bytes, not cryptographic. It depends on how the bytes are divided into
-/// calls, and on the byte order of the processor. A change of at most 8 aligned bytes always changes the
-/// value; other changes do not change it with probability 2^-64.
+/// calls, and on the byte order of the processor. A change within 8 aligned bytes always changes the value;
+/// other changes remain unnoticed with probability 2^-64.
 class Checksum {
 public:
   void add(const void* bytes, std::size_t size);

@@ -14,7 +14,7 @@ std::string process_name();
 bool process_runs(std::string_view name);
 
 /// While a ForkDelay exists, fork() waits in all other threads, so that the child does not inherit
-/// half-changed data or locked mutexes. One thread may have several.
+/// half-changed data or locked mutexes. A thread may have several at once.
 class ForkDelay {
 public:
   ForkDelay();

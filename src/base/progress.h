@@ -6,7 +6,7 @@
 
 namespace viete::base {
 
-/// Progress::report() throws it after cancel(). The caller that started the work must catch it.
+/// Progress::report() throws this exception after cancel(). The caller that started the work must catch it.
 class Cancelled : public std::runtime_error {
 public:
   Cancelled() : std::runtime_error("cancelled") {}

@@ -41,8 +41,8 @@ public:
   Cost cost() const;
 
   /// Calls body(begin, end) on all threads for blocks that cover [0, count), and waits until all calls are
-  /// done. Rethrows the first exception of a body. Two threads must not call it at the same time, and a body
-  /// must not call it.
+  /// done. Rethrows the first exception of a body. Two threads must not call for_blocks() at the same time,
+  /// and a body must not call it.
   void for_blocks(std::size_t count, std::size_t block,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

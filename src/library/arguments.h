@@ -65,7 +65,7 @@ Hidden<Impl> hidden(Arguments&&... arguments) {
 /// Describes the members of Blending for docstrings: "\nway: ...\n  'smooth': ...".
 std::string settings_text();
 
-/// 0 means one thread for each processor.
+/// Throws base::Error unless `threads` is from 0 (one thread for each processor) to 1024.
 inline int checked_threads(int threads) {
   check_range("threads", threads, 0, 1024);
   return threads;

@@ -32,7 +32,7 @@ using Hidden = std::unique_ptr<Impl, void (*)(Impl*)>;
 /// to 1. If it throws an exception, the work is cancelled and the caller gets the exception.
 using Watch = std::function<void(double done)>;
 
-/// The rest of a file: materials, texture coordinates, groups, comments.
+/// The content of a file besides vertices and faces: materials, texture coordinates, groups, comments.
 struct FileContent;
 
 /// A polygon mesh. Seen from outside, the corners of a face are counter-clockwise.
@@ -41,15 +41,15 @@ struct Mesh {
   std::vector<std::uint32_t> corners;  ///< vertex indices of all faces, one face after the other
   /// Face f has the corners [starts[f], starts[f + 1]), so the size is face_count() + 1.
   std::vector<std::uint32_t> starts;
-  /// Set by read_mesh(). If the faces have not changed, write_mesh() writes it.
+  /// read_mesh() sets this content. If the faces have not changed, write_mesh() writes it again.
   std::shared_ptr<const FileContent> file{};
 
   std::size_t face_count() const { return starts.empty() ? 0 : starts.size() - 1; }
 };
 
 /// Reads or writes OBJ, PLY, OFF, STL or glTF, chosen by the file extension. Writing is atomic. STL and glTF
-/// do not keep the vertex order and polygons. If `notes` is not null, it gets warnings, one line each: when
-/// writing, about content that the format does not support.
+/// do not keep the vertex order and polygons. If `notes` is not null, it gets warnings, one line each, for
+/// example about content that the format does not support.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
                 std::vector<std::string>* notes = nullptr);
@@ -88,8 +88,8 @@ public:
   /// processor.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
 
-  /// Prepares deform() in float or in double; otherwise the first call of deform() does. Takes up to some
-  /// seconds. The memory is proportional to vertices times cage triangles.
+  /// Binds for deform() in float or in double, which takes up to some seconds. Otherwise the first call of
+  /// deform() binds. The memory is proportional to vertices times cage triangles.
   void bind(bool in_float, const Watch& watch = {});
 
   std::size_t vertex_count() const;
