@@ -1,4 +1,4 @@
-// Background work that does not delay frames.
+// Work on other threads, so that frames are not delayed.
 #pragma once
 
 #include <chrono>
@@ -56,7 +56,7 @@ private:
   std::jthread thread_;
 };
 
-/// Progress of background work that the user waits for.
+/// The progress of background work, to be shown to the user.
 struct WorkState {
   bool running = false;
   std::string what{};  ///< the step, for example "Reading dragon.ply"

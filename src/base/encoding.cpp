@@ -85,7 +85,7 @@ namespace {
 
 // If one argument is fixed, different values of the other give different results.
 std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
-  state = (state ^ word) * 0x9e3779b97f4a7c15;  // odd: 2^64 over the golden ratio
+  state = (state ^ word) * 0x9e3779b97f4a7c15;  // an odd number: 2^64 divided by the golden ratio
   return state ^ state >> 32;
 }
 

@@ -1,4 +1,4 @@
-// Progress reports and cancellation of long work.
+// The progress of long work, and how to cancel it.
 #pragma once
 
 #include <atomic>

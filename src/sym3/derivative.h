@@ -42,7 +42,7 @@ template <class T>
 Sym3<T> log_derivative(const Sym3<T>& s, const Sym3<T>& direction);
 template <class T>
 Sym3<T> sqrt_derivative(const Sym3<T>& s, const Sym3<T>& direction);
-/// The derivative of S^p, any finite p.
+/// The derivative of S^p for any finite p.
 template <class T>
 Sym3<T> pow_derivative(const Sym3<T>& s, double p, const Sym3<T>& direction);
 

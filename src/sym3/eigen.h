@@ -15,7 +15,7 @@ Eigen::Matrix<T, 3, 3> to_eigen(const Sym3<T>& s) {
   return m;
 }
 
-/// Reads the upper triangle only.
+/// Reads only the upper triangle.
 template <class T>
 Sym3<T> from_eigen(const Eigen::Matrix<T, 3, 3>& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};

@@ -130,7 +130,7 @@ inline Axes transposed(const Axes& v) {
   return {{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
-/// V^T E V.
+/// V^T E V for the vectors V.
 inline Sym3<double> in_axes(const Axes& v, const Sym3<double>& e) {
   Axes ev;
   for (int k = 0; k < 3; ++k) {

@@ -40,7 +40,7 @@ struct Tolerance {
   double share = 0.001;  // fraction of the pixels that may differ more
 };
 
-const Tolerance of_text{.share = 0.0001};  // a line of text has few pixels
+const Tolerance of_text{.share = 0.0001};  // smaller, because a line of text has few pixels
 
 struct Picture {
   const char* name;

@@ -1,4 +1,4 @@
-// The viewer with real events: drags, methods, deformers, files and the camera.
+// The viewer with simulated events: drags, methods, deformers, files and the camera.
 #include <cmath>
 
 #include "document/edit.h"

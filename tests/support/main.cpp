@@ -12,7 +12,7 @@
 
 namespace {
 
-constexpr int skipped_code = 77;  // as in Automake
+constexpr int skipped_code = 77;  // the exit code of skipped tests, as in Automake
 bool skipped = false, none_chosen = false;
 
 // Counts matching cases: if a filter matches no case, the test fails.

@@ -120,7 +120,7 @@ void append(std::string& bytes, T value, std::endian order = std::endian::little
   bytes.append(raw.data(), raw.size());
 }
 
-/// Scales all positions, then adds the offset in all three directions.
+/// Scales all positions, then adds `offset` to each coordinate.
 inline Surface moved(Surface s, double scale, double offset = 0) {
   for (Point& p : s.positions) {
     for (double& x : p) x = x * scale + offset;

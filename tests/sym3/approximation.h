@@ -26,9 +26,10 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   const auto angle = [=](int j) { return M_PIq * (2 * j + 1) / (2 * count); };
   std::vector<Quad> values;
   for (int j = 0; j < count; ++j) values.push_back(f(end * (1 + cosq(angle(j))) / 2));
-  Polynomial sum(count, 0), before(count, 0), last(count, 0);  // T*_(k-1) and T*_k of y = x / end
+  Polynomial sum(count, 0), before(count, 0),
+      last(count, 0);  // shifted Chebyshev polynomials k - 1 and k of y = x / end
   for (int k = 0; k < count; ++k) {
-    Polynomial next(count, 0);  // 1, 2 y - 1, then (4 y - 2) T*_(k-1) - T*_(k-2)
+    Polynomial next(count, 0);  // 1, then 2 y - 1, then (4 y - 2) last - before
     const int factor = k == 1 ? 1 : 2;
     for (int i = 0; i < count && k > 0; ++i) {
       next[i] = factor * ((i > 0 ? 2 * last[i - 1] : 0) - last[i]) - before[i];
@@ -111,7 +112,7 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
-  // The replaced terms share the factor x^first. If `first` is odd, it also changes the sign of errors at 0.
+  // All replaced terms have the factor x^first. If `first` is odd, this factor changes its sign at 0.
   const auto sign = [&](std::size_t i) { return first % 2 && t.points[i] < 0 ? -1 : 1; };
   const auto extremes_of = [&](std::vector<Quad> errors) {
     for (std::size_t i = 0; i < errors.size(); ++i) errors[i] *= sign(i);

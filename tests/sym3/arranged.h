@@ -1,4 +1,4 @@
-// Matrices in every layout and with every kernel, and their entries.
+// Helpers to test matrices in all layouts and with all kernels.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ sym3::Sym3<T> diagonal(T x, T y, T z) {
   return {x, 0, 0, y, 0, z};
 }
 
-/// `count` matrices of six numbers each.
+/// exp of `count` matrices with six numbers.
 template <class T>
 void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
   sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),

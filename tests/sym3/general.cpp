@@ -256,7 +256,7 @@ TEST_CASE("logs_are_bounded_and_continuous_at_matrices_without_logarithm") {
     const double angle = (150 + 60.0 * i / 4000) * degree, c = std::cos(angle), s = std::sin(angle);
     const Mat3<double> m{1.5 * c, -s, 0, 1.5 * s, c, 0, 0, 0, 1};
     auto parts = parts_of(m);
-    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // continues through 180 degrees
+    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // continues the rotation beyond 180 degrees
     const auto l = sym3::bounded_log(m, parts);
     CHECK(largest_of(l) < 4 * (sym3::norm(parts.turn) + 1));
     if (i > 0) CHECK(entry_difference(l, before) < 0.15);
