@@ -34,7 +34,6 @@ std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std:
 /// Throws base::Error with this advice if a coordinate of a result is not finite.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
-/// For example "0.0015" or "20000".
 inline std::string plain(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);

@@ -84,8 +84,7 @@ struct Blending {
 /// calls in other threads have ended. The child process uses one thread.
 class Deformer {
 public:
-  /// Checks and copies the arguments. `threads` is the largest number of threads; 0 means one for each
-  /// processor.
+  /// Checks and copies the arguments. 0 threads mean one for each processor.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
 
   /// Binds for deform() in float or in double, which takes up to some seconds. Otherwise the first call of
@@ -126,8 +125,7 @@ public:
   ShapeSpace(const Mesh& rest, std::span<const std::vector<Point3>> shapes, int threads = 0,
              const Watch& watch = {});
 
-  /// The weighted sum of the shapes. If all weights are 0, it is the rest shape; (1, 0, ...) gives the first
-  /// shape.
+  /// The weighted sum of the shapes: (1, 0, ...) gives the first shape, and zeros give the rest shape.
   std::vector<Point3> mix(std::span<const double> weights) const;
   /// Interpolates the sequence of shapes: 0 is the first shape, 1 the second, 0.5 halfway. If `straight` is
   /// true, vertices move along straight lines.
@@ -167,8 +165,7 @@ public:
   /// The first and the last frame. Both are 1 if the timeline has no keys.
   std::array<int, 2> range() const;
   const std::vector<std::string>& notes() const;
-  /// The model's vertices at a frame, as `viete animate` writes them. If the timeline has no keys, the
-  /// current pose.
+  /// The model's vertices at a frame, as in `viete animate`. Without keys it is the current pose.
   std::vector<Point3> frame(double frame) const;
 
 private:

@@ -29,8 +29,7 @@ void check_faces(const Mesh& mesh, const char* what) {
   const bool whole =
       starts.empty() ? mesh.corners.empty() : starts.front() == 0 && starts.back() == mesh.corners.size();
   if (!whole)
-    refuse(what, "the list `starts` does not match `corners`",
-           "it must start at 0, ascend, and end at the number of corners");
+    refuse(what, "starts does not match corners", "let starts ascend from 0 to the number of corners");
   for (std::size_t f = 0; f + 1 < starts.size(); ++f)
     if (starts[f + 1] < starts[f] + 3)
       refuse(what, "face " + std::to_string(f) + " has fewer than three corners", "remove this face");
@@ -61,8 +60,7 @@ void check_deformable(std::span<const mesh::Point> points, double least, const c
   const double extent = mesh::largest_abs(box.high - box.low);
   const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
   if (farthest > most_deformable)
-    refuse(what, "it has a coordinate of size " + plain(farthest),
-           "scale it so that coordinates stay within 1e60");
+    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it to stay within 1e60");
   if (extent > 0 && extent < least)
     refuse(what, "its size is " + plain(extent), "scale it to a size of 1e-60 or more");
 }

@@ -63,7 +63,7 @@ const std::vector<std::string>& Session::notes() const {
 
 std::vector<Point3> Session::frame(double frame) const {
   if (!(std::abs(frame) <= 1e6))
-    throw base::Error("frame", "the number is not a valid frame", "choose a frame of range()");
+    throw base::Error("frame", "it is out of range", "choose a frame of range()");
   const base::ForkDelay delay;
   return library::outside(impl_->positions(frame));
 }

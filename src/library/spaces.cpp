@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -24,9 +23,7 @@ struct Sequence {
 
   document::WholePose at(double moment, bool straight) {
     const int last = static_cast<int>(poses.size()) - 1;
-    if (!(moment >= 0 && moment <= last))
-      throw base::Error("at", "the value is out of range",
-                        "choose 0 (the first shape) to " + std::to_string(last) + " (the last shape)");
+    check_range("at", moment, 0, last);
     if (animation) return animation->at(moment, straight);
     document::Timeline timeline;
     timeline.first = 0, timeline.last = last;
@@ -37,7 +34,6 @@ struct Sequence {
     return animation.emplace(timeline, known).at(moment, straight);
   }
 
-  // The vectors whose weight is not 0.
   std::vector<deform::LogTerm> sum(std::span<const double> weights) const {
     if (weights.size() != poses.size())
       throw base::Error(
@@ -46,8 +42,7 @@ struct Sequence {
           "pass one weight for each shape");
     std::vector<deform::LogTerm> terms;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (!(std::abs(weights[i]) <= 1000))
-        throw base::Error("weights", "a weight is not finite or out of range", "choose -1000 to 1000");
+      check_range("weights", weights[i], -1000, 1000);
       if (weights[i] != 0) terms.push_back({vectors[i].get(), weights[i]});
     }
     return terms;
@@ -122,8 +117,7 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   const auto targets = library::deformable(library::inside(places), vertices.size(), "the places");
   if (!(firmness > 0))
     throw base::Error("firmness", "the value is out of range", "choose a value above 0, for example 0.3");
-  if (!(freedom >= 0 && freedom <= 1))
-    throw base::Error("freedom", "the value is out of range", "choose 0 to 1");
+  library::check_range("freedom", freedom, 0, 1);
   if (vertices.empty()) throw base::Error("vertices", "the list is empty", "pass one or more");
   std::vector<char> pinned(impl_->rest->positions.size(), 0);
   std::vector<deform::PosingPin> pins;

@@ -17,13 +17,11 @@ namespace {
 using sym3::Affine, sym3::AffineLog;
 using Axes = std::vector<py::ssize_t>;
 
-// Arguments of a function, whose leading axes broadcast to `shape` as in numpy. The first argument contains
-// maps or logarithms.
+// Arguments, whose leading axes broadcast to `shape` as in numpy. The first contains maps or logarithms.
 class Arguments {
 public:
   Axes shape;
-  py::ssize_t rows;       // of a matrix, 3 or 4
-  py::ssize_t count = 1;  // number of maps for each result
+  py::ssize_t rows, count = 1;  // rows of a matrix (3 or 4), number of maps for each result
 
   Arguments(const char* function, const py::object& maps, bool several = false) : function_(function) {
     const py::array array = as_array(function, maps);
@@ -171,33 +169,29 @@ void define_affine(py::module_& m) {
   const auto define = [&](const char* name, const auto& f, const char* text, const auto&... arguments) {
     constexpr const char* rules =
         "\n\nMaps are (..., 3, 3), or (..., 4, 4) with the translation in the last column. The last row of "
-        "4x4 "
-        "matrices is not read. float32 or float64; computed in float64. Releases the GIL.";
+        "4x4 matrices is not read. float32 or float64; computed in float64. Releases the GIL.";
     m.def(name, f, arguments..., (std::string(text) + rules).c_str());
   };
   const auto near = py::arg("near") = py::none();
   define("affine_log", affine_log,
          "The principal logarithm of each map. If affine_has_log is false, for example for a flat map (a "
-         "stretch "
-         "below 1e-11 of another), a bounded matrix instead.\n"
+         "stretch below 1e-11 of another), a bounded matrix instead.\n"
          "near: (..., 3), rotation vectors. The result is then the logarithm on the branch nearest to them.",
          py::arg("m"), near);
   define("affine_exp", affine_exp, "The exponential of each logarithm, a map.", py::arg("l"));
-  define("affine_has_log", affine_has_log, "True for maps for which affine_exp(affine_log(m)) equals m.",
-         py::arg("m"));
+  define("affine_has_log", affine_has_log, "True if affine_exp(affine_log(m)) equals m.", py::arg("m"));
   define("affine_interpolate", affine_interpolate,
          "Interpolates from a at t = 0 to b at t = 1: a exp(t log(a^-1 b)). t: a number or (...).\n"
          "near: (..., 3), rotation vectors that select the nearest branch of the logarithm.",
          py::arg("a"), py::arg("b"), py::arg("t"), near);
   const auto maps = py::arg("maps"), weights = py::arg("weights");
   define("affine_combine", affine_combine,
-         "exp(sum w log A) over k maps A with weights w. maps: (..., k, 4, 4). weights: (..., k).", maps,
+         "exp(sum w log A) of maps A with weights w. maps: (..., k, 4, 4). weights: (..., k).", maps,
          weights);
-  define(
-      "affine_mean", affine_mean,
-      "The bi-invariant mean of k maps A, which solves sum w log(mean^-1 A) = 0. Returns (mean, converged). "
-      "maps: (..., k, 4, 4). weights: (..., k); None means equal weights.",
-      maps, weights = py::none());
+  define("affine_mean", affine_mean,
+         "Returns (mean, converged) with the bi-invariant mean of maps A: sum w log(mean^-1 A) = 0. maps: "
+         "(..., k, 4, 4). weights: (..., k); None means equal weights.",
+         maps, weights = py::none());
 }
 
 }  // namespace viete::python

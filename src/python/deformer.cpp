@@ -83,15 +83,13 @@ void define_deformer(py::module_& m) {
       "Binds a model to a cage at rest, which takes up to some seconds; Ctrl-C cancels. Arguments are "
       "copied. Raises Error. Deformers cannot be copied or pickled.\n\n"
       "vertices, cage_vertices: (n, 3), with a size of 1e-60 to 1e60. faces, cage_faces: (m, k), or a list "
-      "of "
-      "lists." +
+      "of lists." +
       library::settings_text() +
       "\nthreads: largest number of threads, up to 1024; 0 means one for each processor. fork() waits until "
       "deform() calls of other threads end; the child process uses one thread.\n"
       "dtype: type of the results of deform(). float64 gives the same bits as `viete deform`. float32 is "
-      "three "
-      "to nine times as fast, with an error of up to 1e-4 (usually 1e-5) of the diagonal of the cage at rest "
-      "or posed.";
+      "three to nine times as fast, with an error of up to 1e-4 (usually 1e-5) of the diagonal of the cage "
+      "at rest or posed.";
   const auto none = py::none();
   py::class_<Bound>(m, "Deformer", "A model bound to a cage.")
       .def(py::init(&bound), py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"),
@@ -109,21 +107,18 @@ void define_deformer(py::module_& m) {
           "keeps_turns", [](const Bound& b) { return b.object.keeps_turns; },
           [](Bound& b, bool keeps) { b.object.keeps_turns = keeps; },
           "If False (default), each connected part of the cage uses the shortest rotation. If True, it uses "
-          "the "
-          "rotation nearest to the previous pose, so that full turns add up.")
+          "the rotation nearest to the previous pose, so that full turns add up.")
       .def(
           "forget_turns", [](Bound& bound) { bound.with([](BoundModel& b) { b.turns.clear(); }); },
           "Lets the next pose use the shortest rotations.")
       .def("set_mask", set_mask, py::arg("mask"),
-           "Multiplies the motion of each vertex by a number from 0 to 1, (n,). None means no scaling. Binds "
-           "again.")
+           "Multiplies the motion of each vertex by a number, (n,), 0 to 1. None: no scaling. Binds again.")
       .def("set_shape", set_shape, py::arg("shape"),
            "Sets the shape that the cage deforms, (n, 3). None means the model at rest.")
       .def_property_readonly(
           "notes", [](const Bound& b) { return b.object.deformer.notes(); },
           "Warnings about the cage, one line each, for example that it is open or flat. They do not say "
-          "whether "
-          "the model is inside the cage.");
+          "whether the model is inside the cage.");
 }
 
 }  // namespace

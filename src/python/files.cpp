@@ -38,8 +38,7 @@ std::vector<std::string> write(const fs::path& file, const py::object& surface, 
     mesh = surface.cast<const Surface&>().object.mesh;
     const std::size_t count = mesh.vertices.size();
     if (!vertices.is_none()) mesh.vertices = points_of("write", vertices);
-    if (mesh.vertices.size() != count)
-      wrong("write", "vertices must have a row for each vertex of the surface");
+    if (mesh.vertices.size() != count) wrong("write", "vertices must have a row for each vertex");
   }
   std::vector<std::string> notes;
   const py::gil_scoped_release release;

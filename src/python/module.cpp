@@ -160,8 +160,7 @@ constexpr const char* derivative_text =
 
 constexpr const char* tangent_text =
     "All derivatives of the function at each matrix, (..., 6, 6): [..., k, j] is the derivative of number j "
-    "of "
-    "the result by number k of the matrix, in the order xx xy xz yy yz zz.\n\na: as for the function.\n"
+    "of the result by number k of the matrix, in the order xx xy xz yy yz zz.\n\na: as for the function.\n"
     "Releases the GIL.";
 
 // Defines a function of matrices with further parameters of types P, whose names are `extra`.
@@ -217,17 +216,15 @@ PYBIND11_MODULE(viete, m) {
   define_tangent(m, VIETE_NAMED(sqrt_tangent));
   define_tangent<double>(m, VIETE_NAMED(pow_tangent), p);
 #undef VIETE_NAMED
-  m.def(
-      "polar", polar, py::arg("m"), py::arg("out") = py::none(),
-      "The polar decomposition m = r u of each matrix: r is the nearest rotation, for any sign of the "
-      "determinant, and u is symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64; integers are "
-      "converted to float64.\nout: a pair (r, u) of arrays with the shape and type of m for the results. r "
-      "may be m.\nReleases the GIL.");
-  m.def(
-      "mean", mean, py::arg("a"), py::arg("weights") = py::none(),
-      "The log-Euclidean mean exp(mean(log a)) of positive definite matrices, (..., k, 3, 3) or (..., k, 6). "
-      "Its determinant is the geometric mean of the determinants.\n\n"
-      "weights: (k,) or (..., k), divided by their sum. None means equal weights.");
+  m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
+        "The polar decomposition m = r u of each matrix: r is the nearest rotation, for any sign of the "
+        "determinant, and u is symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64; integers "
+        "are converted to float64.\nout: a pair (r, u) of arrays with the shape and type of m for the "
+        "results. r may be m.\nReleases the GIL.");
+  m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
+        "The log-Euclidean mean exp(mean(log a)) of positive definite matrices, (..., k, 3, 3) or (..., k, "
+        "6). Its determinant is the geometric mean of the determinants.\n\n"
+        "weights: (k,) or (..., k), divided by their sum. None means equal weights.");
   m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
         "Interpolates positive definite matrices in log space: exp((1 - t) log a + t log b).\n\n"
         "t: a number, or an array with a number for each matrix. Shapes broadcast as in numpy.");

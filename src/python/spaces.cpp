@@ -33,17 +33,15 @@ void define_sums(py::class_<Guarded<Space>>& space) {
         return array_of(s.with([&](const Space& space) { return space.mix(weights); }));
       },
       py::arg("weights"),
-      "The weighted sum, (n, 3). If all weights are 0, it is the rest shape or cage; [1, 0, ...] gives the "
-      "first "
-      "shape or pose. Weights are from -1000 to 1000.");
+      "The weighted sum, (n, 3): [1, 0, ...] gives the first shape or pose, [0, 0, ...] the shape or cage at "
+      "rest. Weights are from -1000 to 1000.");
   space.def(
       "between",
       [](Guarded<Space>& s, double at, bool straight) {
         return array_of(s.with([&](const Space& space) { return space.between(at, straight); }));
       },
       py::arg("at"), py::arg("straight") = false,
-      "Interpolates the sequence, (n, 3): 0 is the first shape or pose, 1 the second, 0.5 halfway in log "
-      "space.\n"
+      "Interpolates in log space, (n, 3): 0 gives the first shape or pose, 1 the second, 0.5 halfway.\n"
       "straight: moves vertices along straight lines instead.");
 }
 
@@ -69,28 +67,24 @@ void define_spaces(py::module_& m) {
         return Shapes(ShapeSpace(rest, places, threads, heed_signals));
       }),
       py::arg("vertices"), py::arg("faces"), py::arg("shapes"), py::arg("threads") = 0,
-      "vertices (n, 3), faces: the mesh at rest. shapes: a list of arrays (n, 3), in the order of the "
-      "motion. "
-      "Raises Error.");
+      "vertices (n, 3), faces: the mesh at rest. shapes: arrays (n, 3) in order of motion. Raises Error.");
   define_sums(shapes);
-  shapes.def(
-      "pose", pose_by_pins, py::arg("vertices"), py::arg("places"),
-      py::arg("firmness") = std::numeric_limits<double>::infinity(), py::arg("freedom") = 0.3,
-      "Example-based posing: moves some vertices (a list of indices) to places (p, 3); all others follow "
-      "blends of the shapes. Returns (positions (n, 3), weights).\n\nfirmness: infinite makes places exact; "
-      "0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the shapes, 1 is as rigid "
-      "as possible. At most 1000 vertices, each once. The time grows at least with the square of their "
-      "number. Raises Error.");
+  shapes.def("pose", pose_by_pins, py::arg("vertices"), py::arg("places"),
+             py::arg("firmness") = std::numeric_limits<double>::infinity(), py::arg("freedom") = 0.3,
+             "Example-based posing: moves some vertices (a list of indices) to places (p, 3); all others "
+             "follow blends of the shapes. Returns (positions (n, 3), weights).\n\nfirmness: infinite makes "
+             "places exact; 0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the "
+             "shapes, 1 is as rigid as possible. At most 1000 vertices, each once. The time grows at least "
+             "with the square of their number. Raises Error.");
   py::class_<Poses> poses(m, "PoseSpace", "Blends poses of a cage in log space.");
-  poses.def(
-      py::init([](const py::object& vertices, const py::object& faces, const py::object& all) {
-        const Mesh cage = mesh_of("PoseSpace", vertices, faces);
-        const std::vector<Points> places = all_points("PoseSpace", all);
-        const py::gil_scoped_release release;
-        return Poses(PoseSpace(cage, places));
-      }),
-      py::arg("cage_vertices"), py::arg("cage_faces"), py::arg("poses"),
-      "cage_vertices (k, 3), cage_faces: the cage at rest. poses: a list of arrays (k, 3). Raises Error.");
+  poses.def(py::init([](const py::object& vertices, const py::object& faces, const py::object& all) {
+              const Mesh cage = mesh_of("PoseSpace", vertices, faces);
+              const std::vector<Points> places = all_points("PoseSpace", all);
+              const py::gil_scoped_release release;
+              return Poses(PoseSpace(cage, places));
+            }),
+            py::arg("cage_vertices"), py::arg("cage_faces"), py::arg("poses"),
+            "cage_vertices (k, 3), cage_faces: the cage at rest. poses: arrays (k, 3). Raises Error.");
   define_sums(poses);
   py::class_<Sessions>(m, "Session", "A session saved by the viewer, with a model and its animation.")
       .def(py::init([](const fs::path& file) {
@@ -104,9 +98,8 @@ void define_spaces(py::module_& m) {
             return array_of(s.with([&](const Session& session) { return session.frame(frame); }));
           },
           py::arg("frame") = 1.0,
-          "The model's vertices (n, 3) at a frame, as `viete animate` writes them. Frames may be fractional "
-          "and "
-          "are clamped to the range. If the timeline has no keys, the current pose.")
+          "The model's vertices (n, 3) at a frame, as `viete animate` writes them. A frame may be fractional "
+          "and is clamped to the range. Without keys, the current pose.")
       .def_property_readonly(
           "range", [](Sessions& s) { return s.object.range(); }, "The first and the last frame.")
       .def_property_readonly(
