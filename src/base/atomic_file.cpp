@@ -24,10 +24,10 @@ namespace {
 [[noreturn]] void fail(const fs::path& path, int code) {
   const bool full = code == ENOSPC || code == EDQUOT;
   throw Error(path.string(), std::string("cannot be written: ") + std::strerror(code),
-              full ? "free some space" : "choose a folder that exists and can be written");
+              full ? "free some disk space" : "choose a folder that exists and can be written");
 }
 
-// The target of a link; a broken link is replaced itself.
+// The target of a link. A broken link counts as its own target.
 fs::path target_of(const fs::path& path) {
   std::error_code code;
   const fs::path real = fs::canonical(path, code);
@@ -36,13 +36,12 @@ fs::path target_of(const fs::path& path) {
 
 constexpr std::string_view part_extension = ".part";
 
-// "dragon.obj" becomes "dragon.obj.PROCESS-0.part".
 fs::path part_of(const fs::path& target, int number) {
   return target.string() + "." + base::process_name() + "-" + std::to_string(number) +
          std::string(part_extension);
 }
 
-// The process in the name of a part; empty for a name of another form.
+// The process in the name of a part file, or an empty text if it is no part file.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());
@@ -58,7 +57,7 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// Parts that a running program writes are locked.
+// Removes a part file unless a running program has locked it.
 void remove_if_left(const fs::path& part) {
   const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0) return;
@@ -68,16 +67,16 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// Permission bits kept from an existing file: setuid and setgid programs lose these bits with their content.
+// The permissions that a new file gets from the existing file. setuid and setgid bits are not among them.
 constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-// A process in another container, or on another machine that shares the folder, is not in our process list,
-// but its part is locked.
+// A process in another container or on another computer is not in our process list, but its part files are
+// locked.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
-  std::error_code code;  // an unreadable folder has none
+  std::error_code code;  // an unreadable folder counts as empty
   for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
        at.increment(code)) {
     const std::string name = at->path().filename().string();
@@ -88,7 +87,7 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(stale, remove_if_left);
 }
 
-// Removes the new file unless it was renamed.
+// A new file. The destructor removes it unless become_target() has renamed it.
 struct FilesTogether::File {
   explicit File(const fs::path& target) : target_(target) {
     remove_stale_parts(target.parent_path(), target.filename().string());
@@ -100,7 +99,7 @@ struct FilesTogether::File {
       if (handle_ < 0 && errno != EEXIST) break;
     }
     if (handle_ < 0) fail(target, errno);
-    flock(handle_, LOCK_EX | LOCK_NB);  // marks it as in use, if the file system supports locks
+    flock(handle_, LOCK_EX | LOCK_NB);  // shows other programs that the file is in use
   }
 
   File(const File&) = delete;
@@ -120,7 +119,6 @@ struct FilesTogether::File {
     }
   }
 
-  // Syncs the content and sets permissions.
   void settle(Durability durability) {
     struct stat existing {};
     if (stat(target_.c_str(), &existing) == 0) {
@@ -141,7 +139,7 @@ struct FilesTogether::File {
   fs::path folder() const { return target_.parent_path(); }
 
 private:
-  // Only root may change a file's owner, and only members of a group may assign it to the group.
+  // Only root may change the owner of a file. Only members of a group may give a file to the group.
   bool keep_owner(const struct stat& existing) {
     return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
            fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
@@ -154,7 +152,7 @@ private:
 
 namespace {
 
-// Makes the rename durable; file systems that do not support this are no error.
+// Makes a rename survive a power cut. Ignores errors, because some file systems do not support it.
 void sync_folder(const fs::path& folder) {
   const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle < 0) return;
@@ -162,7 +160,7 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
-// Root could write anywhere, but write-protected files are respected.
+// Throws Error if the file is write-protected, even for root, who could write it.
 void check_rights(const fs::path& path, const fs::path& target) {
   struct stat existing {};
   if (stat(target.c_str(), &existing) != 0) return;
@@ -171,7 +169,7 @@ void check_rights(const fs::path& path, const fs::path& target) {
                 "choose another name, or make it writable (chmod u+w)");
 }
 
-// The path to write; throws if it cannot be a file.
+// The path to write. Throws Error if it cannot be a regular file.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
   std::error_code code;
@@ -212,7 +210,7 @@ void check_replaceable(const fs::path& path) {
                 "this file has " + std::to_string(existing.st_nlink) +
                     " names (hard links), which replacing it would separate",
                 "choose another name, or remove this one first");
-  FilesTogether::File probe(target);  // removed again; never renamed to the target
+  FilesTogether::File probe(target);  // the destructor removes it again
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {

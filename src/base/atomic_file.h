@@ -1,4 +1,4 @@
-// Replaces a file as a whole or not at all.
+// Replaces files atomically: completely or not at all.
 #pragma once
 
 #include <cstdint>
@@ -11,32 +11,30 @@
 
 namespace viete::base {
 
-/// The events that new content survives after replace_file() returns: a sudden end of the process, or also a
-/// power cut, which requires waiting for the disk (milliseconds).
+/// `process`: the new content survives a crash of the process. `power_cut`: it also survives a power cut, but
+/// replace_file() waits some milliseconds for the disk.
 enum class Durability { process, power_cut };
 
-/// Writes the bytes to a new file in the same folder, syncs it, and renames it to path. On failure the
-/// existing file is unchanged and the new one is removed. Follows links. Keeps an existing file's read, write
-/// and execute permissions, and its owner if the system allows that, but not setuid, setgid and sticky bits.
-/// Throws Error for a folder, a device, an unwritable folder, a full disk, or a file that its owner may not
-/// write (also for root). If the file has hard links, only this name gets the new content, as backups made of
-/// hard links require; see check_replaceable(). Thread-safe.
+/// Writes the bytes to a new file in the same folder and renames it to `path`. If this fails, the existing
+/// file is unchanged and the new file is removed. Follows links. Keeps the read, write and execute
+/// permissions of an existing file, and its owner if the system allows it. Throws Error for a folder, a
+/// device, an unwritable folder, a full disk, or a file whose owner may not write it, even if root writes. If
+/// the file has hard links, only this name gets the new content, see check_replaceable(). Thread-safe.
 ///
-/// The new file is called `NAME.PROCESS-NUMBER.part`, see process_name(). Removes such files that killed
-/// programs left for this file.
+/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(). Removes such files that
+/// killed programs left for this name.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Durability durability = Durability::power_cut);
 
-/// Receives a portion of a file's bytes.
 using ByteSink = std::function<void(std::string_view)>;
 
-/// The same with bytes that produce() generates and passes on in portions, so that only one portion needs to
-/// be in memory. Rethrows exceptions of produce(); the existing file is then unchanged.
+/// As above, but calls produce(), which passes the bytes in portions, so that memory contains only one
+/// portion. If produce() throws, rethrows the exception and leaves the existing file unchanged.
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability = Durability::power_cut);
 
-/// Replaces several files together: replace() renames all of them once each is complete; without it all stay
-/// unchanged. Only a system crash between two renames can replace some of them.
+/// Replaces several files together. put() writes new files; replace() renames all of them. Without replace()
+/// all files stay unchanged. If the system crashes between two renames, only some files are replaced.
 class FilesTogether {
 public:
   explicit FilesTogether(Durability durability = Durability::power_cut);
@@ -55,22 +53,21 @@ private:
   Durability durability_;
 };
 
-/// Throws the error that replace_file() would throw for this path; call it before work that takes long. For a
-/// file that a user has chosen: also throws Error if it has hard links, which replacing would separate. Does
-/// not change an existing file.
+/// Throws the error that replace_file() would throw for this path, to report it before long work. Also throws
+/// Error if the file has hard links, which replacing would separate. Does not change an existing file.
 void check_replaceable(const std::filesystem::path& path);
 
-/// The path or, if its name is taken (even by a broken link), "viete-2.png", "viete-3.png" ... Names of
-/// regular files that `fits` accepts count as unused.
+/// The path or, if a file with this name exists, a free name such as "viete-2.png". A broken link counts as
+/// an existing file. A regular file for which fits(file) is true does not count.
 std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
-/// Removes parts that killed programs left in the folder of this file; see remove_stale_parts().
+/// Calls remove_stale_parts() for the folder of this file.
 void remove_leftovers_beside(const std::filesystem::path& path);
 
-/// Removes the parts that killed programs left in a folder of our own: those of one file, or all. Keeps parts
-/// of running programs and other users, and other names. A missing folder counts as empty. Thread-safe.
+/// Removes the `.part` files that killed programs left in a folder, for one file or for all files. Keeps
+/// files of running programs and of other users. A missing folder counts as empty. Thread-safe.
 void remove_stale_parts(const std::filesystem::path& folder, const std::string& file = "");
 
 }  // namespace viete::base

@@ -33,7 +33,7 @@ void BackgroundQueue::serve() {
       tasks_.pop_front();
       lock.unlock();
       task();
-    }  // frees the task's resources before the next one begins
+    }  // destroys the task before the next task begins
     lock.lock();
   }
 }

@@ -1,4 +1,4 @@
-// Background work that does not delay frames.
+// Work on other threads, so that frames are not delayed.
 #pragma once
 
 #include <chrono>
@@ -20,15 +20,15 @@
 
 namespace viete::base {
 
-/// True if the future has its value now, or gets it within this many seconds.
+/// True if the future has a value. Waits for it at most this number of seconds.
 template <class Value>
 bool is_ready(const std::future<Value>& future, double seconds = 0) {
   return future.valid() &&
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-/// A thread that runs work in order; it starts with the first work. If the system cannot create a thread,
-/// add() runs the work itself. Call from one other thread. The destructor waits for all work.
+/// Runs work on a thread, in the order of add(). If the system cannot create a thread, add() runs the work
+/// itself. Must be used by one thread only. The destructor waits for all work.
 class BackgroundQueue {
 public:
   BackgroundQueue() = default;
@@ -36,7 +36,7 @@ public:
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// The future gets the result or exception of the work; later work runs in either case.
+  /// The future gets the result or the exception of the work.
   template <class Work>
   std::future<std::invoke_result_t<Work>> add(Work work) {
     auto task = std::make_shared<std::packaged_task<std::invoke_result_t<Work>()>>(std::move(work));
@@ -56,24 +56,23 @@ private:
   std::jthread thread_;
 };
 
-/// Progress of background work that the user waits for.
+/// The progress of background work, to be shown to the user.
 struct WorkState {
   bool running = false;
-  std::string what{};  ///< "Reading dragon.ply", "Binding 50,000 vertices to 148 faces, 72 MB"
+  std::string what{};  ///< the step, for example "Reading dragon.ply"
   double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< since this step began
-  double age = 0;      ///< since the whole began
+  double seconds = 0;  ///< time since the step began
+  double age = 0;      ///< time since the work began
 };
 
-/// Estimated remaining seconds; nullopt while there is too little data.
+/// The estimated remaining seconds, or nullopt if it is too early for an estimate.
 std::optional<double> time_left(double done, double seconds);
 
-/// Progress of work in named steps.
 class StepProgress : public Progress {
 public:
   explicit StepProgress(std::string name) : name_(std::move(name)) {}
 
-  /// Called by the work: its next step begins, from 0 again.
+  /// Begins the next step, whose progress starts at 0. The working thread calls it.
   void step(std::string name);
   WorkState state() const;
 
@@ -83,15 +82,15 @@ private:
   double begun_ = wall_seconds(), step_begun_ = begun_;
 };
 
-/// Runs one job at a time. Call from one thread. Starting another job, or cancelling, does not wait for the
-/// running job: that ends at its next progress report, then the next job begins. The destructor cancels and
-/// waits.
+/// Runs one job at a time. Must be used by one thread only. start() and cancel() do not wait for a running
+/// job, which ends at its next progress report; then the next job begins. The destructor cancels the job and
+/// waits for its end.
 template <class Value>
 class BackgroundJob {
 public:
   struct Result {
-    std::optional<Value> value{};  ///< empty if it failed or was stopped
-    std::string problem{};         ///< what() of the exception, if it failed
+    std::optional<Value> value{};  ///< empty if the job failed or was stopped
+    std::string problem{};         ///< what() of the exception if the job failed
     bool stopped = false;
   };
 
@@ -100,33 +99,32 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  /// name: what the user reads while it runs, see state().
+  /// Cancels the running job and starts another. The user sees `name` in state().
   void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
     progress_ = std::make_shared<StepProgress>(std::move(name));
     value_ = queue_.add([progress = progress_, work = std::move(work)] {
-      progress->report(0);  // throws if it was cancelled before it began
+      progress->report(0);  // throws if the job was cancelled before it began
       return work(*progress);
     });
   }
 
-  /// Cancels the job and discards its result.
   void cancel() {
     stop();
     value_ = {};
   }
 
-  /// Asks the job to stop; its result still arrives, stopped or complete.
+  /// Asks the job to stop. poll() still returns a result, which is `stopped` or complete.
   void stop() {
     if (running()) progress_->cancel();
   }
 
-  /// True from start() until the result is taken.
+  /// True from start() until poll() returns the result.
   bool running() const { return value_.valid(); }
   WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
 
-  /// The result, once it is available; each is returned only once. With wait, waits for it.
+  /// Returns the result once, when it is available or, if `wait` is true, after waiting for it.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int look_again_ms = 20;
 
-// Inherited state: only its three files, no blocked signals, and a process group of its own.
+// Settings of a child process: its three standard files, no blocked signals, its own process group.
 struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
@@ -121,8 +121,8 @@ std::string in_one_line(const std::string& lines) {
 
 void ChildProgram::fail() {
   const std::string text = in_one_line(said());
-  throw Error(name_, text.empty() ? "it ended unexpectedly" : "it reported: " + printable(text, 600),
-              "check its installation and the free disk space");
+  throw Error(name_, text.empty() ? "the program ended unexpectedly" : "it reported: " + printable(text, 600),
+              "check the program's installation and the free disk space");
 }
 
 std::string ChildProgram::said() const {

@@ -1,4 +1,4 @@
-// User choices: the values of an enumeration with names and descriptions.
+// Names and descriptions of the values of an enumeration, for users.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace viete::base {
 
 struct Choice {
-  std::string_view word;   ///< in files and command names
-  std::string_view label;  ///< in lists
-  std::string_view hint;   ///< one sentence
+  std::string_view word;   ///< name in files and on the command line
+  std::string_view label;  ///< name in lists of the window
+  std::string_view hint;   ///< description in one sentence
 };
 
-/// The choices of an enumeration; each enumeration overloads it in its namespace.
+/// The choices of an enumeration. Each enumeration has an overload in its namespace.
 template <class Value>
 std::span<const Choice> choices(Value) = delete;
 
@@ -24,7 +24,7 @@ const Choice& entry_of(Value value) {
   return choices(value)[static_cast<std::size_t>(value)];
 }
 
-/// Nothing if no value has this word.
+/// The value with this word, or nullopt.
 template <class Value>
 std::optional<Value> value_of_word(std::string_view word) {
   const std::span<const Choice> all = choices(Value{});
@@ -33,7 +33,7 @@ std::optional<Value> value_of_word(std::string_view word) {
   return static_cast<Value>(found - all.begin());
 }
 
-/// The next value, cyclically.
+/// The next value; the first follows the last.
 template <class Value>
 Value next_choice(Value value) {
   return static_cast<Value>((static_cast<std::size_t>(value) + 1) % choices(value).size());

@@ -1,4 +1,4 @@
-// Clocks: wall time for waiting, thread time for the cost of a computation.
+// Clocks for wall time and for the processor time of a thread.
 #pragma once
 
 #include <chrono>
@@ -6,19 +6,19 @@
 
 namespace viete::base {
 
-/// Seconds of wall time since an arbitrary fixed moment; monotonic.
+/// Wall time in seconds since a fixed moment. It never decreases.
 inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Seconds of processor time used by the calling thread. Less noisy than wall time on shared machines.
+/// Processor time of the calling thread in seconds. On a busy computer it varies less than wall time.
 inline double thread_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-/// Wall time in milliseconds since construction or the last lap.
+/// Measures wall time in milliseconds since its construction or the last lap_ms().
 class Stopwatch {
 public:
   double lap_ms() {

@@ -1,4 +1,4 @@
-// Base64 (RFC 4648), percent coding (RFC 3986) and a checksum of bytes.
+// Base64 (RFC 4648), percent-encoding (RFC 3986) and a checksum.
 #pragma once
 
 #include <array>
@@ -11,18 +11,19 @@
 namespace viete::base {
 
 std::string base64(std::string_view bytes);
-/// Nothing if the text has a character outside the Base64 alphabet; stops at a "=".
+/// Decodes Base64 up to the first "=". Returns nullopt if a character is not in the Base64 alphabet.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
-/// Encodes bytes that are not plain; the percent sign must not be plain.
+/// Encodes all bytes for which is_plain() is false. It must be false for the percent sign.
 std::string percent_encoded(std::string_view bytes, bool (*is_plain)(char));
 
-/// A percent sign without two hex digits is kept, and *whole (may be null) becomes false.
+/// Decodes percent-encoding. Keeps a percent sign without two hexadecimal digits, and then sets *whole to
+/// false if `whole` is not null.
 std::string percent_decoded(std::string_view text, bool* whole = nullptr);
 
-/// 64-bit checksum of all added bytes; depends on how they are split into calls. Any change within one
-/// aligned run of 8 bytes changes the value; other changes go undetected with probability 2^-64. Not
-/// cryptographic. Depends on the machine's byte order.
+/// A 64-bit checksum of all added bytes, not cryptographic. It depends on how the bytes are divided into
+/// calls, and on the byte order of the processor. A change within 8 aligned bytes always changes the value;
+/// other changes remain unnoticed with probability 2^-64.
 class Checksum {
 public:
   void add(const void* bytes, std::size_t size);

@@ -1,4 +1,4 @@
-// The error type of readers, the deformer and the commands: problem, place, and advice.
+// An exception with place, problem and advice.
 #pragma once
 
 #include <stdexcept>
@@ -6,12 +6,12 @@
 
 namespace viete::base {
 
-/// An expected failure (bad input, a full disk), never a bug. what() is one actionable line, `place: problem;
+/// An expected failure, for example bad input or a full disk. what() is a line of the form `place: problem;
 /// advice`, for example `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model
 /// again`.
 class Error : public std::runtime_error {
 public:
-  /// place: a file, `file:line` or `file: element 12`; may be empty. advice: an imperative; may be empty.
+  /// `place` is a file, `file:line` or `file: element 12`. `advice` is an imperative. Both may be empty.
   Error(std::string place, std::string problem, std::string advice = "");
 
   const std::string& place() const { return place_; }

@@ -1,4 +1,4 @@
-// Arrays aligned for vector code, and checks of free memory.
+// Aligned arrays, and checks of free memory.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace viete::base {
 
-/// Aligned to a cache line. Requests large pages for some megabytes or more, which reduces TLB misses: arrays
-/// that are read from memory once per frame are up to a third faster. Throws std::bad_alloc.
+/// Allocates memory that is aligned to a cache line. Uses large pages for 2 MB or more, if the system has
+/// them: reading large arrays is up to a third faster. Throws std::bad_alloc.
 void* allocate_aligned(std::size_t bytes);
 void free_aligned(void* memory);
 
@@ -24,7 +24,7 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Default initialisation: large arrays are first written by the threads that compute them.
+  // Leaves numbers uninitialised, so that the threads that compute a large array also write it first.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;
@@ -45,22 +45,22 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
-/// Bytes available without swapping; nothing if the system does not report it. Thread-safe.
+/// The number of bytes available without swapping, or nullopt if the system does not report it. Thread-safe.
 std::optional<double> free_memory();
 
-/// A memory requirement, with the texts of its base::Error.
+/// An amount of memory, and the texts of the error if it is not available.
 struct MemoryNeed {
   double bytes;
-  std::string taker;   ///< start of the message: "1000 matrices take"
-  std::string advice;  ///< what to do: "give a smaller number"
+  std::string taker;   ///< the start of the message, for example "1000 matrices take"
+  std::string advice;  ///< for example "give a smaller number"
   std::string place;
 };
 
-/// Throws base::Error if it exceeds nine tenths of the free memory. Passes if the system does not report free
-/// memory. Thread-safe.
+/// Throws base::Error if the amount is more than nine tenths of the free memory. Does nothing if the system
+/// does not report free memory. Thread-safe.
 void require_memory(const MemoryNeed& need);
 
-/// Throws the same error after an allocation failed.
+/// Throws the error of require_memory(). Call it after an allocation has failed.
 [[noreturn]] void refuse_memory(const MemoryNeed& need);
 
 }  // namespace viete::base

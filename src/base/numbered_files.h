@@ -1,4 +1,4 @@
-// Numbered file sequences: patterns to file names and back.
+// Sequences of numbered files, whose names follow a pattern.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,28 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// A pattern `frame_####.obj`, with at least as many digits as marks. The number is in the file's name, not
-/// in its folder. Immutable.
+/// A pattern such as `frame_####.obj`. Numbers have at least as many digits as the pattern has marks. The
+/// folder has no number. Immutable.
 class NumberedName {
 public:
-  /// Throws Error unless the pattern has exactly one place for the number.
+  /// Throws Error unless the pattern has exactly one placeholder for the number.
   explicit NumberedName(const std::filesystem::path& pattern);
 
-  /// True if it has a place for the number.
   static bool is_pattern(const std::filesystem::path& path);
 
-  /// The pattern of this file's sequence: the last digits of its name are the number. For `a_10` that is
-  /// `a_##` or `a_#`, whichever has more files. Nothing if its name has no digits. Throws errors of find().
+  /// The pattern of the sequence that contains a file: the last digits of the name are the number. For `a_10`
+  /// it is `a_##` or `a_#`, whichever has more files. Returns nullopt if the name has no digits. Throws
+  /// errors of find().
   static std::optional<NumberedName> of_file(const std::filesystem::path& file);
 
-  /// -7 of `a_####` is `a_-007`, as in printf.
+  /// The file with a number. As in printf, the file of `a_####` with the number -7 is `a_-007`.
   std::filesystem::path file(std::int64_t number) const;
 
-  /// The number of a name; nothing unless file() gives this name: `a_1` does not match `a_##`.
+  /// The number in a file name, or nullopt if file() would give another name: `a_1` does not match `a_##`.
   std::optional<std::int64_t> number(const std::string& name) const;
 
-  /// Existing files, sorted by number. A missing folder counts as empty. Throws Error if the folder cannot be
-  /// read.
+  /// All existing files, sorted by number. A missing folder counts as empty. Throws Error if the folder
+  /// cannot be read.
   std::vector<NumberedFile> find() const;
 
   std::string pattern() const;

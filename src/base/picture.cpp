@@ -14,8 +14,7 @@ namespace viete::base {
 
 namespace {
 
-// PNG, JPEG, BMP, and TGA, which has no signature. The library also decodes PSD, PIC, HDR, PNM and GIF, but
-// less robustly.
+// False for PSD, PIC, HDR, PNM and GIF, which the stb library decodes less safely. TGA has no signature.
 bool is_known(std::string_view bytes) {
   using namespace std::string_view_literals;
   constexpr auto others =
@@ -27,8 +26,8 @@ std::size_t byte_at(std::string_view bytes, std::size_t i) {
   return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
 }
 
-// A JPEG has at most 256 Huffman codes. The library version of Debian 12 does not check the counts, and
-// overflows its tables. at: position after the marker.
+// True if JPEG tables at a position after their marker have at most 256 Huffman codes each. The stb library
+// of Debian 12 does not check these counts and overflows its arrays.
 bool counts_fit(std::string_view bytes, std::size_t at) {
   std::size_t left = 256 * byte_at(bytes, at) + byte_at(bytes, at + 1);
   at += 2;
@@ -42,8 +41,8 @@ bool counts_fit(std::string_view bytes, std::size_t at) {
   return true;
 }
 
-// Segments with a length follow each other up to the first scan. After it, or if the sequence is broken,
-// anything that looks like tables must be valid.
+// True if all Huffman tables of a JPEG are valid. Up to the first scan, reads segments one after the other.
+// After it, or if a segment is damaged, checks everything that looks like tables.
 bool has_sound_tables(std::string_view bytes) {
   constexpr std::size_t tables = 0xC4, scan = 0xDA, mark = 0xFF;
   std::size_t at = std::min(bytes.find_first_not_of('\xFF'), bytes.size() - 1) + 1;  // after the first marker
@@ -61,13 +60,13 @@ bool has_sound_tables(std::string_view bytes) {
   return true;
 }
 
-// Big-endian. The library rejects large PNG files without reporting their size.
+// A big-endian number of four bytes. (The stb library rejects large PNG files without reporting their size.)
 std::size_t word_at(std::string_view bytes, std::size_t i) {
   return byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16 | byte_at(bytes, i + 2) << 8 |
          byte_at(bytes, i + 3);
 }
 
-// The number of pixels.
+// Returns the number of pixels. Throws Error if the picture is too large.
 std::size_t check_size(const std::string& place, std::size_t width, std::size_t height) {
   constexpr std::size_t longest_side = 16384, most_pixels = std::size_t{1} << 26;
   if (width > 0 && height > 0 && width <= longest_side && height <= longest_side &&
@@ -75,8 +74,8 @@ std::size_t check_size(const std::string& place, std::size_t width, std::size_t 
     return width * height;
   throw Error(place,
               "the picture is " + std::to_string(width) + " x " + std::to_string(height) +
-                  " pixels large, the limit is 64 million",
-              "make it smaller");
+                  " pixels large, the limit is 64 million pixels and 16384 on each side",
+              "make the picture smaller");
 }
 
 void append_to(void* text, void* data, int size) {
@@ -94,22 +93,22 @@ Picture decode_picture(const std::string& place, std::string_view bytes) {
   const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
-    throw Error(place, "the picture has more than 2 GB", "make it smaller");
+    throw Error(place, "the picture has more than 2 GB", "make the picture smaller");
   if (bytes.starts_with('\xFF') && !has_sound_tables(bytes))
-    throw Error(place, "the picture is damaged", "save it again");
+    throw Error(place, "the picture is damaged", "save the picture again");
   Picture picture;
   int channels = 0;
   if (bytes.starts_with("\x89PNG") && bytes.size() >= 24 && bytes.substr(0, 16).ends_with("IHDR"))
     check_size(place, word_at(bytes, 16), word_at(bytes, 20));
   if (!is_known(bytes) || stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels) == 0)
-    throw Error(place, "this is not a picture in a supported format", "save it as PNG or JPEG");
+    throw Error(place, "this is not a picture in a supported format", "save the picture as PNG or JPEG");
   const std::size_t pixels =
       check_size(place, static_cast<std::size_t>(picture.width), static_cast<std::size_t>(picture.height));
   const std::unique_ptr<stbi_uc, void (*)(void*)> decoded(
       stbi_load_from_memory(data, size, &picture.width, &picture.height, &channels, 4), stbi_image_free);
-  const bool as_said =
+  const bool as_announced =
       static_cast<std::size_t>(picture.width) * static_cast<std::size_t>(picture.height) == pixels;
-  if (!decoded || !as_said) throw Error(place, "the picture is damaged", "save it again");
+  if (!decoded || !as_announced) throw Error(place, "the picture is damaged", "save the picture again");
   picture.rgba.assign(decoded.get(), decoded.get() + 4 * pixels);
   return picture;
 }
@@ -120,7 +119,7 @@ std::string encode_png(const std::string& place, const Picture& picture) {
     throw Error(place, "the picture is empty or incomplete");
   std::string png;
   if (stbi_write_png_to_func(append_to, &png, width, height, 4, rgba.data(), 4 * width) == 0)
-    throw Error(place, "there is not enough memory to encode the picture");
+    throw Error(place, "there is not enough memory to encode the picture", "choose a smaller picture");
   return png;
 }
 

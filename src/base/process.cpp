@@ -12,8 +12,8 @@ namespace viete::base {
 
 namespace {
 
-// The start time of a process: field 22 of /proc/PID/stat. Field 2, the program's name in parentheses, may
-// contain any characters. Empty for a missing process or a zombie (permanent in some containers).
+// The start time of a process in clock ticks: field 22 of /proc/PID/stat. (Field 2, the program's name, may
+// contain spaces and parentheses.) Empty if the process does not exist or is a zombie.
 std::string start_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -43,10 +43,9 @@ bool process_runs(std::string_view name) {
 
 namespace {
 
-// Global, since fork() is per process.
 std::mutex entrance;          // locked during fork()
 std::atomic<int> inside = 0;  // number of threads with a ForkDelay
-thread_local int own = 0;     // nested ForkDelays of this thread
+thread_local int own = 0;     // number of ForkDelays of this thread
 
 void before_fork() {
   entrance.lock();

@@ -1,4 +1,4 @@
-// The name of this process, and fork() with running threads.
+// A unique name of this process, and protection from fork().
 #pragma once
 
 #include <string>
@@ -6,14 +6,15 @@
 
 namespace viete::base {
 
-/// "PID-START", START in clock ticks since boot, so that a reused process ID has another name.
+/// "PID-START", where START is the start time. If the system reuses a process ID, the name differs.
 std::string process_name();
 
-/// False for a name of another form and for a zombie. A process that cannot be inspected counts as ended.
+/// True if the process with this name is running. False for a zombie, for a process that cannot be inspected,
+/// and for a text that is not a name.
 bool process_runs(std::string_view name);
 
-/// While one exists, fork() in other threads waits, so that the child does not inherit half-changed state or
-/// locks that are never released. May be nested in one thread; does not delay fork() of its own thread.
+/// While a ForkDelay exists, fork() waits in all other threads, so that the child does not inherit
+/// half-changed data or locked mutexes. A thread may have several at once.
 class ForkDelay {
 public:
   ForkDelay();

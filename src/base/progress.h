@@ -1,4 +1,4 @@
-// Progress reports and cancellation of long work.
+// The progress of long work, and how to cancel it.
 #pragma once
 
 #include <atomic>
@@ -6,31 +6,31 @@
 
 namespace viete::base {
 
-/// Thrown by Progress::report() after cancel(); must be caught by the caller that started the work.
+/// Progress::report() throws this exception after cancel(). The caller that started the work must catch it.
 class Cancelled : public std::runtime_error {
 public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// Shared by the working and the watching thread; the watcher's functions are thread-safe.
+/// The progress of long work. The working thread calls report(), section() and part(). Any other thread may
+/// call cancel() and done().
 class Progress {
 public:
-  /// Call often from the work: done in [0, 1]. Throws Cancelled after cancel().
+  /// Call it often, with `done` in [0, 1]. Throws Cancelled after cancel().
   void report(double done) {
     const double of_part = from_ + (to_ - from_) * done;
     done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
-  /// Called by the work: later reports map to the part [from, to] of the whole.
+  /// The next reports are about the range [from, to] of the whole work, or of the current part().
   void section(double from, double to) {
     from_ = from;
     to_ = to;
     report(0);
   }
 
-  /// For work made of steps with sections of their own: later sections map to the part [from, to] of the
-  /// whole.
+  /// The next sections are about the range [from, to] of the whole work.
   void part(double from, double to) {
     part_from_ = from;
     part_to_ = to;

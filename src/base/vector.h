@@ -1,4 +1,4 @@
-// Vectors of three numbers, and their algebra.
+// Vectors of three numbers and their arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 
 namespace viete::base {
 
-/// A separate type, so that argument-dependent lookup finds its operators; derived from an array, so that
-/// code without meshes can use it.
+/// A type of its own, so that argument-dependent lookup finds the operators. It is an array for code that
+/// does not know it.
 template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// A template, so that braces always mean three numbers.
+  /// A template, so that a list in braces is always three numbers.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };
@@ -24,7 +24,7 @@ struct Vector : std::array<T, 3> {
 using Vec3 = Vector<double>;
 using Vec3f = Vector<float>;
 
-// Arithmetic in the type of the arguments; double for plain braces.
+// T is the type of the arguments. For lists in braces it is double.
 template <class T = double>
 Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -42,7 +42,7 @@ T dot(const Vector<T>& a, const Vector<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// cross(a, b) == -cross(b, a) to the last bit.
+/// Exactly -cross(b, a).
 template <class T = double>
 Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -53,13 +53,14 @@ T squared_norm(const Vector<T>& a) {
   return dot(a, a);
 }
 
-/// For lengths whose squares are within the range of T: 1e-150 to 1e150 in double, 1e-18 to 1e18 in float.
+/// The length. Its square must be in the range of T: lengths from 1e-150 to 1e150 in double, 1e-18 to 1e18 in
+/// float.
 template <class T = double>
 T norm(const Vector<T>& a) {
   return std::sqrt(squared_norm(a));
 }
 
-/// For any length; several times slower.
+/// The length of any vector. Several times slower than norm().
 inline double stable_norm(const Vec3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
@@ -68,7 +69,7 @@ inline double largest_abs(const Vec3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
-/// Cosine of the angle between the vectors; -1 if one has length 0.
+/// The cosine of the angle between two vectors, or -1 if a vector is zero.
 inline double cosine(const Vec3& a, const Vec3& b) {
   const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
   return lengths > 0 ? dot(a, b) / lengths : -1;

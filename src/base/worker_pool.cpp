@@ -15,21 +15,21 @@ namespace viete::base {
 
 struct WorkerPool::State {
   const pid_t process = getpid();
-  std::vector<std::jthread> threads;  // thread i is number i + 1, the caller is 0
+  std::vector<std::jthread> threads;  // threads[i] has the number i + 1, the caller has the number 0
   std::mutex mutex;
   std::condition_variable wake, finished;
   std::uint64_t generation = 0;
   int busy = 0;
-  std::size_t last = 0;  // threads with higher numbers end
+  std::size_t last = 0;  // threads with a higher number end
   std::exception_ptr error;
   Cost cost;
-  double longest = 0;  // seconds of processor time of the slowest thread in this loop
+  double longest = 0;  // processor time of the slowest thread in this loop, in seconds
 
   std::size_t count = 0, block = 1;
   const std::function<void(std::size_t, std::size_t)>* body = nullptr;
 
-  // Thread t of n takes a contiguous run of blocks, so that adjacent memory stays on one core. Returns the
-  // processor time it took.
+  // Runs the blocks of thread t of n and returns the processor time. The blocks of a thread are adjacent, so
+  // that adjacent memory stays on one core.
   double work(std::size_t t, std::size_t n) {
     const double begun = thread_seconds();
     const std::size_t blocks = (count + block - 1) / block;
@@ -60,8 +60,8 @@ struct WorkerPool::State {
     }
   }
 
-  // Starts as many threads as the system allows. If it refuses one, half of them end, to leave address space
-  // and threads to the rest of the program.
+  // Starts as many threads as the system allows. If the system refuses a thread, ends half of them, to leave
+  // memory and threads to the rest of the program.
   void start(std::size_t wanted) {
     threads.reserve(wanted);
     {
@@ -78,7 +78,7 @@ struct WorkerPool::State {
 
   void end_beyond_last() {
     wake.notify_all();
-    threads.resize(last);  // joins the others
+    threads.resize(last);  // joins the removed threads
   }
 };
 
@@ -88,7 +88,7 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
-  if (state_->process != getpid()) {  // the threads belong to the parent process; waiting for them would hang
+  if (state_->process != getpid()) {  // in a forked child, which does not have the threads
     for (auto& thread : state_->threads) thread.detach();
     static_cast<void>(state_.release());
     return;

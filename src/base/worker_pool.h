@@ -1,4 +1,4 @@
-// Threads, and a persistent pool for loops over fixed blocks.
+// A pool of threads for loops.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,7 @@
 
 namespace viete::base {
 
-/// A thread that runs the work, which may take a std::stop_token; not joinable if the system cannot create
-/// it.
+/// A thread that runs the work. If the system cannot create a thread, the result is not joinable.
 template <class Work>
 std::jthread try_thread(Work work) {
   try {
@@ -21,12 +20,12 @@ std::jthread try_thread(Work work) {
   }
 }
 
-/// A persistent pool for data-parallel loops. Blocks have a fixed size, and each is computed by one thread,
-/// so results do not depend on the number of threads. In a child of fork(), which has no other threads, the
-/// caller runs all blocks.
+/// Threads that divide the blocks of a loop among them. The size of blocks is fixed, so results do not depend
+/// on the number of threads. After fork(), the child process has no other threads and the caller runs all
+/// blocks.
 class WorkerPool {
 public:
-  /// threads: upper limit, including the caller, if the system allows. 0 means one per processor.
+  /// `threads` is the largest number of threads, including the caller. 0 means one for each processor.
   explicit WorkerPool(int threads = 0);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -34,16 +33,16 @@ public:
 
   int threads() const;
 
-  /// Seconds of processor time in all loops so far. caller: time of the thread that called for_blocks.
-  /// longest: time of the slowest thread, summed over loops; estimates their time on an idle machine.
+  /// Processor time of all loops so far, in seconds.
   struct Cost {
-    double caller = 0, longest = 0;
+    double caller = 0;   ///< time of the thread that called for_blocks()
+    double longest = 0;  ///< time of the slowest thread of each loop: about the wall time on an idle machine
   };
   Cost cost() const;
 
-  /// Calls body(begin, end) for consecutive blocks that cover [0, count), on all threads; returns after all
-  /// are done. Rethrows the first exception of a body. Must not be called by two threads at once or from a
-  /// body.
+  /// Calls body(begin, end) on all threads for blocks that cover [0, count), and waits until all calls are
+  /// done. Rethrows the first exception of a body. Two threads must not call for_blocks() at the same time,
+  /// and a body must not call it.
   void for_blocks(std::size_t count, std::size_t block,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 

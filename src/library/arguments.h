@@ -1,4 +1,4 @@
-// Arguments and results of the public header: conversion, checks, and long work with a Watch.
+// Converts and checks arguments of deform.h, and runs long work with a Watch.
 #pragma once
 
 #include <cstdio>
@@ -18,30 +18,29 @@ namespace viete::library {
 std::vector<mesh::Point> inside(std::span<const Point3> points);
 std::vector<Point3> outside(std::span<const mesh::Point> points);
 
-/// Throws base::Error for `what` ("the model") on invalid indices, faces of fewer than three corners, and
-/// coordinates that are not finite or beyond largest_coordinate.
+/// Throws base::Error if an index is invalid, a face has fewer than three corners, or a coordinate is not
+/// finite or above largest_coordinate. `what` is the place in the message, for example "the model".
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
-/// Limit of coordinates of deformable surfaces, as in `viete deform`.
+/// The largest coordinate of a deformable surface.
 inline constexpr double most_deformable = 1e60;
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Throws base::Error unless there are `vertices` points, all within most_deformable.
+/// Throws base::Error unless the number of points is `vertices` and coordinates are at most most_deformable.
 std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what);
-/// The same for three numbers per vertex.
+/// As deformable(), from three numbers for each vertex.
 std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
                                            const char* what);
-/// Checks results. Throws base::Error with `advice`.
+/// Throws base::Error with this advice if a coordinate of a result is not finite.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
-/// Formats a number briefly: "0.0015", "20000".
 inline std::string plain(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
-/// The value of that name in the table. Throws base::Error for `what` that lists the valid names.
+/// The value with this name in the table. Otherwise throws base::Error that lists the valid names.
 template <class Entry>
 auto named(std::span<const Entry> table, const std::string& name, const char* what) {
   std::string names;
@@ -52,7 +51,6 @@ auto named(std::span<const Entry> table, const std::string& name, const char* wh
   throw base::Error(what, "unknown name " + name, "choose one of " + names);
 }
 
-/// Throws base::Error that names the valid range.
 inline void check_range(const char* what, double value, double low, double high) {
   if (value >= low && value <= high) return;
   throw base::Error(what, plain(value) + " is out of range", "choose " + plain(low) + " to " + plain(high));
@@ -63,17 +61,17 @@ Hidden<Impl> hidden(Arguments&&... arguments) {
   return {new Impl(std::forward<Arguments>(arguments)...), [](Impl* impl) { delete impl; }};
 }
 
-/// The settings of Blending with their values, for docstrings: "\nway: ...\n  'smooth': ...".
+/// Describes the members of Blending for docstrings: "\nway: ...\n  'smooth': ...".
 std::string settings_text();
 
-/// 0 for all processors.
+/// Throws base::Error unless `threads` is from 0 (one thread for each processor) to 1024.
 inline int checked_threads(int threads) {
   check_range("threads", threads, 0, 1024);
   return threads;
 }
 
-/// Runs work(base::Progress*) in another thread while this one reports its progress. The pointer is null
-/// without a watch; then, or if the system cannot start a thread, the work runs in the calling thread.
+/// Runs work(base::Progress*) in another thread and calls watch() meanwhile. Without a watch it runs the work
+/// in this thread, with a null pointer.
 template <class Work>
 auto watched(const Watch& watch, const Work& work) {
   if (!watch) return work(static_cast<base::Progress*>(nullptr));

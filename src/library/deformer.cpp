@@ -29,7 +29,7 @@ void take(std::span<const Entry> table, const std::string& name, const char* wha
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
-  // Points have no surface along which weights could spread.
+  // A model of points without faces cannot use smooth weights, which spread along the surface.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
@@ -52,13 +52,13 @@ void check_turns(const std::vector<Point3>* turns) {
   for (const Point3& turn : *turns)
     for (const double x : turn)
       if (!(std::abs(x) <= 1e6))
-        throw base::Error("turns", "a rotation vector is not finite, or beyond 1e6",
-                          "pass the value of the previous call");
+        throw base::Error("turns", "a rotation vector is not finite or above 1e6",
+                          "pass the value that the previous call has returned");
 }
 
 void check_sizes(std::size_t positions, std::size_t normals, std::size_t vertices) {
   if (positions != 3 * vertices || (normals != 0 && normals != positions))
-    throw base::Error("results", "the size is wrong",
+    throw base::Error("results", "the size of positions or normals is wrong",
                       "pass three numbers for each of " + std::to_string(vertices) + " vertices");
 }
 
@@ -76,15 +76,16 @@ std::string library::settings_text() {
     for (const auto& entry : table)
       text += "\n  '" + std::string(entry.name) + "': " + std::string(entry.sentence);
   };
-  list("way: how the cage moves the model.", deform::all_ways());
-  list("weights: override those of the way. Not all blends are possible.", deform::all_weights());
-  list("blend: overrides that of the way.", deform::all_blends());
+  list("way: the deformer, which decides how the cage moves the model.", deform::all_ways());
+  list("weights: replaces the weights of the deformer. Some weights allow only some blends.",
+       deform::all_weights());
+  list("blend: replaces the blend of the deformer.", deform::all_blends());
   text += "\nstitched: number of iterations, 1 to " + std::to_string(deform::most_iterations) +
-          ", that solve for vertices whose triangles follow the maps.";
+          ", of a solver that keeps the shape of triangles.";
   for (const deform::NumberEntry& number : deform::all_numbers())
-    text += "\n" + std::string(number.name) + ": " + std::string(number.sentence) + "; as a fraction, " +
+    text += "\n" + std::string(number.name) + ": " + std::string(number.sentence) + "; a fraction from " +
             plain(number.least) + " to " + plain(number.largest) + ".";
-  list("method: how the matrix exponential of each vertex is computed.", sym3::methods());
+  list("method: the method for matrix exponentials.", sym3::methods());
   return text;
 }
 
@@ -139,10 +140,10 @@ struct Deformer::Impl {
   sym3::Method method;
   base::WorkerPool pool;
   std::vector<std::string> notes;
-  std::optional<mesh::Adjacency> around;  // triangles of each vertex
+  std::optional<mesh::Adjacency> around;  // the triangles of each vertex
   deform::Mask mask;
   deform::SharedShape shape;
-  std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use
+  std::unique_ptr<deform::ExactDeformer> exact_;  // exact() and live() create these
   std::unique_ptr<deform::Deformer> live_;
 };
 
@@ -173,7 +174,7 @@ void Deformer::deform(std::span<const double> cage, std::span<double> positions,
   deform::ExactModel deformed = impl_->exact().deform(pose, {}, impl_->shape);
   const auto& shape = impl_->shape ? *impl_->shape : impl_->model.positions;
   files::keep_at_rest(*impl_->cage, pose, {}, shape, deformed.positions);
-  library::check_finite(deformed.positions, "positions", "use a pose nearer to rest");
+  library::check_finite(deformed.positions, "positions", "use a pose closer to the rest pose");
   Impl::keep_turns(deformed.report, turns);
   write(deformed.positions, positions);
   if (normals.empty()) return;
@@ -217,10 +218,10 @@ void Deformer::set_mask(std::span<const float> shares) {
   const base::ForkDelay delay;
   if (!shares.empty() && shares.size() != vertex_count())
     throw base::Error("the mask", "its size differs from the number of vertices",
-                      "pass one value per vertex");
+                      "pass one value for each vertex");
   for (const float share : shares)
     if (!(share >= 0 && share <= 1))
-      throw base::Error("the mask", "a value is not between 0 and 1", "clamp the values");
+      throw base::Error("the mask", "a value is not between 0 and 1", "limit the values to 0 to 1");
   impl_->mask =
       shares.empty() ? nullptr : std::make_shared<const std::vector<float>>(shares.begin(), shares.end());
   impl_->exact_.reset();

@@ -29,16 +29,16 @@ void check_faces(const Mesh& mesh, const char* what) {
   const bool whole =
       starts.empty() ? mesh.corners.empty() : starts.front() == 0 && starts.back() == mesh.corners.size();
   if (!whole)
-    refuse(what, "starts does not match corners", "start at 0, ascend, and end at the number of corners");
+    refuse(what, "starts does not match corners", "let starts ascend from 0 to the number of corners");
   for (std::size_t f = 0; f + 1 < starts.size(); ++f)
     if (starts[f + 1] < starts[f] + 3)
-      refuse(what, "face " + std::to_string(f) + " has fewer than three corners", "remove it");
+      refuse(what, "face " + std::to_string(f) + " has fewer than three corners", "remove this face");
   for (std::size_t c = 0; c < mesh.corners.size(); ++c)
     if (mesh.corners[c] >= mesh.vertices.size())
       refuse(what,
              "a face refers to vertex " + std::to_string(mesh.corners[c]) + ", the mesh has " +
                  std::to_string(mesh.vertices.size()),
-             "vertex indices start at 0");
+             "use vertex indices from 0");
 }
 
 void check_points(std::span<const mesh::Point> points, std::size_t vertices, const char* what) {
@@ -46,23 +46,23 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
     refuse(
         what,
         "it has " + base::counted(points.size(), "place") + " for " + std::to_string(vertices) + " vertices",
-        "pass one per vertex");
+        "pass one place for each vertex");
   for (std::size_t v = 0; v < points.size(); ++v)
     for (const double x : points[v])
       if (!(std::abs(x) <= mesh::largest_coordinate))
-        refuse(what, "vertex " + std::to_string(v) + " has a coordinate that is not finite, or beyond 1e100",
+        refuse(what, "vertex " + std::to_string(v) + " has a coordinate that is not finite or above 1e100",
                "use finite coordinates");
 }
 
-// Requires an extent of `least` to most_deformable, or a single point, and coordinates within that.
+// Throws base::Error if a coordinate is above most_deformable, or if the size is above 0 and below `least`.
 void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
   const mesh::Bounds box = mesh::bounds(points);
   const double extent = mesh::largest_abs(box.high - box.low);
   const double farthest = std::max(mesh::largest_abs(box.low), mesh::largest_abs(box.high));
   if (farthest > most_deformable)
-    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it so that it stays within 1e60");
+    refuse(what, "it has a coordinate of size " + plain(farthest), "scale it to stay within 1e60");
   if (extent > 0 && extent < least)
-    refuse(what, "it is " + plain(extent) + " in size", "scale it to 1e-60 or more");
+    refuse(what, "its size is " + plain(extent), "scale it to a size of 1e-60 or more");
 }
 
 }  // namespace
@@ -84,7 +84,8 @@ void check_finite(std::span<const mesh::Point> points, const char* what, const c
 std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
                                            const char* what) {
   if (numbers.size() % 3 != 0)
-    refuse(what, "it has " + std::to_string(numbers.size()) + " numbers", "pass three per vertex");
+    refuse(what, "it has " + std::to_string(numbers.size()) + " numbers",
+           "pass three numbers for each vertex");
   std::vector<mesh::Point> points(numbers.size() / 3);
   for (std::size_t v = 0; v < points.size(); ++v)
     points[v] = {numbers[3 * v], numbers[3 * v + 1], numbers[3 * v + 2]};

@@ -14,7 +14,7 @@ namespace viete {
 struct Session::Impl {
   explicit Impl(const std::filesystem::path& file) {
     if (!files::is_session(file))
-      throw base::Error(file.string(), "this is not a session", "choose a .viete file");
+      throw base::Error(file.string(), "this file is not a session", "choose a .viete file");
     opened = files::open_files({files::OpenRequest::What::model, {file}}, {});
     files::check_deformable(opened);
     what = files::export_of(*opened.document, {});
@@ -62,7 +62,8 @@ const std::vector<std::string>& Session::notes() const {
 }
 
 std::vector<Point3> Session::frame(double frame) const {
-  if (!(std::abs(frame) <= 1e6)) throw base::Error("frame", "not a valid frame", "choose a frame of range()");
+  if (!(std::abs(frame) <= 1e6))
+    throw base::Error("frame", "it is out of range", "choose a frame of range()");
   const base::ForkDelay delay;
   return library::outside(impl_->positions(frame));
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <string>
 #include <utility>
@@ -15,7 +14,7 @@ namespace viete {
 
 namespace library {
 
-// Poses or shapes in order of motion, with their vectors.
+// Poses or shapes in the order of the motion, with their vectors in log space.
 struct Sequence {
   std::vector<document::SharedPose> poses;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors;
@@ -24,9 +23,7 @@ struct Sequence {
 
   document::WholePose at(double moment, bool straight) {
     const int last = static_cast<int>(poses.size()) - 1;
-    if (!(moment >= 0 && moment <= last))
-      throw base::Error("at", "the value is out of range",
-                        "0 is the first shape, " + std::to_string(last) + " the last");
+    check_range("at", moment, 0, last);
     if (animation) return animation->at(moment, straight);
     document::Timeline timeline;
     timeline.first = 0, timeline.last = last;
@@ -37,22 +34,21 @@ struct Sequence {
     return animation.emplace(timeline, known).at(moment, straight);
   }
 
-  // The vectors whose weight is not 0.
   std::vector<deform::LogTerm> sum(std::span<const double> weights) const {
     if (weights.size() != poses.size())
       throw base::Error(
           "weights",
           "there are " + std::to_string(weights.size()) + " for " + std::to_string(poses.size()) + " shapes",
-          "pass one per shape");
+          "pass one weight for each shape");
     std::vector<deform::LogTerm> terms;
     for (std::size_t i = 0; i < weights.size(); ++i) {
-      if (!(std::abs(weights[i]) <= 1000))
-        throw base::Error("weights", "a weight is not finite, or beyond 1000", "choose -1000 to 1000");
+      check_range("weights", weights[i], -1000, 1000);
       if (weights[i] != 0) terms.push_back({vectors[i].get(), weights[i]});
     }
     return terms;
   }
-  // A single entry of weight 1, which is returned bit for bit.
+  // If one weight is 1 and all others are 0, the entry with weight 1, to be returned unchanged. Otherwise
+  // null.
   const document::WholePose* only(std::span<const double> weights,
                                   const std::vector<deform::LogTerm>& sum) const {
     if (sum.size() != 1 || sum[0].factor != 1) return nullptr;
@@ -120,14 +116,14 @@ std::vector<Point3> ShapeSpace::pose(std::span<const std::uint32_t> vertices, st
   constexpr int most_steps = 200;
   const auto targets = library::deformable(library::inside(places), vertices.size(), "the places");
   if (!(firmness > 0))
-    throw base::Error("firmness", "it must be above 0", "0.3 pulls as strongly as neighbours do");
-  if (!(freedom >= 0 && freedom <= 1)) throw base::Error("freedom", "it must be 0 to 1", "choose 0 to 1");
+    throw base::Error("firmness", "the value is out of range", "choose a value above 0, for example 0.3");
+  library::check_range("freedom", freedom, 0, 1);
   if (vertices.empty()) throw base::Error("vertices", "the list is empty", "pass one or more");
   std::vector<char> pinned(impl_->rest->positions.size(), 0);
   std::vector<deform::PosingPin> pins;
   for (const std::uint32_t v : vertices) {
     if (v >= impl_->rest->positions.size())
-      throw base::Error("vertices", "there is no vertex " + std::to_string(v), "indices start at 0");
+      throw base::Error("vertices", "there is no vertex " + std::to_string(v), "use vertex indices from 0");
     if (std::exchange(pinned[v], 1))
       throw base::Error("vertices", "vertex " + std::to_string(v) + " is given twice",
                         "pass each vertex once");

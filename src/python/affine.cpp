@@ -17,11 +17,11 @@ namespace {
 using sym3::Affine, sym3::AffineLog;
 using Axes = std::vector<py::ssize_t>;
 
-// Arguments whose leading axes, `shape`, broadcast as in numpy. The first contains maps or logarithms.
+// Arguments, whose leading axes broadcast to `shape` as in numpy. The first contains maps or logarithms.
 class Arguments {
 public:
   Axes shape;
-  py::ssize_t rows, count = 1;  // of a matrix, 3 or 4; of maps per result
+  py::ssize_t rows, count = 1;  // rows of a matrix (3 or 4), number of maps for each result
 
   Arguments(const char* function, const py::object& maps, bool several = false) : function_(function) {
     const py::array array = as_array(function, maps);
@@ -31,7 +31,7 @@ public:
     add("maps", array, several ? Axes{count, rows, rows} : Axes{rows, rows});
   }
 
-  // Adds an argument whose last axes must be `own`. Numbers and vectors must be finite.
+  // Adds an argument whose last axes must be `own`. Numbers and vectors must be finite; matrices need not be.
   void add(const char* what, const py::object& object, const Axes& own) {
     const auto array = numbers(function_, what, object, own.size() < 2);
     const Axes axes(array.shape(), array.shape() + array.ndim());
@@ -52,7 +52,7 @@ public:
     for (py::ssize_t i = 0; i < size; ++i) f(i);
   }
 
-  // An array of the maps or logarithms f(i).
+  // The array of all maps or logarithms f(i).
   template <class F>
   py::array results(const F& f) {
     Contiguous<double> result = numpy_.attr("zeros")(py::cast(shape) + py::cast(Axes{rows, rows}));
@@ -87,7 +87,7 @@ public:
     return map;
   }
 
-  // f(maps, weights) of result i.
+  // f(maps, weights) for result i.
   template <class F>
   auto weighted(const F& f, py::ssize_t i) const {
     std::vector<Affine> maps;
@@ -101,7 +101,7 @@ private:
     Axes own;
   };
   const char* function_;
-  bool single_;  // results are float32
+  bool single_;  // true if results are float32
   py::module_ numpy_ = py::module_::import("numpy");
   std::vector<Argument> all_;
 
@@ -168,28 +168,29 @@ py::tuple affine_mean(const py::object& maps, const py::object& weights) {
 void define_affine(py::module_& m) {
   const auto define = [&](const char* name, const auto& f, const char* text, const auto&... arguments) {
     constexpr const char* rules =
-        "\n\nMaps are (..., 3, 3), or (..., 4, 4) with the translation in the last column; their last row is "
-        "not read. float32 or float64; computed in double. Releases the GIL.";
+        "\n\nMaps are (..., 3, 3), or (..., 4, 4) with the translation in the last column. The last row of "
+        "4x4 matrices is not read. float32 or float64; computed in float64. Releases the GIL.";
     m.def(name, f, arguments..., (std::string(text) + rules).c_str());
   };
   const auto near = py::arg("near") = py::none();
   define("affine_log", affine_log,
-         "The principal logarithm of each map, or a bounded substitute if it has none: see affine_has_log.\n"
-         "A flat map (a stretch below 1e-11 of another) counts as having none.\n"
-         "near: (..., 3), rotation vectors that select the nearest branch of the logarithm, bounded.",
+         "The principal logarithm of each map. If affine_has_log is false, for example for a flat map (a "
+         "stretch below 1e-11 of another), a bounded matrix instead.\n"
+         "near: (..., 3), rotation vectors. The result is then the logarithm on the branch nearest to them.",
          py::arg("m"), near);
-  define("affine_exp", affine_exp, "The map of each logarithm.", py::arg("l"));
+  define("affine_exp", affine_exp, "The exponential of each logarithm, a map.", py::arg("l"));
   define("affine_has_log", affine_has_log, "True if affine_exp(affine_log(m)) equals m.", py::arg("m"));
   define("affine_interpolate", affine_interpolate,
          "Interpolates from a at t = 0 to b at t = 1: a exp(t log(a^-1 b)). t: a number or (...).\n"
-         "near: (..., 3), the branch of that logarithm.",
+         "near: (..., 3), rotation vectors that select the nearest branch of the logarithm.",
          py::arg("a"), py::arg("b"), py::arg("t"), near);
   const auto maps = py::arg("maps"), weights = py::arg("weights");
   define("affine_combine", affine_combine,
-         "exp(sum w log A). maps: one more axis, (..., k, 4, 4); weights (..., k).", maps, weights);
+         "exp(sum w log A) of maps A with weights w. maps: (..., k, 4, 4). weights: (..., k).", maps,
+         weights);
   define("affine_mean", affine_mean,
-         "Returns (mean, converged): mean solves sum w log(mean^-1 A) = 0. maps: one more axis, (..., k, 4, "
-         "4); weights: (..., k), default equal.",
+         "Returns (mean, converged) with the bi-invariant mean of maps A: sum w log(mean^-1 A) = 0. maps: "
+         "(..., k, 4, 4). weights: (..., k); None means equal weights.",
          maps, weights = py::none());
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 struct BoundModel {
   Deformer deformer;
-  bool single;  // results are float32
+  bool single;  // true if results are float32
   bool keeps_turns = false;
   Points turns{};
 };
@@ -63,9 +63,9 @@ void set_mask(Bound& bound, const py::object& mask) {
   std::vector<float> shares;
   if (!mask.is_none()) {
     const auto array = numbers("Deformer.set_mask", "mask", mask, false);
-    if (array.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value per vertex");
+    if (array.ndim() != 1) wrong("Deformer.set_mask", "a mask must be (n,), one value for each vertex");
     if (array.size() == 0 && bound.object.deformer.vertex_count() > 0)
-      wrong("Deformer.set_mask", "the mask is empty; None lets all vertices move");
+      wrong("Deformer.set_mask", "the mask is empty; pass None to move all vertices fully");
     shares.assign(array.data(), array.data() + array.size());
   }
   bound.with([&](BoundModel& b) { b.deformer.set_mask(shares); });
@@ -74,23 +74,22 @@ void set_mask(Bound& bound, const py::object& mask) {
 void set_shape(Bound& bound, const py::object& shape) {
   if (shape.is_none()) return bound.with([](BoundModel& b) { b.deformer.set_shape({}); });
   const Contiguous<double> array = rows_of_3("Deformer.set_shape", shape);
-  if (array.size() == 0) wrong("Deformer.set_shape", "the shape is empty; None restores the rest shape");
+  if (array.size() == 0) wrong("Deformer.set_shape", "the shape is empty; pass None for the rest shape");
   bound.with([from = numbers_of(array)](BoundModel& b) { b.deformer.set_shape(from); });
 }
 
 void define_deformer(py::module_& m) {
   const std::string text =
       "Binds a model to a cage at rest, which takes up to some seconds; Ctrl-C cancels. Arguments are "
-      "copied. Raises Error.\n\n"
-      "vertices, cage_vertices: (n, 3), 1e-60 to 1e60 across. faces, cage_faces: (m, k), or a list of "
-      "lists." +
+      "copied. Raises Error. Deformers cannot be copied or pickled.\n\n"
+      "vertices, cage_vertices: (n, 3), with a size of 1e-60 to 1e60. faces, cage_faces: (m, k), or a list "
+      "of lists." +
       library::settings_text() +
-      "\nthreads: maximum number, up to 1024; 0: one per processor. fork() waits until deform() calls of "
-      "other threads end; the child process uses one thread.\n"
-      "dtype: type of deform() results: float64 gives the bits of `viete deform`; float32 uses compressed "
-      "weights, three to nine times as fast, with an error of up to 1e-4 of the diagonal of the cage at "
-      "rest or posed, usually 1e-5.\n\n"
-      "Cannot be copied or pickled.";
+      "\nthreads: largest number of threads, up to 1024; 0 means one for each processor. fork() waits until "
+      "deform() calls of other threads end; the child process uses one thread.\n"
+      "dtype: type of the results of deform(). float64 gives the same bits as `viete deform`. float32 is "
+      "three to nine times as fast, with an error of up to 1e-4 (usually 1e-5) of the diagonal of the cage "
+      "at rest or posed.";
   const auto none = py::none();
   py::class_<Bound>(m, "Deformer", "A model bound to a cage.")
       .def(py::init(&bound), py::arg("vertices"), py::arg("faces"), py::arg("cage_vertices"),
@@ -100,27 +99,26 @@ void define_deformer(py::module_& m) {
            py::arg("method") = "fast", py::arg("threads") = 0, py::arg("dtype") = "float64", text.c_str())
       .def(
           "deform", deform, py::arg("cage"), py::arg("out") = none, py::arg("normals") = none,
-          "The model's vertices (n, 3) for a pose of the cage's vertices, (k, 3).\n\n"
-          "out: a contiguous array for the result: float64 or float32, which sets the precision, "
-          "regardless of dtype.\n"
-          "normals: an array of the same type for normals, or True; the result is then (vertices, normals).\n"
-          "Releases the GIL; calls of one deformer run one after another.")
+          "The model's vertices (n, 3) for a pose of the cage's vertices (k, 3).\n\n"
+          "out: a contiguous array for the result. Its type, float64 or float32, is used instead of dtype.\n"
+          "normals: an array of the same type for normals, or True. The result is then (vertices, normals).\n"
+          "Releases the GIL. A deformer runs one call at a time.")
       .def_property(
           "keeps_turns", [](const Bound& b) { return b.object.keeps_turns; },
           [](Bound& b, bool keeps) { b.object.keeps_turns = keeps; },
-          "False (default): each connected part of the cage takes the shortest rotation. True: takes the "
-          "rotation nearest to the previous pose, so that full rotations add up.")
+          "If False (default), each connected part of the cage uses the shortest rotation. If True, it uses "
+          "the rotation nearest to the previous pose, so that full turns add up.")
       .def(
           "forget_turns", [](Bound& bound) { bound.with([](BoundModel& b) { b.turns.clear(); }); },
-          "The next pose takes the shortest rotations.")
+          "Lets the next pose use the shortest rotations.")
       .def("set_mask", set_mask, py::arg("mask"),
-           "Scales the motion of each vertex, (n,), 0 to 1; None: no scaling. Binds again.")
+           "Multiplies the motion of each vertex by a number, (n,), 0 to 1. None: no scaling. Binds again.")
       .def("set_shape", set_shape, py::arg("shape"),
-           "The shape that the cage deforms, (n, 3); None: the model at rest.")
+           "Sets the shape that the cage deforms, (n, 3). None means the model at rest.")
       .def_property_readonly(
           "notes", [](const Bound& b) { return b.object.deformer.notes(); },
-          "Warnings about the cage, one line each: that it is open, flat, ... They do not cover whether the "
-          "model is inside.");
+          "Warnings about the cage, one line each, for example that it is open or flat. They do not say "
+          "whether the model is inside the cage.");
 }
 
 }  // namespace
@@ -134,7 +132,7 @@ void define_deformation(py::module_& m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& e) {
-      const std::string sentence = e.what();  // file names may not be UTF-8; Python decodes paths in this way
+      const std::string sentence = e.what();  // file names may not be UTF-8: decodes them as Python does
       const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
           sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
       if (text) PyErr_SetObject(error, text.ptr());

@@ -33,13 +33,13 @@ py::array_t<double> array_of(const Points& points) {
 
 namespace {
 
-// Adds the faces of an array (m, k), or of a list of sequences.
+// Adds faces from an array (m, k) or a list of sequences.
 void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
   using Integers = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
   const auto add = [&](const std::int64_t* corners, py::ssize_t count) {
     for (const std::int64_t corner : std::span(corners, static_cast<std::size_t>(count))) {
       if (corner < 0 || corner >= std::numeric_limits<std::uint32_t>::max())
-        wrong(what, "a face has an invalid vertex index (they start at 0): " + std::to_string(corner));
+        wrong(what, "a face has an invalid vertex index (indices start at 0): " + std::to_string(corner));
       mesh.corners.push_back(static_cast<std::uint32_t>(corner));
     }
     mesh.starts.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
@@ -49,15 +49,15 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
     const char kind = given ? given->dtype().kind() : '?';
     if (!given || (kind != 'i' && kind != 'u' && given->size() > 0))
       throw py::type_error("viete." + std::string(what) +
-                           ": faces must be integers, (m, corners), or a list of lists if they have "
-                           "different numbers of corners");
-    return Integers(*given);  // above 2^63 they become negative
+                           ": faces must be integers, (m, corners), or a list of lists if the numbers of "
+                           "corners differ");
+    return Integers(*given);  // integers above 2^63 become negative
   };
   mesh.starts = {0};
   if (py::isinstance<py::buffer>(faces)) {
     const Integers all = integers_of(faces);
     if (all.ndim() != 2)
-      wrong(what, "faces must be (m, corners), or a list; this shape is " + shape_text(all));
+      wrong(what, "faces must be (m, corners) or a list; this shape is " + shape_text(all));
     for (py::ssize_t f = 0; f < all.shape(0); ++f) add(all.data() + f * all.shape(1), all.shape(1));
     return;
   }

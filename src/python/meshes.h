@@ -1,4 +1,4 @@
-// Conversion between numpy arrays and meshes, and objects that several threads may use.
+// Converts between numpy arrays and meshes, and protects objects from simultaneous calls.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,7 +16,7 @@
 
 namespace viete::python {
 
-/// Defines Error and everything below.
+/// Defines Error, Deformer and all classes and functions of the next two functions.
 void define_deformation(py::module_& m);
 /// Defines Surface, read, write, make_cage.
 void define_files(py::module_& m);
@@ -25,22 +25,22 @@ void define_spaces(py::module_& m);
 
 using Points = std::vector<Point3>;
 
-/// Converts an (n, 3) array of any real type, order and strides to contiguous doubles. Raises TypeError or
-/// ValueError that names the function.
+/// Converts an array (n, 3) of any real type and layout to contiguous doubles. Raises TypeError or ValueError
+/// with the name of the function.
 Contiguous<double> rows_of_3(const char* function, const py::object& object);
 std::span<const double> numbers_of(const Contiguous<double>& array);
 Points points_of(const char* function, const py::object& object);
 py::array_t<double> array_of(const Points& points);
 
-/// faces: an array (m, k), or sequences of different lengths.
+/// `faces` is an array (m, k) or a list of sequences.
 Mesh mesh_of(const char* function, const py::object& vertices, const py::object& faces);
-/// The faces as an array (m, k) if all have k corners, otherwise as a list.
+/// The faces as an array (m, k) if all faces have k corners, otherwise as a list of arrays.
 py::object faces_of(const Mesh& mesh);
 
 /// A Watch that raises KeyboardInterrupt after Ctrl-C.
 void heed_signals(double done);
 
-/// An object whose calls run one after another, without the GIL.
+/// An object that runs one call at a time, without the GIL.
 template <class T>
 class Guarded {
 public:
@@ -49,7 +49,7 @@ public:
   explicit Guarded(T&& made) : object(std::move(made)) {}
   template <class Act>
   auto with(const Act& act) {
-    if (process_ != getpid()) {  // a forked child: a thread of the parent may own the mutex
+    if (process_ != getpid()) {  // in a forked child: a thread of the parent may have locked the mutex
       process_ = getpid();
       static_cast<void>(mutex_.release());
       mutex_ = std::make_unique<std::mutex>();
@@ -67,7 +67,7 @@ private:
 
 }  // namespace viete::python
 
-/// Rejects objects whose __init__() was not called.
+/// Raises TypeError for objects whose __init__() was not called.
 template <class T>
 struct pybind11::detail::type_caster<viete::python::Guarded<T>>
     : pybind11::detail::type_caster_base<viete::python::Guarded<T>> {

@@ -1,4 +1,4 @@
-// The Python module `viete`: functions on numpy arrays of matrices.
+// The Python module `viete`: functions of matrices in numpy arrays.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -21,16 +21,16 @@ namespace viete::python {
 
 namespace {
 
-/// The result array: `out`, or a new array if it is None, of the shape and type of `in`.
+/// The result array: `out`, or a new array with the shape and type of `in` if `out` is None.
 template <class T>
 py::array_t<T> result_of(const char* name, const py::object& out, const Contiguous<T>& in) {
   py::array_t<T> result = output<T>(name, "out", out, {in.shape(), in.shape() + in.ndim()});
   if (result.data() != in.data() && overlap(result, in))
-    wrong(name, "out overlaps the matrices; only in place is allowed");
+    wrong(name, "out overlaps the matrices; pass the same array or another one");
   return result;
 }
 
-/// Calls f(in, out, count) with views of the arrays' memory, without the GIL.
+/// Calls f(in, out, count) with views of the arrays, without the GIL.
 template <class F>
 py::object apply(const char* name, const py::object& a, const py::object& out, const F& f) {
   const py::array array = as_array(name, a);
@@ -46,17 +46,16 @@ py::object apply(const char* name, const py::object& a, const py::object& out, c
   });
 }
 
-/// Directions per matrix: 1 for an array of the same shape, otherwise the length of an additional first axis.
+/// The number of directions for each matrix: 1 if the shapes are equal, otherwise the length of the
+/// additional first axis of e.
 std::size_t directions_at(const char* name, const py::array& a, const py::array& e) {
   const py::ssize_t more = e.ndim() - a.ndim();
   if ((more != 0 && more != 1) || !std::equal(a.shape(), a.shape() + a.ndim(), e.shape() + more))
-    wrong(name,
-          "directions must have the shape of the matrices, or one more axis in front, the number of "
-          "directions");
+    wrong(name, "directions must have the shape of the matrices, or this shape after one more axis in front");
   return more ? static_cast<std::size_t>(e.shape(0)) : 1;
 }
 
-/// Calls f(matrices, directions, derivatives, count) with views, without the GIL.
+/// Calls f(matrices, directions, derivatives, count) with views of the arrays, without the GIL.
 template <class F>
 py::object derivative(const char* name, const py::object& a, const py::object& e, const py::object& out,
                       const F& f) {
@@ -122,7 +121,8 @@ py::object log_of(const char* name, const py::object& a) {
   return apply(name, a, py::none(), [](const auto&... v) { sym3::log(v...); });
 }
 
-/// The exponential of base + sum w L: weights (..., k) with logs (..., k, 3, 3) or (..., k, 6); or without k.
+/// exp(base + sum of weights times logs). Weights are (..., k), logs (..., k, 3, 3) or (..., k, 6); without a
+/// sum there is no k.
 py::object exp_of_sum(const char* name, const py::object& base, const char* axes, const py::object& weights,
                       const py::array& logs) {
   const std::string own = symmetric_shape(name, logs).axes == 2 ? "ij" : "i";
@@ -146,33 +146,32 @@ py::object interpolate(const py::object& a, const py::object& b, const py::objec
 }
 
 constexpr const char* shapes =
-    "\n\na: (..., 3, 3), of which only the upper triangle is read; or (..., 6), the upper triangle by rows: "
-    "xx xy xz yy yz zz; float32 or float64 (integers are computed as float64). Contiguous arrays are not "
+    "\n\na: (..., 3, 3), of which only the upper triangle is read, or (..., 6), the upper triangle by rows: "
+    "xx xy xz yy yz zz. float32 or float64; integers are converted to float64. Contiguous arrays are not "
     "copied.\n"
-    "out: an array for the results, of the same shape and type; may be a itself.\n"
+    "out: an array of the same shape and type for the results. It may be a.\n"
     "Releases the GIL.";
 
 constexpr const char* derivative_text =
-    "The derivative of the function at each matrix of `a` in the direction `e`.\n\na: as for the function "
-    "itself.\ne: symmetric matrices, an array of the shape of a; for several directions per matrix, with one "
-    "more axis in front.\nout: an array for the results, of the shape and type of e; may be e "
-    "itself.\nReleases the GIL.";
+    "The derivative of the function at each matrix of a, in the direction e.\n\na: as for the function.\n"
+    "e: symmetric matrices with the shape of a. For several directions for each matrix, one more axis in "
+    "front.\n"
+    "out: an array with the shape and type of e for the results. It may be e.\nReleases the GIL.";
 
 constexpr const char* tangent_text =
-    "All derivatives of the function at each matrix, (..., 6, 6): [..., k, j] is the derivative of component "
-    "j of the result by component k of the matrix, both in the order xx xy xz yy yz zz.\n\na: as for the "
-    "function itself.\nReleases the GIL.";
+    "All derivatives of the function at each matrix, (..., 6, 6): [..., k, j] is the derivative of number j "
+    "of the result by number k of the matrix, in the order xx xy xz yy yz zz.\n\na: as for the function.\n"
+    "Releases the GIL.";
 
-// Defines a function with parameters P after the matrices, named by `extra`.
+// Defines a function of matrices with further parameters of types P, whose names are `extra`.
 template <class... P, class F, class... Extra>
-void define(py::module_& m, const char* name, const std::string& text, const F& f, const Extra&... extra) {
+void define(py::module_& m, const char* name, const F& f, const std::string& text, const Extra&... extra) {
   const auto call = [=](const py::object& a, P... p, const py::object& out) {
     return apply(name, a, out, [&](const auto& in, const auto& to, auto n) { f(in, p..., to, n); });
   };
   m.def(name, call, py::arg("a"), extra..., py::arg("out") = py::none(), (text + shapes).c_str());
 }
 
-// Defines the derivatives of a function too.
 template <class... P, class F, class... Extra>
 void define_derivative(py::module_& m, const char* name, const F& f, const Extra&... extra) {
   const auto call = [=](const py::object& a, P... p, const py::object& e, const py::object& out) {
@@ -198,41 +197,37 @@ PYBIND11_MODULE(viete, m) {
   m.attr("__version__") = VIETE_VERSION;
   m.def(
       "kernel", [] { return std::string(sym3::kernel_name()); },
-      "The instruction set in use, such as 'avx512'.");
+      "The instruction set in use, for example 'avx512'.");
   const std::string nan_unless_positive = "; NaN for matrices that are not positive definite.";
   const auto p = py::arg("p");
-  define(m, "exp", "The exponential of each matrix.", [](const auto&... v) { sym3::exp(v...); });
-  define(m, "log", "The logarithm of each matrix" + nan_unless_positive,
-         [](const auto&... v) { sym3::log(v...); });
-  define(m, "sqrt", "The square root of each matrix; NaN for matrices that are not positive semi-definite.",
-         [](const auto&... v) { sym3::sqrt(v...); });
-  define(m, "inv_sqrt", "The inverse of the square root of each matrix" + nan_unless_positive,
-         [](const auto&... v) { sym3::inv_sqrt(v...); });
-  define<double>(
-      m, "pow", "Each matrix to the power p" + nan_unless_positive, [](const auto&... v) { sym3::pow(v...); },
-      p);
-  define_derivative(m, "exp_derivative", [](const auto&... v) { sym3::exp_derivative(v...); });
-  define_derivative(m, "log_derivative", [](const auto&... v) { sym3::log_derivative(v...); });
-  define_derivative(m, "sqrt_derivative", [](const auto&... v) { sym3::sqrt_derivative(v...); });
-  define_derivative<double>(
-      m, "pow_derivative", [](const auto&... v) { sym3::pow_derivative(v...); }, p);
-  define_tangent(m, "exp_tangent", [](const auto&... v) { sym3::exp_tangent(v...); });
-  define_tangent(m, "log_tangent", [](const auto&... v) { sym3::log_tangent(v...); });
-  define_tangent(m, "sqrt_tangent", [](const auto&... v) { sym3::sqrt_tangent(v...); });
-  define_tangent<double>(
-      m, "pow_tangent", [](const auto&... v) { sym3::pow_tangent(v...); }, p);
+#define VIETE_NAMED(f) #f, [](const auto&... v) { sym3::f(v...); }
+  define(m, VIETE_NAMED(exp), "The exponential of each matrix.");
+  define(m, VIETE_NAMED(log), "The logarithm of each matrix" + nan_unless_positive);
+  define(m, VIETE_NAMED(sqrt),
+         "The square root of each matrix; NaN for matrices that are not positive semi-definite.");
+  define(m, VIETE_NAMED(inv_sqrt), "The inverse of the square root of each matrix" + nan_unless_positive);
+  define<double>(m, VIETE_NAMED(pow), "Each matrix to the power p" + nan_unless_positive, p);
+  define_derivative(m, VIETE_NAMED(exp_derivative));
+  define_derivative(m, VIETE_NAMED(log_derivative));
+  define_derivative(m, VIETE_NAMED(sqrt_derivative));
+  define_derivative<double>(m, VIETE_NAMED(pow_derivative), p);
+  define_tangent(m, VIETE_NAMED(exp_tangent));
+  define_tangent(m, VIETE_NAMED(log_tangent));
+  define_tangent(m, VIETE_NAMED(sqrt_tangent));
+  define_tangent<double>(m, VIETE_NAMED(pow_tangent), p);
+#undef VIETE_NAMED
   m.def("polar", polar, py::arg("m"), py::arg("out") = py::none(),
-        "The polar decomposition m = r u of each matrix: r the nearest rotation, for any sign of the "
-        "determinant, and u symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64 (integers are "
-        "computed as float64).\nout: a pair (r, u) of arrays of the same shape and type for the results; r "
-        "may be m itself.\nReleases the GIL.");
+        "The polar decomposition m = r u of each matrix: r is the nearest rotation, for any sign of the "
+        "determinant, and u is symmetric. Returns (r, u).\n\nm: (..., 3, 3), float32 or float64; integers "
+        "are converted to float64.\nout: a pair (r, u) of arrays with the shape and type of m for the "
+        "results. r may be m.\nReleases the GIL.");
   m.def("mean", mean, py::arg("a"), py::arg("weights") = py::none(),
-        "The log-Euclidean mean, exp(mean(log a)), of (..., k, 3, 3) or (..., k, 6), positive definite.\n\n"
-        "weights: (k,) or (..., k), divided by their sum; None: equal weights. Unlike the plain mean it does "
-        "not swell: its determinant is the geometric mean of the determinants.");
+        "The log-Euclidean mean exp(mean(log a)) of positive definite matrices, (..., k, 3, 3) or (..., k, "
+        "6). Its determinant is the geometric mean of the determinants.\n\n"
+        "weights: (k,) or (..., k), divided by their sum. None means equal weights.");
   m.def("interpolate", interpolate, py::arg("a"), py::arg("b"), py::arg("t"),
         "Interpolates positive definite matrices in log space: exp((1 - t) log a + t log b).\n\n"
-        "t: a number, or an array with one for each matrix; shapes broadcast as in numpy.");
+        "t: a number, or an array with a number for each matrix. Shapes broadcast as in numpy.");
   define_affine(m);
 #ifdef VIETE_HAS_DEFORMER
   define_deformation(m);

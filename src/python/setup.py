@@ -1,6 +1,6 @@
 """Builds a wheel of the module from the sources: `pip install --no-build-isolation ./src/python`.
 
-Name and version come from CMakeLists.txt. VIETE_KERNELS=native compiles for the current machine only, in half the time.
+VIETE_KERNELS=native in the environment compiles for the current processor only, in half the time.
 """
 import os
 import pathlib

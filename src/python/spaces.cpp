@@ -33,15 +33,16 @@ void define_sums(py::class_<Guarded<Space>>& space) {
         return array_of(s.with([&](const Space& space) { return space.mix(weights); }));
       },
       py::arg("weights"),
-      "The weighted sum, (n, 3): all 0 is rest, [1, 0, ...] the first one; weights up to 1000 in size.");
+      "The weighted sum, (n, 3): [1, 0, ...] gives the first shape or pose, [0, 0, ...] the shape or cage at "
+      "rest. Weights are from -1000 to 1000.");
   space.def(
       "between",
       [](Guarded<Space>& s, double at, bool straight) {
         return array_of(s.with([&](const Space& space) { return space.between(at, straight); }));
       },
       py::arg("at"), py::arg("straight") = false,
-      "Interpolates the sequence, (n, 3): 0 is the first one, 1 the second, 0.5 halfway in log space; "
-      "straight: moves vertices along straight lines.");
+      "Interpolates in log space, (n, 3): 0 gives the first shape or pose, 1 the second, 0.5 halfway.\n"
+      "straight: moves vertices along straight lines instead.");
 }
 
 py::tuple pose_by_pins(Shapes& shapes, const std::vector<std::uint32_t>& vertices, const py::object& places,
@@ -57,7 +58,7 @@ py::tuple pose_by_pins(Shapes& shapes, const std::vector<std::uint32_t>& vertice
 
 void define_spaces(py::module_& m) {
   py::class_<Shapes> shapes(m, "ShapeSpace",
-                            "Shapes of one mesh in log space: half of a 180 degree rotation is 90 degrees.");
+                            "Blends shapes of a mesh in log space: halfway to 180 degrees is 90 degrees.");
   shapes.def(
       py::init([](const py::object& vertices, const py::object& faces, const py::object& all, int threads) {
         const Mesh rest = mesh_of("ShapeSpace", vertices, faces);
@@ -66,16 +67,16 @@ void define_spaces(py::module_& m) {
         return Shapes(ShapeSpace(rest, places, threads, heed_signals));
       }),
       py::arg("vertices"), py::arg("faces"), py::arg("shapes"), py::arg("threads") = 0,
-      "vertices (n, 3), faces: the rest mesh. shapes: (n, 3) each, in order of motion. Raises Error.");
+      "vertices (n, 3), faces: the mesh at rest. shapes: arrays (n, 3) in order of motion. Raises Error.");
   define_sums(shapes);
   shapes.def("pose", pose_by_pins, py::arg("vertices"), py::arg("places"),
              py::arg("firmness") = std::numeric_limits<double>::infinity(), py::arg("freedom") = 0.3,
-             "Example-based posing: the shape near the blends that has these vertices (by index) at these "
-             "places (p, 3). Returns (positions (n, 3), weights).\n\nfirmness: infinite makes places exact, "
-             "0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the shapes, 1 is "
-             "as rigid as possible. At most 1000 vertices, each once; the time grows at least with the "
-             "square of their number. Raises Error.");
-  py::class_<Poses> poses(m, "PoseSpace", "Poses of a cage in log space.");
+             "Example-based posing: moves some vertices (a list of indices) to places (p, 3); all others "
+             "follow blends of the shapes. Returns (positions (n, 3), weights).\n\nfirmness: infinite makes "
+             "places exact; 0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the "
+             "shapes, 1 is as rigid as possible. At most 1000 vertices, each once. The time grows at least "
+             "with the square of their number. Raises Error.");
+  py::class_<Poses> poses(m, "PoseSpace", "Blends poses of a cage in log space.");
   poses.def(py::init([](const py::object& vertices, const py::object& faces, const py::object& all) {
               const Mesh cage = mesh_of("PoseSpace", vertices, faces);
               const std::vector<Points> places = all_points("PoseSpace", all);
@@ -83,10 +84,9 @@ void define_spaces(py::module_& m) {
               return Poses(PoseSpace(cage, places));
             }),
             py::arg("cage_vertices"), py::arg("cage_faces"), py::arg("poses"),
-            "The rest cage and its poses, (k, 3) each. Raises Error.");
+            "cage_vertices (k, 3), cage_faces: the cage at rest. poses: arrays (k, 3). Raises Error.");
   define_sums(poses);
-  py::class_<Sessions>(m, "Session",
-                       "A session of the viewer: the posed model, and the model at frames of its timeline.")
+  py::class_<Sessions>(m, "Session", "A session saved by the viewer, with a model and its animation.")
       .def(py::init([](const fs::path& file) {
              const py::gil_scoped_release release;
              return Sessions(Session(file));
@@ -98,13 +98,13 @@ void define_spaces(py::module_& m) {
             return array_of(s.with([&](const Session& session) { return session.frame(frame); }));
           },
           py::arg("frame") = 1.0,
-          "The model's vertices (n, 3) at a frame, which may be fractional, as `viete animate` writes them; "
-          "clamped to the range; without keys the current pose.")
+          "The model's vertices (n, 3) at a frame, as `viete animate` writes them. A frame may be fractional "
+          "and is clamped to the range. Without keys, the current pose.")
       .def_property_readonly(
           "range", [](Sessions& s) { return s.object.range(); }, "The first and the last frame.")
       .def_property_readonly(
           "vertices", [](Sessions& s) { return array_of(s.object.model().vertices); },
-          "Vertices of the rest model, (n, 3).")
+          "Vertices of the model at rest, (n, 3).")
       .def_property_readonly(
           "faces", [](Sessions& s) { return faces_of(s.object.model()); }, "Faces of the model.")
       .def_property_readonly(

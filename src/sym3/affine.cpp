@@ -62,14 +62,14 @@ Vec3<double> turn_of(const AffineLog& log) {
 
 namespace {
 
-// The exponent of the largest weight; 0 if that is 0 or not finite.
+// The binary exponent of the largest weight; 0 if that weight is 0 or not finite.
 int exponent_of(std::span<const double> weights) {
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));
   return largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
 }
 
-// sum w 2^-shift L, L = log_of(i).
+// The sum of weights[i] 2^-shift log_of(i).
 template <class LogOf>
 AffineLog scaled_sum(std::span<const double> weights, int shift, const LogOf& log_of) {
   AffineLog sum;
@@ -83,10 +83,10 @@ bool is_finite(const AffineLog& log) {
   return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
 }
 
-// Terms that overflow, although their sum may be finite, are summed at a smaller scale.
+// Terms may overflow although their sum is finite. They are then summed at a smaller scale.
 template <class LogOf>
 AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
-  constexpr int room = 64;  // margin for the sum of any number of terms
+  constexpr int room = 64;  // bits for the sum of any number of terms
   AffineLog sum = scaled_sum(weights, 0, log_of);
   if (is_finite(sum)) return sum;
   const int shift = std::max(exponent_of(weights), 0) + room;
@@ -124,7 +124,7 @@ WeightSum sum_of(std::span<const double> weights) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // below it the residual decreases until it is rounding
+  constexpr double near_the_end = 1e-6;  // below it the residual decreases until only rounding errors remain
   const auto [shift, total] = sum_of(weights);
   const auto [least, most] = std::ranges::minmax_element(weights);
   AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};

@@ -1,15 +1,15 @@
 // Logarithm, exponential, weighted sums, interpolation and means of affine maps.
 //
-// M. Alexa, Linear combination of transformations (2002): maps are added and scaled through their logarithms.
-// A linear map (3x3) is an affine map without translation, and stays so exactly. Precision and range of log
-// and exp: see general.h and translation_log.h. Maps have no logarithm if their linear part has none (see
-// has_log()): mirrored and flat maps, and maps that rotate by 180 degrees and stretch perpendicular to the
-// axis. These get a bounded logarithm that exp does not invert. Input that is not finite gives NaN.
-// Thread-safe; no allocation, no throw.
+// The method adds and scales the logarithms of maps (M. Alexa, Linear combination of transformations, 2002).
+// The translation of linear maps (3x3) stays exactly zero. Precision and range: general.h and
+// translation_log.h. A map has no logarithm if its linear part has none, see has_log(): if the map mirrors or
+// is flat, or if it rotates by 180 degrees and stretches perpendicular to the axis. Such a map gets a bounded
+// logarithm, but exp of that logarithm is another map. Input that is not finite gives NaN. Thread-safe; no
+// allocation, no throw.
 //
-// combine() does not depend on the order of maps and commutes with inversion and conjugation: inverse maps
-// give the inverse, and maps C A C^-1 give C combine() C^-1, whatever the coordinates. interpolate() and
-// mean() are also bi-invariant: maps C A D give C mean() D, and inverse maps give the inverse.
+// The result of combine() does not depend on the order of the maps. Inverse maps give the inverse result, and
+// maps C A C^-1 give C combine() C^-1, so the result does not depend on the coordinate system. For
+// interpolate() and mean() more is true: maps C A D give C mean() D.
 #pragma once
 
 #include <span>
@@ -26,7 +26,8 @@ struct Affine {
   friend bool operator==(const Affine&, const Affine&) = default;
 };
 
-/// The logarithm of an affine map, with fourth row 0. Logarithms can be added and scaled.
+/// The logarithm of an affine map: the upper three rows of a 4x4 matrix whose fourth row is 0. Logarithms can
+/// be added and scaled.
 struct AffineLog {
   Mat3<double> linear{};
   Vec3<double> translation{};
@@ -34,38 +35,42 @@ struct AffineLog {
   friend bool operator==(const AffineLog&, const AffineLog&) = default;
 };
 
-/// The composition: first b, then a.
+/// The map that applies first b, then a.
 Affine operator*(const Affine& a, const Affine& b);
-/// The inverse, by elimination; not finite if the linear part is singular.
+/// The inverse map. It is not finite if the linear part is singular.
 Affine inverse(const Affine& a);
 
-/// The principal logarithm: (L, phi(L)^-1 l) of (M, l), L = log_general(M).
+/// The principal logarithm of the map x' = M x + l: (L, phi(L)^-1 l) with L = log_general(M); phi is defined
+/// in translation_log.h.
 AffineLog log_affine(const Affine& map);
-/// The logarithm on the branch nearest to a rotation vector, for example that of an earlier log (see
-/// turn_of()): L = log_near(M, near). Near turns of 360, 720 ... degrees the log of the translation is
-/// bounded and approximate.
+/// The logarithm on the branch nearest to a rotation vector, for example turn_of() an earlier logarithm: L =
+/// log_near(M, near). For rotations close to 360, 720 ... degrees the translation part is approximate and
+/// bounded.
 AffineLog log_affine(const Affine& map, const Vec3<double>& near);
 
-/// The exponential: (e^L, phi(L) l). Exactly the identity for 0.
+/// The exponential of (L, l): (e^L, phi(L) l). For 0 it is exactly the identity.
 Affine exp_affine(const AffineLog& log);
 
-/// The antisymmetric part of L as a rotation vector: the axis and angle by which exp(L) rotates.
+/// The antisymmetric part of the linear part as a rotation vector: axis and angle of the rotation.
 Vec3<double> turn_of(const AffineLog& log);
 
-/// sum w L. logs.size() == weights.size(); weights may have any sum.
+/// The sum of weight times logarithm. Requires one weight for each logarithm; weights may have any sum.
 AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights);
 
-/// exp(sum w log A), principal logarithms. One weight per map. If weights sum to 1 this approximates
-/// mean(); otherwise a scaled mean: combine({A}, {0.5}) is the square root. To choose branches, add logs.
+/// exp(sum of weight times log(map)), with principal logarithms. Requires one weight for each map. If the
+/// weights sum to 1, the result approximates mean(). Other sums scale it: combine({A}, {0.5}) is the square
+/// root of A. To choose branches, use log_affine() and weighted_sum().
 Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 
-/// A exp(t log(A^-1 B)): exactly A at t = 0, B at t = 1, with constant rate; any t. Does not reach B if A^-1
-/// B has no logarithm; not finite if A has no inverse.
+/// A exp(t log(A^-1 B)) for any t: exactly A at t = 0, and B at t = 1, at a constant rate. If A^-1 B has no
+/// logarithm, the result at t = 1 is not B. If A has no inverse, the result is not finite.
 Affine interpolate(const Affine& a, const Affine& b, double t);
-/// As above, with the branch of log(A^-1 B) nearest to a rotation vector: any number of turns.
+/// As above, with the branch of log(A^-1 B) nearest to the rotation vector `near`, which may have any number
+/// of turns.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights times 2^-shift, which neither overflows nor underflows; 0 if it is 0 up to rounding.
+/// The sum of weights times 2^-shift, without overflow or underflow. A sum that is 0 up to rounding becomes
+/// 0.
 struct WeightSum {
   int shift;
   double sum;
@@ -77,11 +82,11 @@ struct AffineMean {
   bool converged;
 };
 
-/// The map with sum w log(mean^-1 A) = 0 (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups,
-/// 2006), by at most 200 steps mean exp(sum w log(mean^-1 A)) from the map with the largest weight. Weights
-/// are divided by their sum; one per map, at least one. `converged` is false, and the map is the last
-/// iterate, if steps do not converge (possible for maps half a turn apart), a map has no inverse, or the
-/// weights sum to 0 up to rounding.
+/// The bi-invariant mean (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups, 2006): the map
+/// with sum w log(mean^-1 A) = 0 over all maps A with weights w. Requires one weight for each map, and at
+/// least one map; weights are divided by their sum. Computed in at most 200 steps from the map with the
+/// largest weight. `converged` is false, and the map is the last iterate, if the steps do not converge
+/// (possible for maps half a turn apart), a map has no inverse, or the weights sum to 0 up to rounding.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

@@ -1,6 +1,4 @@
-// From functions of registers to functions of batches, in every layout of view.h, and of single items.
-// Included once per instruction set. (No #pragma once: Highway's foreach_target includes this file again for
-// each target.) Internal.
+// Turns a function of registers into a function of batches in every layout of view.h. Internal.
 #if defined(VIETE_SYM3_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_BATCH_INL_H
 #undef VIETE_SYM3_BATCH_INL_H
@@ -26,8 +24,8 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// Loads and stores one register per entry: entry k of items i, i + 1, ... of a view is in e[k]; i must be a
-/// multiple of the lane count. prefetch() fetches later items into the cache, `bytes` bytes per entry.
+/// Loads and stores items i, i + 1, ... of a view, one item in each lane: e[k] has entry k of all items. i
+/// must be a multiple of the number of lanes. prefetch() fetches later items into the cache.
 struct InPlanes {
   template <class D, class T, int N, class V>
   static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {
@@ -48,7 +46,8 @@ static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
   for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
 }
 
-/// Entries 0 and 3 of two matrices, alternating in a register, from and to one register per entry.
+/// Exchanges the odd lanes of a with the even lanes of b: if the two alternate in both registers, separates
+/// them, or the reverse.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
 #if HWY_TARGET != HWY_SCALAR
@@ -57,14 +56,13 @@ static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]
 #endif
 }
 
-/// Non-temporal stores of `count` registers from a buffer.
 template <class D, class T>
 static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   const std::size_t lanes = hn::Lanes(d);
   for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
-/// Six numbers are two triples: three-way interleaving gives entries 0, 1, 2 alternating with 3, 4, 5.
+/// Loads each matrix as two items of three entries, which transpose_pairs() then separates.
 struct InPacked {
   template <class D, class T, class V>
   static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
@@ -92,8 +90,7 @@ struct InPacked {
   }
 };
 
-/// Nine numbers are three triples of numbers, and three triples are one of triples: three-way interleaving
-/// twice.
+/// Loads consecutive matrices of nine entries. Highway can only separate three entries, so it does so twice.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -119,7 +116,7 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// Index conversion between the six entries of Sym3 and the nine of the full matrix, in both directions.
+/// The place of each entry of Sym3 in the full matrix, and the reverse.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
@@ -145,7 +142,7 @@ struct InFull {
   }
 };
 
-/// Copies one number from an item of a view to a row, or back.
+/// The two directions of transfer(): from an item of a view to a row, and back.
 template <class T>
 struct ToRow {
   static HWY_INLINE void move(const T* item, T* row) { *row = *item; }
@@ -155,7 +152,8 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers.
+/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers, one row for each
+/// entry.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
@@ -178,13 +176,13 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
   }
 }
 
-/// True if items of a view are contiguous rows of nine numbers.
+/// True if each item of a view is nine contiguous numbers.
 template <class T, int N>
 static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
 }
 
-/// Copies items [i, i + count) to rows of `stride` numbers.
+/// Copies items [i, i + count) of a view to rows; scatter() copies them back.
 template <class D, class T, int N>
 static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
                                 std::size_t stride) {
@@ -200,7 +198,6 @@ static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, s
   transfer<ToRow<T>>(v, i + j, count - j, rows + j, stride);
 }
 
-/// Copies them back.
 template <class D, class T, int N>
 static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::size_t count,
                                  const View<T, N>& v, std::size_t i) {
@@ -222,15 +219,17 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
 }
 
 // A function F of small matrices or vectors has
-//   in, out                        numbers per item of input and output
-//   group                          number of registers processed together
-//   memory_bound                   true if loads and stores take as long as the arithmetic: then every layout
-//                                  is read and written in place, and stores may bypass the caches
-//   f.quick<G>(d, from, to)        V from[G][in], to[G][out]: true if `to` is valid in every lane
-//   f.general(d, from, to)         V from[in], to[out], valid for any input; unused if quick always succeeds
+//   in, out                        number of entries of an input item and of an output item
+//   group                          number of registers that are processed together
+//   memory_bound                   true if loads and stores take as long as the arithmetic. Then every layout
+//                                  is read and written in place, and stores may bypass the caches.
+//   f.quick<G>(d, from, to)        for V from[G][in], to[G][out]; returns true if `to` is valid in all lanes
+//   f.general(d, from, to)         for V from[in], to[out]; valid for any input. Not needed if quick() always
+//                                  returns true.
 
-/// Processes G registers of items from the i-th on. Reads all before it writes any, so in == out is allowed.
-/// The general path reads them again: keeping them would occupy registers of the quick path.
+/// Processes G registers of items, starting at item i. Reads all before it writes any, so in == out is
+/// allowed. The slow path reads the items again, because keeping them would occupy registers of the fast
+/// path.
 template <int G, class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
                                      const View<T, F::out>& out, std::size_t i) {
@@ -254,8 +253,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// Processes as many whole groups as possible; returns the end. (A separate function: a second loop over the
-/// same constants would take their registers.)
+/// Processes as many whole groups as possible and returns the end. It is a separate function, so that its
+/// constants can use all registers.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -267,7 +266,6 @@ static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in>
   return i;
 }
 
-/// Processes as many whole registers as possible; returns the end.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::in>& in,
                                         const View<T, F::out>& out, std::size_t i, std::size_t end) {
@@ -280,8 +278,8 @@ static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::
   return i;
 }
 
-/// Contiguous planes of numbers that stay in the first-level cache, for conversion between layouts and
-/// registers. The stride places planes in different cache sets.
+/// A buffer of planes that fits the first-level cache, for layouts that are not processed in place. With this
+/// stride, planes use different cache sets.
 template <class T>
 struct Tile {
   static constexpr std::size_t items = 64, stride = items + 64 / sizeof(T);
@@ -295,8 +293,8 @@ struct Tile {
   }
 };
 
-/// Loads items [i, i + count) into a tile. Pads the last register with copies of an item, whose results are
-/// ignored; returns the padded number of items.
+/// Loads items [i, i + count) into a tile, and fills the last register with copies of the first item. Returns
+/// the number of items with these copies.
 template <class D, class T, int N>
 static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::size_t i, std::size_t count,
                                         T* tile) {
@@ -309,8 +307,8 @@ static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::si
   return filled;
 }
 
-/// Processes items [begin, end) of any layout by tiles; put(numbers, i, count) stores the results of items
-/// [i, i + count) from a tile.
+/// Processes items [begin, end) of any layout in tiles. put(numbers, i, count) stores the results of items
+/// [i, i + count).
 template <class F, class D, class T, class Put>
 static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& in, std::size_t begin,
                                    std::size_t end, const Put& put) {
@@ -343,7 +341,7 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Within one layout, using tiles only for the remainder.
+/// Processes items whose input and output have the same layout in place, and the last items in a tile.
 template <class Way, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {
@@ -374,8 +372,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// Stores N contiguous numbers from registers of one lane in 16-byte stores: a caller that copies the result
-/// in 16-byte loads would stall on 8-byte stores.
+/// Stores N contiguous numbers from registers of one lane, 16 bytes at a time. If the caller then copies them
+/// 16 bytes at a time, loads after smaller stores would be slow.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;
@@ -409,7 +407,7 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   store_row(d, to[0], out);
 }
 
-/// The entry of the kernel table. More: the parameters of F.
+/// The functions of F for the kernel table. More: types of the parameters of F.
 template <class F, class T, class... More>
 struct Mapped {
   static void one(const T* in, T* out, More... more) { map_one(F{more...}, in, out); }
@@ -419,8 +417,8 @@ struct Mapped {
   }
 };
 
-/// VIETE_DEFINE_FUNCTION(pow, Pow, double) defines pow_double and pow_float of kernel.cpp, from F = Pow with
-/// a parameter of type double.
+/// VIETE_DEFINE_FUNCTION(pow, Pow, double) defines pow_double and pow_float of kernel.cpp from the function
+/// Pow, which has a parameter of type double.
 #define VIETE_DEFINE_FUNCTION_OF(T, name, F, ...)                                \
   extern const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T; \
   const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T = {     \
@@ -428,8 +426,6 @@ struct Mapped {
 #define VIETE_DEFINE_FUNCTION(name, F, ...)                            \
   VIETE_DEFINE_FUNCTION_OF(double, name, F __VA_OPT__(, ) __VA_ARGS__) \
   VIETE_DEFINE_FUNCTION_OF(float, name, F __VA_OPT__(, ) __VA_ARGS__)
-
-// Conversions between arrays of registers and Six, Nine and Three.
 
 template <class V>
 static HWY_INLINE Six<V> six(const V (&s)[6]) {

@@ -1,4 +1,4 @@
-// Settings of a batch: kernel, threads, and stores.
+// Settings of a batch: kernel, threads and kind of stores.
 #pragma once
 
 #include <cstddef>
@@ -7,24 +7,24 @@ namespace viete::sym3 {
 
 struct Kernel;
 
-/// Runs several tasks, possibly in parallel: run(self, n, task, context) must call task(context, i) once for
-/// each i < n, on any threads in any order, and return when all are done.
+/// Runs tasks, possibly in parallel: run(self, n, task, context) must call task(context, i) once for each i <
+/// n, on any threads in any order, and return when all calls are done.
 struct Executor {
   void (*run)(void* self, std::size_t tasks, void (*task)(void* context, std::size_t i), void* context);
   void* self = nullptr;
-  std::size_t threads = 1;  ///< useful number of tasks
+  std::size_t threads = 1;  ///< a batch is split into at most this number of tasks
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming if it pays: not in place, aligned, and much more data than the caches hold
+  automatic,  ///< streaming if data is aligned, not in place, and much larger than the caches
   ordinary,
-  streaming,  ///< bypasses the caches (non-temporal), if layout and alignment allow it
+  streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow them
 };
 
-/// Defaults: the best kernel, the calling thread. Chunks are static, at least `least_chunk` items each;
-/// results do not depend on their number.
+/// By default a batch uses the active kernel and the calling thread. With an executor, it is split into
+/// chunks of at least `least_chunk` items; results do not depend on their number.
 struct Batch {
-  const Kernel* kernel = nullptr;  ///< one of kernels(), or null: kernel()
+  const Kernel* kernel = nullptr;  ///< a kernel of kernels(); null means kernel()
   const Executor* executor = nullptr;
   Stores stores = Stores::automatic;
 

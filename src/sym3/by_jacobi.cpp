@@ -1,5 +1,4 @@
-// exp, polar decomposition and spectral functions of single matrices by Jacobi rotations, for input that
-// vector code cannot process.
+// Functions of single matrices by Jacobi rotations, for input that the vector code cannot process.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,14 +13,13 @@ namespace viete::sym3 {
 
 namespace {
 
-// Beyond +-2800 every exponential, times any double, is infinite or zero; a fourth of it is in range.
+// e^2800 times any positive double is infinite, e^-2800 times any double is zero; e^700 is in range.
 constexpr double exponent_limit = 2800;
 
-// Larger entries are scaled down, since sums and products in Jacobi's method would overflow.
+// Larger entries are scaled down, because sums and products in Jacobi's method could overflow.
 constexpr double large_entry = 1e270, down = 0x1p-64;
 
-/// The eigenvalues are `values` / scale. They stay scaled until they are subtracted: only differences are in
-/// range.
+/// The eigenvalues of S are eigen.values / scale. These could overflow, but differences of them do not.
 struct Exponents {
   Eigen3<DoubleDouble> eigen;
   double scale;
@@ -36,15 +34,15 @@ double exp_of(const DoubleDouble& x) {
   return std::exp(x.hi) * (1 + x.lo);
 }
 
-/// x e^y in four factors, because e^y alone may overflow.
+/// x e^y. Multiplies by four factors, because e^y alone may overflow.
 double times_exp(double x, const DoubleDouble& y) {
   const double part = std::exp(y.hi / 4);
   for (int k = 0; k < 4; ++k) x *= part;
   return x * (1 + y.lo);
 }
 
-/// Entry (i, j) of V exp(values) V^T. Zero terms are ignored in the common exponent, so that an overflow
-/// stays in its own block of the matrix.
+/// Entry (i, j) of V exp(values) V^T, relative to the largest exponential. Ignores terms that are zero, so
+/// that an overflow stays in its diagonal block of the matrix.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];
@@ -73,15 +71,16 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
   return {entry(e, 0, 0), entry(e, 0, 1), entry(e, 0, 2), entry(e, 1, 1), entry(e, 1, 2), entry(e, 2, 2)};
 }
 
-/// Index pairs k <= l of eigenvectors, in the order of Sym3.
+/// The row and column of each number of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// (e^x - e^y) / (x - y) relative to the larger one of both, or to e^x if they are equal: at most 1.
+/// (e^x - e^y) / (x - y) divided by the larger of e^x and e^y. `distance` is |x - y|. The result is at
+/// most 1.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Entry (i, j) of the sum over pairs of eigenvectors of their slope times that component of E; as `entry`.
+/// Entry (i, j) of exp'(S)[E]: for each pair of eigenvectors, adds their slope times their component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -127,17 +126,17 @@ VIETE_FOR(float)
 VIETE_FOR(double)
 #undef VIETE_FOR
 
-// The nearest rotation by Horn's quaternion ("Closed-form solution of absolute orientation using unit
-// quaternions", 1987), refined once.
+// The nearest rotation by Horn's quaternion (Closed-form solution of absolute orientation using unit
+// quaternions, 1987) and a Newton step.
 
 namespace {
 
 constexpr int n = 4;
-constexpr int most_sweeps = 12;  // five or six are enough: convergence is quadratic
+constexpr int most_sweeps = 12;  // usually five or six are enough
 
 using Matrix4 = std::array<std::array<double, n>, n>;
 
-/// Horn's matrix: q^T H q = tr(R(q)^T M) for unit quaternions q, scalar part first.
+/// Horn's matrix H: q^T H q = tr(R^T M) for the rotation R of a unit quaternion q, scalar part first.
 Matrix4 horn(const std::array<double, 9>& m) {
   const auto [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
   return {{{xx + yy + zz, zy - yz, xz - zx, yx - xy},
@@ -167,7 +166,6 @@ double off_diagonal(const Matrix4& a) {
   return sum;
 }
 
-/// The unit quaternion of the largest eigenvalue; ties: the first.
 std::array<double, n> top_vector(Matrix4 a) {
   Matrix4 v = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
   for (int sweep = 0; sweep < most_sweeps && off_diagonal(a) > 1e-20; ++sweep) {
@@ -182,7 +180,7 @@ std::array<double, n> top_vector(Matrix4 a) {
   return {v[0][top], v[1][top], v[2][top], v[3][top]};
 }
 
-/// Scaled so that the largest entry is between 1 and 2; zero stays zero.
+/// m scaled so that the size of the largest entry is between 1 and 2. Zero stays zero.
 std::array<double, 9> normalized(const std::array<double, 9>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::fabs(x));
@@ -201,7 +199,7 @@ std::array<double, 9> to_matrix(const std::array<double, n>& q) {
           s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
 }
 
-/// Column i of R times column j of M minus the transposed product, in double-double: the remaining asymmetry.
+/// Entry (i, j) minus entry (j, i) of R^T M, summed in double-double.
 double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m, int i, int j) {
   DoubleDouble sum;
   for (int k = 0; k < 9; k += 3) {
@@ -210,8 +208,7 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
   return sum.hi;
 }
 
-/// One Newton step: R^T M is symmetric at the solution; a rotation by w changes its asymmetry by (tr U - U)
-/// w.
+/// One Newton step. R^T M must be symmetric; a rotation by w changes the asymmetry by (tr(U) I - U) w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
   const auto r = to_matrix(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
@@ -242,30 +239,23 @@ std::array<double, 9> nearest_rotation(const std::array<double, 9>& m) {
   return to_matrix(refined(top_vector(horn(scaled)), scaled));
 }
 
-template <class T>
-void by_jacobi(const T* m, T* rotation) {
-  std::array<double, 9> in;
-  std::copy(m, m + 9, in.begin());
-  const auto r = nearest_rotation(in);
-  for (int k = 0; k < 9; ++k) rotation[k] = T(r[k]);
-}
-
 }  // namespace
 
-void polar_by_jacobi(const double* in, double* out) {
-  by_jacobi(in, out);
-}
-
-void polar_by_jacobi(const float* in, float* out) {
-  by_jacobi(in, out);
-}
-
-// log, square roots and eigenvalues from Jacobi's eigenvectors.
+#define VIETE_FOR(T)                              \
+  void polar_by_jacobi(const T* in, T* out) {     \
+    std::array<double, 9> m;                      \
+    std::copy(in, in + 9, m.begin());             \
+    const auto r = nearest_rotation(m);           \
+    for (int k = 0; k < 9; ++k) out[k] = T(r[k]); \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
 
 namespace {
 
-// Jacobi in double has errors of some u of the largest eigenvalue; if the smallest is smaller by more than
-// this factor, the computation is repeated in double-double.
+// Jacobi's method in double has errors relative to the largest eigenvalue. If the smallest eigenvalue is
+// smaller by more than this factor, the method is repeated in double-double.
 constexpr double wide = 8;
 
 struct LogOf {
@@ -273,27 +263,12 @@ struct LogOf {
   double operator()(const DoubleDouble& x) const { return std::log(x.hi) + x.lo / x.hi; }
 };
 
-struct Log1pOf {
-  double operator()(double x) const { return std::log1p(x); }
-};
-
-struct InvSqrtOf {
-  double operator()(double x) const { return 1 / std::sqrt(x); }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
-};
-
-/// Values that are negative by rounding count as zero.
-struct SqrtOf {
-  double operator()(double x) const { return x > 0 ? std::sqrt(x) : 0; }
-  double operator()(const DoubleDouble& x) const { return (*this)(x.hi); }
-};
-
 template <class Real>
 double smallest(const Eigen3<Real>& e) {
   return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
 }
 
-/// A power of two that keeps Jacobi's sums, products and low parts in range; diagonal matrices need none.
+/// A power of two that keeps sums, products and low parts of Jacobi's method in range.
 double comfortable_scale(const Sym3<double>& s) {
   const double largest = largest_entry(s);
   if (is_diagonal(s)) return 1;
@@ -307,7 +282,7 @@ Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
   return e;
 }
 
-/// f(S) if all eigenvalues of S are above `least` times its largest entry, else NaN.
+/// f(S) if all eigenvalues of S are above `least` times the largest entry, otherwise NaN.
 template <class F>
 Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
   const double scale = comfortable_scale(s), bound = least * largest_entry(s);
@@ -319,12 +294,7 @@ Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) 
   return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
 }
 
-template <class F>
-Sym3<double> of_positive(const F& f, const Sym3<double>& s) {
-  return of_spectrum_above(0, f, s);
-}
-
-/// True if S - I is exact, so that its eigenvalues keep digits that those of S would lose.
+/// True if S is so close to I that S - I is exact. log1p of its eigenvalues is then more accurate.
 bool is_near_identity(const Sym3<double>& s) {
   const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
   const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
@@ -339,17 +309,19 @@ Sym3<double> log_in_double(const Sym3<double>& s) {
   if (!is_usable(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return log_of_256_times(log_in_double(times(s, 0x1p-8)));
   if (is_near_identity(s)) {
-    return recompose(Log1pOf(), eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
+    return recompose([](double x) { return std::log1p(x); },
+                     eigen_by_jacobi<double>({s.xx - 1, s.xy, s.xz, s.yy - 1, s.yz, s.zz - 1}));
   }
-  return of_positive(LogOf(), s);
+  return of_spectrum_above(0, LogOf(), s);
 }
 
 Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   if (has_huge_eigenvalues(s)) return times(inv_sqrt_in_double(times(s, 0x1p-8)), 0x1p-4);
-  return is_usable(s) ? of_positive(InvSqrtOf(), s) : nan_matrix<double>();
+  const auto inv_sqrt = [](const auto& x) { return 1 / std::sqrt(jacobi::leading(x)); };
+  return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
 }
 
-/// A negative eigenvalue up to this size, relative to the largest entry, is due to rounding in S.
+/// Negative eigenvalues down to this number, relative to the largest entry, count as rounding errors of S.
 template <class T>
 constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -357,7 +329,8 @@ template <class T>
 Sym3<double> sqrt_in_double(const Sym3<double>& s) {
   if (!is_finite(s)) return nan_matrix<double>();
   if (has_huge_eigenvalues(s)) return times(sqrt_in_double<T>(times(s, 0x1p-8)), 0x1p4);
-  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, SqrtOf(), s) : Sym3<double>{};
+  const auto sqrt = [](const auto& x) { return std::sqrt(std::max(jacobi::leading(x), 0.0)); };
+  return largest_entry(s) > 0 ? of_spectrum_above(rounding<T>, sqrt, s) : Sym3<double>{};
 }
 
 std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
@@ -370,7 +343,7 @@ std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
   return values;
 }
 
-/// (f(x) - f(y)) / (x - y), or f'(x) where they are equal, for positive x >= y.
+/// (f(x) - f(y)) / (x - y) for positive x >= y, or f'(x) if x = y.
 struct SlopeOf {
   Of f;
   double p;
@@ -386,12 +359,11 @@ struct SlopeOf {
   }
 };
 
-/// The power p with f(256 S) = 256^p f(S).
+/// The exponent p with f(256 S) = 256^p f(S), up to a constant.
 double homogeneity(const SlopeOf& slope) {
   return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }
 
-/// f'(S)[E] = V (F o V^T E V) V^T, where F has the slopes between eigenvalues (Daleckii and Krein 1965).
 Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
                                   const Sym3<double>& direction) {
   if (!is_usable(s) || !is_finite(direction)) return nan_matrix<double>();

@@ -14,18 +14,17 @@ namespace viete::sym3 {
 
 namespace {
 
-constexpr std::size_t block = 256;  // matrices per copied block
+constexpr std::size_t block = 256;  // matrices that are copied at once
 
-// One array of matrices with N entries that are accessed.
+// An array of matrices, of which N entries are read or written.
 template <class T, int N>
 struct Argument {
   T* data;
   viete_layout layout;
 
-  // Symmetric matrices with all nine entries.
   bool is_full() const { return layout.entry_stride == 0; }
   bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
-  // True if a view supports the layout without copying.
+  // True if the layout needs no copy.
   bool is_viewed() const {
     if (is_full()) return layout.matrix_stride == 9;
     return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
@@ -36,14 +35,13 @@ struct Argument {
     if (layout.matrix_stride == 1) return {first, layout.entry_stride};
     return {Layout::packed, first};
   }
-  // Offset of an entry within its matrix.
   std::size_t place(std::size_t k) const {
     constexpr std::size_t upper[9] = {0, 1, 2, 4, 5, 8};
     return is_full() ? upper[k] : k * layout.entry_stride;
   }
 };
 
-// A part of a batch: in place, or copied to a buffer and finally back.
+// A part of an array: a view in place, or a copy that finish() writes back.
 template <class T, int N>
 class Part {
 public:
@@ -79,7 +77,7 @@ private:
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// Calls f(views..., count) once for all matrices, or block by block if one layout needs copies.
+// Calls f(views..., count) once for all matrices. If a layout needs copies, calls it for each block.
 template <class F, class... T, int... N>
 int apply(std::size_t count, const F& f, const Argument<T, N>&... all) {
   if (!(all.is_sound() && ...)) return -1;
@@ -138,39 +136,31 @@ using namespace viete;  // NOLINT(google-build-using-namespace): these have no n
         [](const auto& a, const auto& b, const auto& c, std::size_t n) { sym3::f(a, b, c, n); }); \
   }
 
-VIETE_C_FUNCTION(viete_exp, double, exp)
-VIETE_C_FUNCTION(viete_log, double, log)
-VIETE_C_FUNCTION(viete_sqrt, double, sqrt)
-VIETE_C_FUNCTION(viete_inv_sqrt, double, inv_sqrt)
-VIETE_C_FUNCTION(viete_exp_f, float, exp)
-VIETE_C_FUNCTION(viete_log_f, float, log)
-VIETE_C_FUNCTION(viete_sqrt_f, float, sqrt)
-VIETE_C_FUNCTION(viete_inv_sqrt_f, float, inv_sqrt)
+#define VIETE_C_PRECISION(T, suffix)                                                                       \
+  VIETE_C_FUNCTION(viete_exp##suffix, T, exp)                                                              \
+  VIETE_C_FUNCTION(viete_log##suffix, T, log)                                                              \
+  VIETE_C_FUNCTION(viete_sqrt##suffix, T, sqrt)                                                            \
+  VIETE_C_FUNCTION(viete_inv_sqrt##suffix, T, inv_sqrt)                                                    \
+  int viete_pow##suffix(const T* in, viete_layout from, double p, T* out, viete_layout to, size_t count) { \
+    return sym3::map(in, from, out, to, count,                                                             \
+                     [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });         \
+  }                                                                                                        \
+  int viete_polar##suffix(const T* in, viete_layout from, T* rotations, viete_layout to, T* stretches,     \
+                          viete_layout stretch, size_t count) {                                            \
+    return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);                             \
+  }
+
+VIETE_C_PRECISION(double, )
+VIETE_C_PRECISION(float, _f)
 VIETE_C_DERIVATIVE(viete_exp_derivative, exp_derivative)
 VIETE_C_DERIVATIVE(viete_log_derivative, log_derivative)
 VIETE_C_DERIVATIVE(viete_sqrt_derivative, sqrt_derivative)
-
-int viete_pow(const double* in, viete_layout from, double p, double* out, viete_layout to, size_t count) {
-  return sym3::map(in, from, out, to, count,
-                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
-}
-int viete_pow_f(const float* in, viete_layout from, double p, float* out, viete_layout to, size_t count) {
-  return sym3::map(in, from, out, to, count,
-                   [p](const auto& a, const auto& b, std::size_t n) { sym3::pow(a, p, b, n); });
-}
-int viete_polar(const double* in, viete_layout from, double* rotations, viete_layout to, double* stretches,
-                viete_layout stretch, size_t count) {
-  return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);
-}
-int viete_polar_f(const float* in, viete_layout from, float* rotations, viete_layout to, float* stretches,
-                  viete_layout stretch, size_t count) {
-  return sym3::polar_of(in, from, rotations, to, stretches, stretch, count);
-}
 
 const char* viete_kernel(void) {
   static const std::string name(sym3::kernel_name());
   return name.c_str();
 }
 
+#undef VIETE_C_PRECISION
 #undef VIETE_C_FUNCTION
 #undef VIETE_C_DERIVATIVE

@@ -1,20 +1,23 @@
-/* Functions of many symmetric 3x3 matrices for C and languages that can call C: Rust, Julia, C#, Fortran.
+/* Functions of many symmetric 3x3 matrices for C and for languages that can call C: Rust, Julia, C#, Fortran.
  *
  * A batch is a pointer to numbers, the number of matrices, and a layout:
- *   entry_stride   numbers from one entry of a matrix to its next one
- *   matrix_stride  numbers from one matrix to the next one
- * {1, 6} is an array of matrices, each stored as its upper triangle by rows: xx xy xz yy yz zz; {n, 1} is six
- * planes of n numbers. General matrices and rotations have nine entries, by rows: {1, 9}. {0, n}, n >= 9, is
- * an array of symmetric matrices with all nine entries, of which the upper triangle is read; other strides
- * must be positive. Packed and planar layouts are processed in place; others are copied through blocks.
- * Results may overwrite the matrices with the same strides; otherwise they must not overlap them.
+ *   entry_stride   distance between two entries of a matrix, in numbers
+ *   matrix_stride  distance between two matrices, in numbers
+ * Examples:
+ *   {1, 6}  symmetric matrices as their upper triangle by rows: xx xy xz yy yz zz
+ *   {n, 1}  planes of n numbers, one plane for each entry
+ *   {1, 9}  general matrices or rotations: nine entries by rows
+ *   {0, n}  symmetric matrices with all nine entries, n >= 9; the upper triangle is read
+ * All other strides must be positive. Packed and planar layouts are processed in place; other layouts are
+ * copied block by block. Results may overwrite the input if the strides are equal; otherwise they must not
+ * overlap it.
  *
- * Undefined results (the log of a matrix that is not positive definite) are NaN. Errors and ranges are those
- * of the C++ headers <viete/sym3/exp.h> and so on. Thread-safe; no global state. Every function returns 0;
- * if a pointer is null or a stride is invalid, it does nothing and returns -1.
+ * Undefined results, such as the log of a matrix that is not positive definite, are NaN. Errors and ranges
+ * are documented in the C++ headers, for example <viete/sym3/exp.h>. All functions are thread-safe. They
+ * return 0, or do nothing and return -1 if a pointer is null or a stride is invalid.
  *
  * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
- * change this. */
+ * change this interface. */
 #ifndef VIETE_SYM3_C_H
 #define VIETE_SYM3_C_H
 
@@ -36,14 +39,14 @@ int viete_inv_sqrt(const double* in, viete_layout in_layout, double* out, viete_
                    size_t count);
 int viete_pow(const double* in, viete_layout in_layout, double p, double* out, viete_layout out_layout,
               size_t count);
-/* Derivatives of exp, log and sqrt at each matrix in a symmetric direction. */
+/* The derivatives of exp, log and sqrt at each matrix, in the direction of a symmetric matrix. */
 int viete_exp_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_log_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_sqrt_derivative(const double* in, viete_layout in_layout, const double* direction,
                           viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
-/* m = r u: general matrices (nine entries) to rotations (nine) and symmetric stretches (six). */
+/* m = r u: a general matrix (nine entries) as rotation (nine) times symmetric stretch (six). */
 int viete_polar(const double* in, viete_layout in_layout, double* rotations, viete_layout rotation_layout,
                 double* stretches, viete_layout stretch_layout, size_t count);
 
@@ -58,7 +61,7 @@ int viete_pow_f(const float* in, viete_layout in_layout, double p, float* out, v
 int viete_polar_f(const float* in, viete_layout in_layout, float* rotations, viete_layout rotation_layout,
                   float* stretches, viete_layout stretch_layout, size_t count);
 
-/* The active instruction set, for example "avx512"; never null. */
+/* The active instruction set, for example "avx512". The result is never null. */
 const char* viete_kernel(void);
 
 #ifdef __cplusplus

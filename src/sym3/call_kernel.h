@@ -1,4 +1,4 @@
-// From a public function to the kernel that runs it; splits a batch into static chunks. Internal.
+// Calls functions of kernels and splits batches into chunks. Internal.
 #pragma once
 
 #include "sym3/kernel.h"
@@ -18,32 +18,31 @@ const KernelFunctions<T>& functions(const Kernel& k) {
   }
 }
 
-/// run(context, range) processes the items of the range.
+/// A callable of a range of items, without its type.
 struct RangeTask {
   void (*run)(const void* context, const Range& range);
   const void* context;
 };
 
-/// A task that calls a function of a range; the function must outlive it.
+/// A task that calls `call`, which must outlive the task.
 template <class Call>
 RangeTask task_of(const Call& call) {
   return {[](const void* context, const Range& range) { (*static_cast<const Call*>(context))(range); },
           &call};
 }
 
-/// Processes [0, count) on the batch's executor. `bytes`: total of reads and writes.
+/// Processes items [0, count) with the batch's executor. `bytes` is the total size of all reads and writes.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
 
 const Kernel& kernel_of(const Batch& batch);
 
-/// One item, by the active kernel; `which` is a member of KernelFunctions, `more` are its parameters.
+/// Calls a function of the active kernel for one item. `which` is a member of KernelFunctions.
 template <class T, class F, class... More>
 void call_one(const F* KernelFunctions<T>::*which, const T* in, T* out, const More&... more) {
   (functions<T>(kernel()).*which)->one(in, out, more...);
 }
 
-/// Many items, by the kernel of the batch.
 template <class T, int N, int M, class F, class... More>
 void call_many(const F* KernelFunctions<T>::*which, const View<const T, N>& in, const View<T, M>& out,
                std::size_t count, const Batch& batch, const More&... more) {

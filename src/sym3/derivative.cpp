@@ -9,7 +9,7 @@ namespace viete::sym3 {
 
 namespace {
 
-/// The kernels see a Tangent as thirty-six contiguous numbers.
+// The kernels write a Tangent as 36 contiguous numbers.
 static_assert(sizeof(Tangent<double>) == 36 * sizeof(double) && sizeof(Tangent<float>) == 36 * sizeof(float));
 static_assert(std::is_standard_layout_v<Tangent<double>> && std::is_standard_layout_v<Tangent<float>>);
 
@@ -40,7 +40,7 @@ void many_derivatives(Of f, double p, const SymView<const T>& s, Directions<T> d
 
 }  // namespace
 
-// p: the exponent; followed by its declaration, for functions that have one.
+// `p` is the exponent or 0. Functions with an exponent pass its declaration as the last argument.
 #define VIETE_FOR(T, name, p, ...)                                                                       \
   template Sym3<T> name##_derivative(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__, const Sym3<T>&);         \
   template Tangent<T> name##_tangent(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__);                         \

@@ -1,4 +1,4 @@
-// Derivatives of exp, log, square roots and powers of batches, compiled once per instruction set.
+// Derivatives of exp, log, square roots and powers of batches, compiled once for each instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/derivative_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -11,14 +11,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f over pairs of
-// eigenvalues (Daleckii and Krein 1965), computed without subtracting close values: exact at equal
-// eigenvalues. The vectors V must be orthogonal with a small residual S V - V diag: close eigenvalues have
-// close entries of F, so any basis of their space works. The vector of a, which is far from the others, is a
-// column of adj(B - a I) = adj B + a B + a^2 I; one rotation diagonalises the remaining 2x2 block for b and
-// c.
+// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f for pairs of
+// eigenvalues (Daleckii and Krein 1965). No close values are subtracted, so equal eigenvalues lose no
+// accuracy. The columns of V need only be orthonormal and solve S V = V diag up to rounding: for close
+// eigenvalues F has close entries, so any basis of their space works. The eigenvector of a, which is far from
+// b and c (spectral-inl.h), is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation diagonalises the
+// 2x2 block of b and c.
 
-/// Shared by the directions at one S: orthonormal vectors, and F as a symmetric matrix in the order a, b, c.
+/// The eigenvectors of S and the matrix F, in the order of a, b and c. All directions at S share them.
 template <class V>
 struct Slopes {
   Three<V> a, b, c;
@@ -41,14 +41,15 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// A tiny positive number, added to avoid divisions by 0. 1 plus it rounds to 1; its square is in range.
+/// A tiny positive number that avoids divisions by 0. Added to 1 it has no effect, and its square is in
+/// range.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;
   return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
 }
 
-/// The unit vector of a; (1, 0, 0) for B = 0.
+/// The unit eigenvector of a; (1, 0, 0) if B = 0.
 template <class D, class V>
 static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   const Six<V>&m = e.matrix, &c = e.adjugate;
@@ -94,7 +95,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.c = combination(hn::Neg(sine), u, cosine, v);
 }
 
-/// a, b, c: the roots of the eigenvalues. 1 / (x + y) for each pair.
+/// 1 / (x + y) for each pair of a, b and c, the square roots of the eigenvalues.
 template <class D, class V>
 static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
   using T = hn::TFromD<D>;
@@ -120,7 +121,7 @@ static HWY_INLINE Six<V> log_slopes(D d, const Spectrum<V>& e) {
           hn::Div(one, e.at_c)};
 }
 
-/// Computes x^p, and divided differences of x^p from those of log x.
+/// Computes powers x^p and their divided differences.
 template <class D, class V>
 struct PowSlopes {
   using T = hn::TFromD<D>;
@@ -137,7 +138,8 @@ struct PowSlopes {
     return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
   }
 
-  /// of_log: for log. With t = p log(x / y): y^p (e^t - 1) / t times p of_log, or directly if t is large.
+  /// The divided difference of x^p from that of log x, `of_log`. With t = p log(x / y) it is p of_log y^p
+  /// (e^t - 1) / t. If t is large, it is computed by its definition.
   HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
     constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
     const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);
@@ -167,7 +169,7 @@ static HWY_INLINE Six<V> pow_slopes(D d, const Spectrum<V>& e, V p, hn::Mask<D>&
           over(c, log.zz)};
 }
 
-/// The mask of valid lanes.
+/// Returns the lanes that are valid.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> put_slopes(D d, Of f, double p, const Six<V>& s, Slopes<V>& slopes) {
   const Spectrum<V> e = spectrum(d, s);
@@ -183,7 +185,6 @@ static HWY_INLINE hn::Mask<D> put_slopes(D d, Of f, double p, const Six<V>& s, S
   return ok;
 }
 
-/// f'(S)[E].
 template <class V>
 static HWY_INLINE Six<V> by_slopes(const Slopes<V>& s, const Six<V>& e) {
   const Three<V> ea = times(e, s.a), eb = times(e, s.b), ec = times(e, s.c);
@@ -203,9 +204,9 @@ static HWY_INLINE Six<V> by_slopes(const Slopes<V>& s, const Six<V>& e) {
           sum_of_products(a.z, s.a.z, b.z, s.b.z, c.z, s.c.z)};
 }
 
-// A function F to be differentiated has
-//   Point<D>                      data shared by all directions at one S, one S per lane
-//   f.put_point(d, s, point)      computes that of S
+// A derivative F has
+//   Point<D>                      the data that all directions at S share, with one S in each lane
+//   f.put_point(d, s, point)      computes this data
 //   f.derivative(d, point, e)     f'(S)[E]
 
 struct ExpDerivative {
@@ -269,7 +270,7 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
-/// True if items [i, i + count) can be processed in place in planes, in whole registers.
+/// True if `count` items are whole registers in planes, which can be processed in place.
 template <class D, class T>
 static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
   return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;
@@ -283,7 +284,7 @@ static HWY_INLINE View<T, 6> planes_from(const View<T, 6>& v, std::size_t i) {
   return there;
 }
 
-/// Items [i, i + count) in planes: in place, or gathered into a tile.
+/// Items [i, i + count) as planes: in place if possible, otherwise copied to a tile.
 template <class D, class T>
 static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std::size_t i, std::size_t count,
                                             T* tile) {
@@ -292,8 +293,7 @@ static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std:
   return Tile<T>::template view<6, const T>(tile);
 }
 
-/// Processes tiles: first the shared data of all S in a tile, then one direction after the other, each read
-/// before its results are written.
+/// For each tile, computes the shared data of all S, then one direction after the other.
 template <class F, class T>
 static HWY_INLINE void many_by(const F& f, const View<const T, 6>& s, const View<const T, 6>* directions,
                                const View<T, 6>* out, std::size_t n, const Range& range) {
@@ -342,7 +342,7 @@ extern const DerivativeFunction<float> derivative_float;
 const DerivativeFunction<double> derivative_double = {derivative_one<double>, derivative_many<double>};
 const DerivativeFunction<float> derivative_float = {derivative_one<float>, derivative_many<float>};
 
-/// One direction after the other. Writes only lanes that are not `done`.
+/// Computes a tangent one direction after the other. Leaves lanes in `done` unchanged.
 template <class F, class D, class V, class M>
 static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F::template Point<D>& point,
                                                const M& done, V (&tangent)[36]) {
@@ -355,7 +355,6 @@ static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F
   }
 }
 
-/// The derivatives in the six directions with one number 1 and the others 0.
 struct Tangent {
   static constexpr int in = 6, out = 36, group = 1;
   static constexpr bool memory_bound = false;

@@ -1,5 +1,4 @@
-// Arithmetic on unevaluated sums of two doubles: about 106 bits (Dekker 1971; Knuth, TAOCP 2, 4.2.2).
-// Internal.
+// Arithmetic with about 106 bits on sums of two doubles (Dekker 1971; Knuth, TAOCP 2, 4.2.2). Internal.
 #pragma once
 
 #include <cmath>
@@ -8,25 +7,25 @@
 
 namespace viete::sym3 {
 
-/// a + b exactly, |a| >= |b| or a = 0.
+/// Exactly a + b. Requires |a| >= |b| or a = 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// a + b exactly.
+/// Exactly a + b.
 inline DoubleDouble two_sum(double a, double b) {
   const double sum = a + b, part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// a = hi + lo with at most 26 bits each (Veltkamp); |a| below 2^996.
+/// Splits a into two parts of at most 26 bits (Veltkamp). |a| must be below 2^996.
 inline DoubleDouble halves(double a) {
   const double shifted = a * 0x1.0000002p27, hi = shifted - (shifted - a);
   return {hi, a - hi};
 }
 
-/// a b exactly, except for over- and underflow.
+/// Exactly a b, unless it overflows or underflows.
 inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = halves(a), y = halves(b);
@@ -61,7 +60,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return quick_two_sum(first, second) + DoubleDouble{rest2.hi / b.hi, 0};
 }
 
-/// Newton's step from the root in double (Karp and Markstein 1997); 0 for 0.
+/// One step of Newton's method from the root in double (Karp and Markstein 1997).
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.hi == 0) return {};
   const double root = std::sqrt(a.hi);
@@ -69,7 +68,6 @@ inline DoubleDouble sqrt(const DoubleDouble& a) {
   return quick_two_sum(root, rest.hi / (2 * root));
 }
 
-/// a 2^n as long as it is in range.
 inline DoubleDouble scaled(const DoubleDouble& a, double power_of_two) {
   return {a.hi * power_of_two, a.lo * power_of_two};
 }

@@ -1,4 +1,4 @@
-// Adapter between Sym3 and Eigen's matrices, and Voigt vectors. The only header that needs Eigen.
+// Converts between Sym3, Eigen's matrices and Voigt vectors. The only header that needs Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,7 +15,7 @@ Eigen::Matrix<T, 3, 3> to_eigen(const Sym3<T>& s) {
   return m;
 }
 
-/// Reads the upper triangle only.
+/// Reads only the upper triangle.
 template <class T>
 Sym3<T> from_eigen(const Eigen::Matrix<T, 3, 3>& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
@@ -47,8 +47,8 @@ Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
 }
 
-/// The tangent stiffness in Voigt order, symmetric up to rounding: times a strain it gives the derivative of
-/// the stress.
+/// The tangent stiffness in Voigt order. Its product with a strain is the derivative of the stress. It is
+/// symmetric up to rounding.
 template <class T>
 Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {
   Eigen::Matrix<T, 6, 6> m;

@@ -1,7 +1,6 @@
-// exp of symmetric matrices in vector registers: the source of the kernels, and usable in fused loops
-// elsewhere. (No #pragma once: Highway's foreach_target includes this file again for each target.)
+// exp of symmetric matrices in vector registers, for the kernels and for loops of other libraries.
 //
-// How to use it, in a file that Highway compiles once per target:
+// Example of a file that Highway compiles once for each instruction set:
 //   #include "sym3/highway_targets.h"  // the instruction sets of the library's own kernels
 //   #define HWY_TARGET_INCLUDE "room/file.cpp"
 //   #include <hwy/foreach_target.h>
@@ -11,16 +10,17 @@
 //   ... const hn::ScalableTag<float> d;  lanes::Six<hn::Vec<decltype(d)>> e = lanes::exp_lanes(d, s); ...
 //   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both)
 //   ...
-// Link viete::sym3; compile with -ffp-contract=off. Each lane has the bits of the single call sym3::exp under
-// the kernel of that target, independent of other lanes. Bounds and special values: exp.h, method `fast`.
+// Link viete::sym3 and compile with -ffp-contract=off. Each lane has the same bits as a single call of
+// sym3::exp with the kernel of that instruction set, whatever other lanes contain. Bounds and special values:
+// exp.h, method `fast`.
 //
-// Algorithm: S = (m + e) I + A with A traceless; for a polynomial f(x) = sum a_k x^k,
+// Algorithm: S = (m + e) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
-// with p = |A|^2 / 2 and q = det A: A^3 = p A + q I (Cayley-Hamilton), and dividing f by x^3 - p x - q gives
-// the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, where A^2 - p I = adj A. No
-// eigenvalues, no division of numbers, no case distinction: equal eigenvalues are as accurate as any others.
-// f is the minimax polynomial of exp for every p up to p_limit; for larger p, A is scaled to A / 2^j and the
-// result squared j times.
+// with p = |A|^2 / 2 and q = det A. Proof: A^3 = p A + q I (Cayley-Hamilton). Dividing f by x^3 - p x - q
+// gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, and A^2 - p I = adj A.
+// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. f is the
+// minimax polynomial of exp for p up to p_limit. For larger p, A is divided by 2^j and the result squared j
+// times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
@@ -35,7 +35,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// S = (mean + rest) I + a, with a traceless; rest is the rounding error of the mean.
+/// S = (mean + rest) I + a, where `a` has trace zero and `rest` is the rounding error of the mean.
 template <class V>
 struct Split {
   V trace, mean, rest;
@@ -53,7 +53,7 @@ static HWY_INLINE Split<V> split(D d, const Six<V>& s) {
   return {trace, mean, rest, {Sub(dx, rest), s.xy, s.xz, Sub(dy, rest), s.yz, Sub(dz, rest)}};
 }
 
-/// The invariants of a traceless matrix with adjugate c: A^3 = p A + q I. (Storing -p saves a negation.)
+/// -p and q of A^3 = p A + q I for a matrix A with trace zero and adjugate c. (Storing -p saves a negation.)
 template <class V>
 static HWY_INLINE V minus_p(const Six<V>& c) {
   return Add(Add(c.xx, c.yy), c.zz);
@@ -63,14 +63,14 @@ static HWY_INLINE V determinant(const Six<V>& a, const Six<V>& c) {
   return sum_of_products(a.xx, c.xx, a.xy, c.xy, a.xz, c.xz);
 }
 
-/// f(A) = z0 I + z1 A + z2 adj A for the polynomial with these coefficients and leading coefficient 1.
+/// f(A) = z0 I + z1 A + z2 adj A.
 template <class V>
 struct Coefficients {
   V z0, z1, z2;
 };
 
-/// Interleaves other work, beside(step, z_{k+2}), with each step from z_{k+3}, z_{k+2} and z_{k+1} to z_k, to
-/// hide the latency of this chain of dependent steps.
+/// The recurrence above; a[k] are the coefficients of the polynomial, and the last is 1. Each step waits for
+/// the previous step. To use this time, each step also calls beside(step, z_{k+2}), which does other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -93,7 +93,7 @@ static HWY_INLINE Six<V> combine(const Coefficients<V>& z, const Six<V>& a, cons
           MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
 }
 
-/// x = n ln 2 + r, |r| <= 0.3467; n also as the low bits of `shifted`.
+/// x = n ln 2 + r with |r| <= 0.3467. The low bits of `shifted` are n as an integer.
 template <class V>
 struct Reduced {
   V r, n, shifted;
@@ -109,7 +109,7 @@ static HWY_INLINE Reduced<V> reduce(D d, V x) {
   return {r, n, shifted};
 }
 
-/// x 2^n, for results in the normal range: n, the low bits of `shifted`, is added to the exponent field.
+/// x 2^n, for results in the normal range. Adds n, the low bits of `shifted`, to the exponent bits of x.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V add_to_exponent(D d, V x, V shifted) {
   const hn::RebindToUnsigned<D> du;
@@ -122,7 +122,7 @@ static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
   return {add_to_exponent(d, x.a, shifted.a), add_to_exponent(d, x.b, shifted.b)};
 }
 
-/// True if the polynomial applies, and e^mean alone is in the normal range.
+/// True if the polynomial is valid without squaring, and e^mean is in the normal range.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -134,7 +134,7 @@ static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
   return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
 }
 
-/// Table::lead e^(mean + rest), valid if is_quick, in steps to be interleaved with those of a recurrence.
+/// Computes Table::lead e^(mean + rest) in steps, as other work during recurrence(). Valid if is_quick().
 template <class Table, class D, class V>
 struct ScalarExp {
   using T = hn::TFromD<D>;
@@ -162,7 +162,7 @@ static HWY_INLINE Coefficients<V> times(const Coefficients<V>& z, V factor) {
   return {Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)};
 }
 
-/// exp(S) from its parts and the invariants of A, valid if is_quick.
+/// exp(S) from the parts of S and the invariants of A, valid if is_quick().
 template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -173,8 +173,8 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
   return combine(times(z, scalar.value()), m.a, c);
 }
 
-/// The fast path, V one register or Two: true if it served every lane; for spreads up to 4.9 (float 6.9) at
-/// any trace with exp in the normal range.
+/// If every lane has a spread up to 4.9 (float 6.9) and e^mean in the normal range, computes exp without
+/// squaring and returns true. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   const Split<V> m = split(d, s);
@@ -185,7 +185,8 @@ static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   return true;
 }
 
-/// m e^(x + rest) for any x; over- and underflow per entry. Four factors, because 2^n alone may overflow.
+/// m e^(x + rest) for any x; each entry overflows or underflows alone. Multiplies by four factors, because
+/// 2^n alone may overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   using T = hn::TFromD<D>;
@@ -201,7 +202,8 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// Number of halvings of A, and their factor, that bring its p below p_limit, limited to max_squarings.
+/// `count` halvings of A, at most max_squarings, bring p below p_limit. `scale` is their factor, and p is the
+/// value after them.
 template <class V>
 struct Halvings {
   V p, scale, count;
@@ -223,13 +225,13 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
   return h;
 }
 
-/// Any input. Per lane exp(A) = exp(A / 2^j)^(2^j) with the least j that brings p, which scales with the
-/// square of A, below p_limit. Squares the matrix j times instead of the three coefficients: these depend on
-/// the spectrum only through p and q, and a rounding error of q moves a close pair of large eigenvalues, an
-/// error of u times the square of the spread; that of the matrix grows by u per unit of the spread. e^mean is
-/// applied last, for any mean. Lanes without squaring take the steps of exp_quick, so that results do not
-/// depend on neighbouring lanes. Remaining cases use Jacobi one by one: more than max_squarings, overflow,
-/// NaN and infinities, and diagonal matrices, whose entries are then accurate individually.
+/// exp of any input. In each lane exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p below
+/// p_limit; then it is multiplied by e^mean. Squares the matrix, not the three coefficients: a rounding error
+/// of q would move two close large eigenvalues and cause an error of u times the square of the spread.
+/// Squaring the matrix has an error proportional to the spread. Lanes without squaring use the steps of
+/// exp_quick(), so that results do not depend on other lanes. Single lanes use Jacobi's method: after
+/// overflow or too many squarings, for NaN and infinities, and for diagonal matrices, whose entries are then
+/// accurate individually.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
@@ -258,16 +260,16 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp of one matrix per lane. T = float or double; any number of lanes.
+/// exp of one matrix in each lane, float or double, for any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   Six<V> e;
   if (HWY_LIKELY(exp_quick(d, s, e))) return e;
-  const Six<V> matrix = s;  // a copy: arguments by reference would live in memory, even on the quick path
+  const Six<V> matrix = s;  // a reference to s would keep s in memory, even without this call
   return exp_general(d, matrix);
 }
 
-/// The same for two registers at once, faster than sequentially.
+/// exp of two registers at once, which is faster than two calls.
 template <class D, class V>
 static HWY_INLINE Six<Two<V>> exp_lanes(D d, const Six<Two<V>>& s) {
   Six<Two<V>> e;

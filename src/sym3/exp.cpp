@@ -11,16 +11,16 @@ namespace viete::sym3 {
 namespace {
 
 constexpr MethodEntry table[] = {
-    {Method::diag, "diag", "Diag", "Full diagonalisation by QR, the paper's reference."},
-    {Method::sd, "sd", "SD", "Spectral form with eigenvalues by QR."},
+    {Method::diag, "diag", "Diag", "Full diagonalisation by QR: the paper's reference."},
+    {Method::sd, "sd", "SD", "The paper's spectral decomposition with eigenvalues by QR."},
     {Method::improved_sd, "improved_sd", "Improved SD",
-     "Spectral form, eigenvalues by Viete's formula: the paper's method."},
+     "The paper's method: spectral decomposition with eigenvalues by Viete's formula."},
     {Method::improved_sd_faithful, "improved_sd_faithful", "ISD unguarded",
-     "The paper's method without guards: NaN for matrices with a double eigenvalue."},
-    {Method::fast, "fast", "Fast", "A recurrence in two invariants, without eigenvalues."},
+     "The paper's method without checks: NaN for many matrices with equal eigenvalues."},
+    {Method::fast, "fast", "Fast", "A recurrence in two invariants that needs no eigenvalues (default)."},
 };
 
-// The kernels see a Sym3 as six contiguous numbers.
+// The kernels read and write a Sym3 as six contiguous numbers.
 static_assert(sizeof(Sym3<double>) == 6 * sizeof(double) && sizeof(Sym3<float>) == 6 * sizeof(float));
 static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout_v<Sym3<float>>);
 
@@ -31,7 +31,6 @@ Sym3<T> exp_fast(const Sym3<T>& s) {
   return out;
 }
 
-/// The function of a method for one matrix.
 template <class T>
 auto one_by(Method method) -> Sym3<T> (*)(const Sym3<T>&) {
   switch (method) {

@@ -1,9 +1,9 @@
-// exp of symmetric 3x3 matrices: the paper's methods, and a faster and more accurate one.
+// exp of symmetric 3x3 matrices: the methods of the paper, and a method that is faster and more accurate.
 //
-// u is the unit roundoff, 2^-53 for double and 2^-24 for float; spread is the largest eigenvalue minus the
-// smallest; errors are relative, in the Frobenius norm, for results in the normal range. The bounds are
-// empirical: tests/sym3 verifies them against 113 bits. All functions are pure and thread-safe, do not
-// allocate and do not throw; they assume round-to-nearest and no flush-to-zero.
+// u is the unit roundoff, 2^-53 for double and 2^-24 for float. The spread is the largest eigenvalue minus
+// the smallest. Errors are relative, in the Frobenius norm, for results in the normal range. The bounds are
+// empirical: tests/sym3 verifies them against results with 113 bits. All functions are thread-safe, do not
+// allocate and do not throw. They assume rounding to nearest and no flush-to-zero.
 #pragma once
 
 #include <optional>
@@ -16,36 +16,39 @@
 
 namespace viete::sym3 {
 
-/// Methods for exp. The first three are the paper's; `fast` is ours and the default.
-///
-/// Special values, for all methods except improved_sd_faithful: a NaN or an infinity in S gives six NaN; the
-/// zero matrix gives exactly I. Overflow: see each.
+/// Methods to compute exp. `fast` is the default; the other methods are the paper's.
+/// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
+/// gives exactly the identity matrix I.
 enum class Method {
-  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). Error <= (20 + 20 |S|) u, |S| the
-  /// largest eigenvalue in size. Infinities and NaN if an exponential overflows.
+  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). The error is at most (20 + 20 |S|)
+  /// u, where |S| is the largest absolute eigenvalue. If an exponential overflows, the result has infinities
+  /// and NaN.
   diag,
 
-  /// The paper's spectral form x I + y S + z S^2 with eigenvalues by QR; a gap of 1e-6 separates its three
-  /// cases. No useful error bound, since x, y and z lose digits as gaps shrink: about 1e3 u on the paper's
-  /// ensemble; for three eigenvalues 1e-6 apart up to 4e-3 in double and unlimited in float, where 1e-6 is
-  /// the rounding level (relative errors). Infinities and NaN if a term of x, y, z overflows.
+  /// The paper's spectral decomposition: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues closer than
+  /// 1e-6 count as equal, which decides between three cases. There is no useful error bound, since x, y and z
+  /// lose digits if eigenvalues are close. The error is about 1e3 u on the paper's ensemble. For three
+  /// eigenvalues 1e-6 apart it is up to 4e-3 in double, and unlimited in float, where 1e-6 is the rounding
+  /// level. If a term of x, y or z overflows, the result has infinities and NaN.
   sd,
 
-  /// The same with Viete's closed-form eigenvalues, guarded: k clamped to [-1, 1], r = 0 handled. As accurate
-  /// as sd, or worse by the rounding errors of the closed form. Never NaN for finite input whose terms do not
-  /// overflow.
+  /// As sd, but with Viete's closed form of the eigenvalues. The argument of its arc cosine is clamped to
+  /// [-1, 1], and triple eigenvalues are handled. Rounding errors of the closed form can make it less
+  /// accurate than sd. If S is finite and no term overflows, the result has no NaN.
   improved_sd,
 
-  /// As printed, with the misprints corrected: NaN for S = c I, for half of all matrices with a double
-  /// eigenvalue, and for some with close ones. For comparison only.
+  /// The paper's formula without these guards, misprints corrected; for comparison only. It gives NaN for
+  /// multiples of the identity, for half of all matrices with a double eigenvalue, and for some with close
+  /// eigenvalues.
   improved_sd_faithful,
 
-  /// Shift by the mean eigenvalue, then a recurrence in two invariants (exp-inl.h). Error <= (6 + 2 spread) u
-  /// with fused multiply-add, (8 + 2.5 spread) u without, at any trace and any gap; with it <= 6 u for spread
-  /// <= 3, and <= 8 u on the paper's ensemble. Finite input never gives NaN: an entry that overflows becomes
-  /// a signed infinity, without effect on others, diag(710, 0, 0) -> (inf, 1, 1); underflow is gradual.
-  /// Entries far below the norm are accurate only relative to the norm, except for diagonal S of spread above
-  /// 6 (float 8), whose entries are accurate individually.
+  /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace
+  /// and any distance of eigenvalues the error is at most (6 + 2 spread) u with fused multiply-add, and (8
+  /// + 2.5 spread) u without. With fused multiply-add it is at most 6 u for a spread up to 3, and 8 u on the
+  /// paper's ensemble. Finite input never gives NaN. An entry that overflows becomes a signed infinity and
+  /// leaves other entries unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual. Small
+  /// entries are accurate relative to the norm of the result. If S is diagonal with a spread above 6 (float
+  /// 8), each entry is accurate relative to itself.
   fast,
 };
 
@@ -63,18 +66,18 @@ std::string_view name(Method method);
 std::string_view label(Method method);
 std::optional<Method> method_from_name(std::string_view name);
 
-/// exp(S), T = float or double.
+/// exp(S); T is float or double.
 template <class T>
 Sym3<T> exp(const Sym3<T>& s, Method method = Method::fast);
 
-/// exp of many; in.size() == out.size(); in and out may be the same span, otherwise must not overlap. Each
-/// result has the same bits as the single call.
+/// exp of many matrices, with the same bits as single calls. The sizes of `in` and `out` must be equal. `in`
+/// and `out` must be the same span or not overlap.
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method = Method::fast);
 
-/// exp of `count` matrices by method `fast`, between any layouts of view.h (equal layouts are faster). `in`
-/// and `out` may be the same view, otherwise must not overlap. Each result has the bits of the single call
-/// under that kernel, for any position and number of threads.
+/// exp of `count` matrices by method `fast`. All layouts are allowed; equal layouts are faster. `in` and
+/// `out` must be the same view or not overlap. Each result has the same bits as a single call with the same
+/// kernel, for any number of threads.
 void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count,
          const Batch& batch = {});
 void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count,

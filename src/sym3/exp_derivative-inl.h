@@ -1,25 +1,24 @@
-// The derivative of exp in vector registers: the source of the kernels, and usable in fused loops elsewhere.
-// (No #pragma once: Highway's foreach_target includes this file again for each target.)
+// The derivative of exp in vector registers, for the kernels and for loops of other libraries.
 //
-// Usage: as exp-inl.h, with
+// Use it as exp-inl.h, with
 //   ... const auto at = lanes::exp_point(d, s);                      // once for each S
-//   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if that is needed, too
+//   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if needed
 //   ... const lanes::Six<V> df = lanes::exp_derivative(d, at, e);    // for each direction E at S
-// (Initialise a point as above, or in an array in place by put_exp_point; points cannot be assigned.) Each
-// lane has the bits of the single call sym3::exp_derivative under the kernel of that target, independent of
-// other lanes. Bounds and special values: derivative.h. exp_value has the bounds of sym3::exp, but not its
-// bits: it uses another polynomial.
+// Points cannot be assigned; put_exp_point() initialises a point of an array. Each lane has the same bits as
+// a single call of sym3::exp_derivative with the kernel of that instruction set, whatever other lanes
+// contain. Bounds and special values: derivative.h. exp_value() has the error bounds of sym3::exp but other
+// bits, because it uses another polynomial.
 //
-// Algorithm: that of exp-inl.h, differentiated. With t = tr E / 3, E - t I traceless and C = adj A,
+// Algorithm: the derivative of exp-inl.h. With t = tr E / 3 and C = adj A, where E - t I has trace zero,
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
-//   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S),
-// where adj'(A)[E] is bilinear. The coefficients z_k are sums of a_{n+k} h_n over n, with h_n those of the
-// power series 1 / (1 - p x^2 - q x^3), whose derivatives by p and q are x^2 and x^3 over its square: so dz_k
-// = u_k dp + u_{k+1} dq with one more recurrence, the same for every direction,
+//   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S).
+// The coefficients z_k are sums of a_{n+k} h_n over n, where h_n are the coefficients of the power series
+// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore dz_k =
+// u_k dp + u_{k+1} dq with one more recurrence, which all directions share:
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
-// No eigenvalues, no division of numbers, no case distinction: exact at equal eigenvalues. The polynomial has
-// a derivative close to exp; that of a minimax polynomial is not, at the ends of its range. Squaring: f' <- f
-// f' + f' f, f <- f f.
+// There are no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The polynomial is
+// chosen so that its derivative is close to exp, see exp_tables.h. A squaring replaces f' by f f' + f' f and
+// f by f f.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H
@@ -34,20 +33,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// exp(S) = z0 I + z1 A + z2 C, with u_k = dz_k / dp, u_{k+1} = dz_k / dq, and derived values.
+/// exp(S) = z0 I + z1 A + z2 C, the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq, and derived values.
 template <class V>
 struct ExpParts {
   Six<V> a, c;
   V minus_p;
   Coefficients<V> z;
   V u0, u1, u2, u3;
-  V t0, t1;                        ///< coefficients of t: z0 - z1, z1 + z2; the third is z2
+  V t0, t1;                        ///< z0 - z1 and z1 + z2, which are multiplied by t
   Six<V> w;                        ///< z2 A
   V beside_x, beside_y, beside_z;  ///< z1 - w.xx and so on
 };
 
-/// From A = `a`, times a factor that is computed interleaved with the recurrence: scalar.step(k) in its
-/// steps, then scalar.value(). (Writes in place: a returned copy would be compiled for no specific target.)
+/// Computes the parts for A = `a`, multiplied by scalar.value(). Calls scalar.step(k) during the recurrence,
+/// see recurrence(). Writes in place, because GCC would compile the copy of a returned value for no specific
+/// instruction set.
 template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
   using C = ExpDerivativeTables<hn::TFromD<D>>;
@@ -74,14 +74,14 @@ static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpPar
   parts.u3 = Mul(u3, factor);
 }
 
-/// The coefficients of I, A and C in exp'(S)[E], from t and the derivatives of p and q.
+/// The coefficients of I, A and C in exp'(S)[E].
 template <class V>
 static HWY_INLINE Coefficients<V> coefficient_slopes(const ExpParts<V>& m, V t, V dp, V dq) {
   return {sum_of_products(m.u0, dp, m.u1, dq, m.t0, t), sum_of_products(m.u1, dp, m.u2, dq, m.t1, t),
           sum_of_products(m.u2, dp, m.u3, dq, m.z.z2, t)};
 }
 
-/// exp'(S)[E], valid where the parts are.
+/// exp'(S)[E], in lanes with valid parts.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -103,7 +103,7 @@ static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   };
 }
 
-/// exp_slope in the six directions with one number 1 and the others 0.
+/// exp_slope() in the six directions of a tangent (derivative.h).
 template <class D, class V>
 static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -136,16 +136,16 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
   add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
 }
 
-/// One S per lane with the data that all its directions share.
+/// The data that all directions at S share, with one S in each lane.
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  hn::Mask<D> ok;        ///< lanes in which `parts` belong to S
-  ExpParts<V> parts;     ///< in other lanes: of A times halvings.scale
-  Halvings<V> halvings;  ///< none where `ok`
+  hn::Mask<D> ok;        ///< lanes with is_quick()
+  ExpParts<V> parts;     ///< if `ok` the parts of S, otherwise of A times halvings.scale
+  Halvings<V> halvings;  ///< zero halvings if `ok`
 };
 
-/// Replaces ScalarExp if not every lane is `ok`.
+/// As ScalarExp, but the value in lanes that are not `ok` is Table::lead.
 template <class Table, class D, class V>
 struct ScalarExpOrLead {
   ScalarExp<Table, D, V> scalar;
@@ -182,13 +182,12 @@ static HWY_INLINE ExpPoint<D> exp_point(D d, const Six<V>& s) {
   return point;
 }
 
-/// a b + c d + e f + g h + i j + k l.
 template <class V>
 static HWY_INLINE V sum_of_six_products(V a, V b, V c, V d, V e, V f, V g, V h, V i, V j, V k, V l) {
   return MulAdd(a, b, MulAdd(c, d, MulAdd(e, f, sum_of_products(g, h, i, j, k, l))));
 }
 
-/// f g + g f.
+/// f g + g f for symmetric f and g.
 template <class V>
 static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& g) {
   const V xx = sum_of_products(f.xx, g.xx, f.xy, g.xy, f.xz, g.xz),
@@ -202,7 +201,7 @@ static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& 
           Add(zz, zz)};
 }
 
-/// Any S and any E; the derivative of exp_general.
+/// The derivative of exp_general(), for any S and E.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point, const Six<V>& e) {
   using T = hn::TFromD<D>;
@@ -227,18 +226,17 @@ static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point,
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp'(S)[E], one S and one E per lane.
+/// exp'(S)[E], with one S and one E in each lane.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_derivative(D d, const ExpPoint<D>& point, const Six<V>& e) {
   if (HWY_LIKELY(hn::AllTrue(d, point.ok))) {
     const Six<V> quick = exp_slope(d, point.parts, e);
     if (HWY_LIKELY(hn::AllTrue(d, is_finite(d, quick)))) return quick;
   }
-  const Six<V> direction = e;  // a copy: arguments by reference live in memory
+  const Six<V> direction = e;  // a reference to e would keep e in memory, even without this call
   return exp_derivative_general(d, point, direction);
 }
 
-/// exp(S).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_value(D d, const ExpPoint<D, V>& point) {
   if (HWY_LIKELY(hn::AllTrue(d, point.ok))) return combine(point.parts.z, point.parts.a, point.parts.c);

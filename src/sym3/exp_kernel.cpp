@@ -1,4 +1,4 @@
-// exp of batches, compiled once per instruction set.
+// exp of batches, compiled once for each instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/exp_kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -15,19 +15,17 @@
 
 namespace viete::sym3 {
 
-// The paper's eigenvalues and methods, and the route that a method takes. Equation numbers and sections are
-// the paper's; its misprints are corrected (README.md, "The paper, corrected").
+// Section numbers are the paper's. Its misprints are corrected, see "The paper, corrected" in README.md.
 
 namespace {
 
-/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, p <= 0 up to rounding.
+/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, where p <= 0 up to rounding.
 template <class T>
 struct DepressedCubic {
   T p, q, shift;
 };
 
-/// From the coefficients of x^3 + a x^2 + b x + c, as the paper does; p and q cancel when the roots are
-/// close.
+/// From x^3 + a x^2 + b x + c, as in the paper. If the roots are close, p and q lose digits by cancellation.
 template <class T>
 DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   const T a = -(s.xx + s.yy + s.zz);
@@ -37,7 +35,7 @@ DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   return {b - a * a / 3, c + 2 * a * a * a / 27 - a * b / 3, -a / 3};
 }
 
-/// t cos((acos k + 2 pi i) / 3) + shift: the largest root, the smallest, the middle one.
+/// t cos((acos k + 2 pi i) / 3) + shift for i = 0, 1, 2: the largest, the smallest and the middle root.
 template <class T>
 std::array<T, 3> viete_cosines(T t, T k, T shift) {
   constexpr T third_turn = 2 * std::numbers::pi_v<T> / 3;
@@ -54,7 +52,7 @@ std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
   return viete_cosines(r / 3, -108 * f.q / (r * r * r), f.shift);
 }
 
-/// The same, with k clamped to [-1, 1], and a triple root unless r^3 is positive.
+/// As above, but clamps k to [-1, 1] and returns a triple root unless r^3 > 0.
 template <class T>
 std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
   const T r = std::sqrt(std::max(-12 * f.p, T(0)));
@@ -78,7 +76,7 @@ Sym3<T> evaluate(const Spectral<T>& f, const Sym3<T>& s) {
           f.x + f.y * s.yy + f.z * s2.yy, f.y * s.yz + f.z * s2.yz, f.x + f.y * s.zz + f.z * s2.zz};
 }
 
-/// Case 2: two distinct eigenvalues. (The paper labels the equal pair 1, 2; it can be any.)
+/// Case 2: two distinct eigenvalues. (In the paper eigenvalues 1 and 2 are equal; here any two can be.)
 template <class T>
 Spectral<T> two_distinct(T a, T b) {
   const T ea = std::exp(a), eb = std::exp(b);
@@ -86,7 +84,7 @@ Spectral<T> two_distinct(T a, T b) {
   return {(a * eb - b * ea) / (a - b), y, 0};
 }
 
-/// Case 3: three distinct eigenvalues, Lagrange's interpolation. x = s - t - u; the paper prints s + t + u.
+/// Case 3: three distinct eigenvalues, by Lagrange's interpolation. (The paper prints x = s + t + u.)
 template <class T>
 Spectral<T> three_distinct(T a, T b, T c) {
   const T ea = std::exp(a), eb = std::exp(b), ec = std::exp(c);
@@ -100,7 +98,7 @@ bool same(T a, T b) {
   return std::fabs(a - b) < T(same_eigenvalue);
 }
 
-/// The form for one, two or three distinct eigenvalues (section 2.2).
+/// Chooses the case by the number of distinct eigenvalues (section 2.2).
 template <class T>
 Spectral<T> spectral_form(const std::array<T, 3>& l) {
   const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
@@ -141,21 +139,6 @@ std::array<T, 3> eigenvalues(const Sym3<T>& s) {
   return {out[0], out[1], out[2]};
 }
 
-#define VIETE_FOR(T)                                                                     \
-  template std::array<T, 3> eigenvalues(const Sym3<T>&);                                 \
-  void eigenvalues(const SymView<const T>& in, const VecView<T>& out, std::size_t count, \
-                   const Batch& batch) {                                                 \
-    call_many(&KernelFunctions<T>::eigenvalues, in, out, count, batch);                  \
-  }
-VIETE_FOR(float)
-VIETE_FOR(double)
-#undef VIETE_FOR
-
-template std::array<float, 3> eigenvalues_qr(const Sym3<float>&);
-template std::array<double, 3> eigenvalues_qr(const Sym3<double>&);
-template std::array<float, 3> eigenvalues_viete(const Sym3<float>&);
-template std::array<double, 3> eigenvalues_viete(const Sym3<double>&);
-
 template <class T>
 Sym3<T> exp_diag(const Sym3<T>& s) {
   if (!is_finite(s)) return nan_matrix<T>();
@@ -183,14 +166,21 @@ Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s) {
   return evaluate(spectral_form(viete_roots_as_printed(depressed_cubic(s))), s);
 }
 
-template Sym3<float> exp_diag(const Sym3<float>&);
-template Sym3<double> exp_diag(const Sym3<double>&);
-template Sym3<float> exp_sd(const Sym3<float>&);
-template Sym3<double> exp_sd(const Sym3<double>&);
-template Sym3<float> exp_improved_sd(const Sym3<float>&);
-template Sym3<double> exp_improved_sd(const Sym3<double>&);
-template Sym3<float> exp_improved_sd_faithful(const Sym3<float>&);
-template Sym3<double> exp_improved_sd_faithful(const Sym3<double>&);
+#define VIETE_FOR(T)                                                                     \
+  template std::array<T, 3> eigenvalues(const Sym3<T>&);                                 \
+  template std::array<T, 3> eigenvalues_qr(const Sym3<T>&);                              \
+  template std::array<T, 3> eigenvalues_viete(const Sym3<T>&);                           \
+  template Sym3<T> exp_diag(const Sym3<T>&);                                             \
+  template Sym3<T> exp_sd(const Sym3<T>&);                                               \
+  template Sym3<T> exp_improved_sd(const Sym3<T>&);                                      \
+  template Sym3<T> exp_improved_sd_faithful(const Sym3<T>&);                             \
+  void eigenvalues(const SymView<const T>& in, const VecView<T>& out, std::size_t count, \
+                   const Batch& batch) {                                                 \
+    call_many(&KernelFunctions<T>::eigenvalues, in, out, count, batch);                  \
+  }
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
 
 namespace {
 

@@ -1,4 +1,4 @@
-// The paper's three methods for exp, one matrix at a time. Internal.
+// The paper's methods for exp of one matrix, see Method in exp.h. Internal.
 #pragma once
 
 #include "sym3/sym3.h"
@@ -14,11 +14,11 @@ Sym3<T> exp_sd(const Sym3<T>& s);
 template <class T>
 Sym3<T> exp_improved_sd(const Sym3<T>& s);
 
-/// Unguarded: NaN whenever the printed formula gives NaN.
+/// NaN whenever the printed formula gives NaN.
 template <class T>
 Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
 
-/// Number of eigenvalues that the paper's threshold separates, 1 to 3. `s` must be finite.
+/// Number of eigenvalues that differ by more than the paper's threshold, 1 to 3. `s` must be finite.
 int distinct_by_qr(const Sym3<double>& s);
 int distinct_by_viete(const Sym3<double>& s, bool as_printed);
 

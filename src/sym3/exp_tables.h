@@ -1,16 +1,14 @@
-// Coefficients of the fast exponential, in double and in float. Internal; data only.
+// Polynomial coefficients for exp by method `fast`, and for the derivative. Internal.
 #pragma once
 
 namespace viete::sym3 {
 
-/// Tables of one precision; tests/sym3/make_tables.cpp computes them and measures their errors.
-///
-/// `matrix_exp`: e^x on |x| <= 2 sqrt(p_limit / 3), the range of eigenvalues of a traceless matrix, divided
-/// by its last coefficient, `lead`. Minimax relative to the norm of the result: the two other eigenvalues sum
-/// to -x, so the largest of the three is at least max(x, -x / 2), and the norm at least max(e^x, e^(-x / 2)).
-/// Error 0.45 u (float 0.51 u); `lead` makes f(0) equal to 1 up to rounding.
-///
-/// `scalar_exp`: e^r on |r| <= 0.3467, a little more than ln 2 / 2. Minimax of the relative error, 0.04 u
+/// tests/sym3/make_tables.cpp computes these tables and measures their errors.
+/// `matrix_exp`: e^x for |x| <= 2 sqrt(p_limit / 3), the range of eigenvalues of A, divided by the last
+/// coefficient `lead`. With `lead`, the value at 0 is 1 up to rounding. Minimax relative to the norm of the
+/// result: the other two eigenvalues sum to -x, so the norm is at least max(e^x, e^(-x / 2)). Error 0.45 u
+/// (float 0.51 u).
+/// `scalar_exp`: e^r for |r| <= 0.3467, a little more than ln 2 / 2. Minimax of the relative error, 0.04 u
 /// (float 0.06 u).
 template <class T>
 struct ExpTables;
@@ -52,9 +50,9 @@ struct ExpTables<float> {
                                          0x1.5558b2p-5f, 0x1.123980p-7f, 0x1.6a4994p-10f};
 };
 
-/// As `matrix_exp` and `lead`, one degree higher: a polynomial with minimax derivative. Error 0.56 u (float
-/// 0.38 u), of the derivative 1.29 u (float 0.51 u). The derivative of `matrix_exp` would have 100 u at the
-/// ends.
+/// As above, but one degree higher, and minimax for the derivative of the polynomial. Error 0.56 u (float
+/// 0.38 u), of the derivative 1.29 u (float 0.51 u). The derivative of the polynomial above has errors of 100
+/// u.
 template <class T>
 struct ExpDerivativeTables;
 

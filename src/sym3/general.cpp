@@ -16,11 +16,14 @@ namespace viete::sym3 {
 namespace {
 
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
-constexpr double flattest = 1e-12;               // stretch over the largest one
-constexpr double kept_up_to = 2, left_from = 4;  // in multiples of |X| + |Y|
-constexpr double least_clear = 1e-7;             // below it X + Y replaces log M, with an error of this size
-constexpr double squared_to =
-    100;  // size of a log; beyond it squarings lose up to two digits per digit of the condition
+// The smallest stretch relative to the largest; smaller stretches are raised to it.
+constexpr double flattest = 1e-12;
+// bounded_log() changes from log M to X + Y while |log M| / (|X| + |Y|) is in this range.
+constexpr double kept_up_to = 2, left_from = 4;
+// If |sin| of a rotation angle is smaller, X + Y replaces log M.
+constexpr double least_clear = 1e-7;
+// For larger logarithms, squarings would lose too many digits.
+constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
   Mat3<double> m;
@@ -32,7 +35,7 @@ void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }
 
-// M = base + above + D, where D has no trace: D^3 = p D + q I (Cayley and Hamilton).
+// M = (base + above) I + D, where D has trace zero: D^3 = p D + q I (Cayley-Hamilton).
 struct Deviator {
   double base, above;
   Mat3<double> d;
@@ -73,7 +76,6 @@ Mat3<double> in_matrix(const InPowers& s, const Mat3<double>& d) {
   return m;
 }
 
-// 1 / n!
 constexpr auto exp_terms = [] {
   std::array<double, 25> terms{1};
   double factorial = 1;
@@ -81,15 +83,14 @@ constexpr auto exp_terms = [] {
   return terms;
 }();
 
-// log(1 + x)
+// The series of log(1 + x).
 constexpr auto log_terms = [] {
   std::array<double, 19> terms{0};
   for (std::size_t n = 1; n < terms.size(); ++n) terms[n] = (n % 2 ? 1.0 : -1.0) / static_cast<double>(n);
   return terms;
 }();
 
-// The real root of x^3 = p x + q that is largest in size, by Newton's method from above. It is well
-// separated, unless all roots are near 0.
+// The real root of x^3 = p x + q with the largest absolute value, by Newton's method from above.
 double largest_root(double p, double q) {
   const double size = std::abs(q);
   double x = std::cbrt(size) + std::sqrt(std::max(p, 0.0));
@@ -107,13 +108,14 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// Eigenvalues within some 13 % of each other: a series of M / mean - I converges for any norm.
+// True if eigenvalues are within about 13 % of each other. A series of M / mean - I then converges for any
+// norm.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// Expands about a power of two, so that the difference of M from it is exact.
+// log M by a series about a power of two, because the difference of M from it is exact.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
@@ -125,12 +127,12 @@ Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   return l;
 }
 
-// M = A T A, A symmetric and orthogonal, t[3] = t[6] = 0: one eigenvalue, and a 2x2 block.
+// M = A T A with A = `axes` symmetric and orthogonal. T has t[3] = t[6] = 0: an eigenvalue and a 2x2 block.
 struct Deflated {
   Mat3<double> axes, t;
 };
 
-// The reflection I - 2 n n^T whose first column is along v.
+// The reflection I - 2 n n^T whose first column is parallel to v.
 Mat3<double> reflection(const Vec3<double>& v) {
   const double length = norm(v);
   const Vec3<double> n{v[0] + std::copysign(length, v[0]), v[1], v[2]};
@@ -141,7 +143,7 @@ Mat3<double> reflection(const Vec3<double>& v) {
   return m;
 }
 
-// The approximate null vector of M - value: the cross product of two of its rows.
+// The approximate eigenvector of an eigenvalue: the longest cross product of two rows of M - value.
 Vec3<double> eigenvector(Mat3<double> m, double value) {
   add_to_diagonal(m, -value);
   const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
@@ -154,8 +156,8 @@ Vec3<double> eigenvector(Mat3<double> m, double value) {
   return longest;
 }
 
-// Newton's method for the first axis, until the residual below the eigenvalue is rounding. `value`:
-// approximately an eigenvalue that is well separated. Nothing if the steps do not converge.
+// Finds A and T by Newton's method for the first axis, until t[3] and t[6] are zero up to rounding. `value`
+// must be approximately an eigenvalue that is well separated. Returns nullopt if the steps do not converge.
 std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   constexpr int most_steps = 8;
   const double rounding = 32 * u * norm(m), surely = rounding / 8;
@@ -167,7 +169,7 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
     d.t = product(d.axes, product(m, d.axes));
     const Mat3<double>& t = d.t;
     const double left = std::hypot(t[3], t[6]);
-    if (!(left < least)) break;  // stops when steps no longer reduce the residual
+    if (!(left < least)) break;
     const bool ends = left <= rounding && left > least / 2;
     least = left, best = d;
     if (ends) break;
@@ -179,7 +181,7 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   return best;
 }
 
-// Eigenvalues of the block: middle +- sqrt(disc), with product det.
+// The eigenvalues of the 2x2 block, middle +- sqrt(disc), and their product det.
 struct Pair {
   double middle, disc, det;
 
@@ -193,17 +195,17 @@ struct Pair {
   bool turns() const { return disc < 0; }
   bool positive() const { return turns() || (middle > 0 && det > 0); }
   double angle() const { return turns() ? std::atan2(std::sqrt(-disc), middle) : 0; }
-  // |sin| of the angle limits the accuracy of the rotation plane.
+  // False if |sin| of the angle is too small to define the rotation plane.
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// A function of T: `single` at the separate eigenvalue, mean + slope (B - middle) of the block B, and
+// A function of T: `single` for the separate eigenvalue, and mean + slope (B - middle) for the 2x2 block B.
 // difference = single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
 
-// (log s - log t) / (s - t) for the pair.
+// (log s - log t) / (s - t) for the eigenvalues s and t of the pair.
 double log_slope(const Pair& pair) {
   if (pair.turns()) return pair.angle() / std::sqrt(-pair.disc);
   const double d = std::sqrt(pair.disc), part = d / pair.middle;
@@ -211,11 +213,11 @@ double log_slope(const Pair& pair) {
   return d > 0 ? std::atanh(part) / d : 1 / pair.middle;
 }
 
-// In the basis of M. Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
+// The function of M, by Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
 Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
   const Mat3<double>& t = d.t;
   const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
-  const double x = f.slope + curve * (way - pair.middle);  // across: w^T (x + curve B)
+  const double x = f.slope + curve * (way - pair.middle);  // the first row is (t[1], t[2]) (x + curve B)
   const Mat3<double> value{f.single,
                            x * t[1] + curve * (t[1] * t[4] + t[2] * t[7]),
                            x * t[2] + curve * (t[1] * t[5] + t[2] * t[8]),
@@ -249,7 +251,7 @@ Mat3<double> exp_of_apart(const Deflated& d, const Pair& pair) {
   return value_of({single, mean, slope, single - mean}, d, pair);
 }
 
-// By eigenvalues, one of which is well separated.
+// exp(L) by eigenvalues, if one of them is well separated.
 std::optional<Mat3<double>> exp_of_apart(const Mat3<double>& l, const Deviator& v) {
   const auto d = deflated(l, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
@@ -276,21 +278,16 @@ Mat3<double> exp_general(const Mat3<double>& l) {
 
 namespace {
 
-// J, which commutes with M and rotates the plane of the pair by 90 degrees; used to add whole turns.
-Mat3<double> quarter_turn(const Deflated& d, const Pair& pair) {
-  return value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, d, pair);
-}
-
-// Number of whole turns that Y has beyond the principal branch.
+// The number of whole turns between the angle of the principal branch and `turn`.
 double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn) {
   const Vec3<double> axis{j[7] - j[5], j[2] - j[6], j[3] - j[1]};
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// The branch nearest to the rotation `turn`; for 0 the principal branch. nullopt if there is no logarithm, or
-// if rounding would decide the branch.
+// The logarithm on the branch nearest to the rotation vector `turn`; for 0 the principal logarithm. Returns
+// nullopt if M has no logarithm or rounding would decide the branch.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
-  constexpr double close_angle = 0.2;  // larger than for eigenvalues that are close together
+  constexpr double close_angle = 0.2;  // matrices with close eigenvalues rotate by less
   const Deviator v = deviator(m, 0);
   const bool close = close_together(v);
   const double turned = norm(turn);
@@ -298,31 +295,28 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // possibly another branch
+  const bool other = turned + pair.angle() > pi;  // maybe not the principal branch
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
   if (!other) return l;
-  const Mat3<double> j = quarter_turn(*d, pair);
+  // J rotates the plane of the pair by 90 degrees. Adding 2 pi J adds a whole turn.
+  const Mat3<double> j = value_of({0, 0, 1 / std::sqrt(-pair.disc), 0}, *d, pair);
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
 
-bool is_zero(const Mat3<double>& m) {
-  return m == Mat3<double>{};
-}
-
-// M scaled so that powers of its entries stay in range; shift: to be added to the log.
+// M / e^shift, whose entries have powers in range.
 struct InRange {
   Mat3<double> m;
   double shift;
 };
 
-// All NaN if an entry is not finite. The zero matrix is replaced by the smallest positive number times I.
+// If an entry is not finite, all entries become NaN. M = 0 counts as 2^-1074 I.
 InRange in_range(const Mat3<double>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::abs(x) + 0 * x);
   if (largest > 1e-60 && largest < 1e60) return {m, 0};
-  if (is_zero(m)) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
+  if (m == Mat3<double>{}) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, -1074 * std::numbers::ln2};
   if (!(largest > 0 && largest < std::numeric_limits<double>::infinity())) return {nine_nan(), 0};
   const int exponent = std::ilogb(largest);
   InRange r{m, exponent * std::numbers::ln2};
@@ -331,7 +325,7 @@ InRange in_range(const Mat3<double>& m) {
 }
 
 std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<double>& turn) {
-  if (is_zero(m)) return std::nullopt;
+  if (m == Mat3<double>{}) return std::nullopt;
   const InRange r = in_range(m);
   auto l = log_of_branch(r.m, turn);
   if (!l || !std::isfinite(dot(*l, *l))) return std::nullopt;
@@ -339,7 +333,7 @@ std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<doubl
   return l;
 }
 
-// 0 below 0, 1 above 1, with a continuous slope.
+// Rises smoothly from 0 at x = 0 to 1 at x = 1.
 double smooth_step(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -349,7 +343,7 @@ Mat3<double> sum_of(const PolarLog& parts) {
   return plus(full(parts.stretch), 1, cross_matrix(parts.turn));
 }
 
-// True if X + Y is log M up to rounding.
+// True if X and Y commute up to rounding. X + Y is then log M.
 bool commute(const PolarLog& parts) {
   const Mat3<double> x = full(parts.stretch), y = cross_matrix(parts.turn);
   return norm(plus(product(x, y), -1, product(y, x))) <= 8 * u * norm(parts.turn) * (1 + norm(x));
@@ -357,7 +351,7 @@ bool commute(const PolarLog& parts) {
 
 struct Split {
   PolarLog parts;
-  bool whole;  // M = exp(Y) exp(X): no stretch was raised or changed its sign
+  bool whole;  // true if M = exp(Y) exp(X): no stretch was raised or changed its sign
 };
 
 Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
@@ -371,11 +365,11 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // If the reference is 0, both directions of a half turn are equally near; keeps that of log_rotation().
+  // If `near` is 0, both directions of a half turn are equally near; log_rotation() has chosen one.
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
-  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && !is_zero(m);  // false for NaN
+  s.whole = norm(across) < -std::log(flattest) / std::numbers::sqrt2 && m != Mat3<double>{};  // false for NaN
   Sym3<double>& x = s.parts.stretch;
   if (!s.whole) x = log_of_sizes(p.stretch);
   x.xx += r.shift, x.yy += r.shift, x.zz += r.shift;
@@ -388,12 +382,11 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// |(angle + 2 pi k) n - reference|^2 with v = angle n is a parabola in k with its minimum at k = (n .
-// reference - angle) / 2 pi: the nearest integer is the branch. Near a whole turn v is nearly 0 and its
-// direction is rounding, so a long reference defines the axis.
+// With v = angle n, the squared distance of (angle + 2 pi k) n from the reference is a parabola in k. Its
+// minimum is at k = (n . reference - angle) / 2 pi, and the nearest integer is the branch. Near a whole turn
+// v is nearly 0 and its direction is rounding; then a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
-  // Component of v across a reference, in radians, that may be rounding alone: about a hundred units in the
-  // last place of a whole turn.
+  // If v deviates less from the axis of the reference, in radians, the deviation counts as rounding.
   constexpr double along_reference = 1e-13;
   const double angle = norm(v);
   if (dot(reference, reference) > pi * pi) {
@@ -416,13 +409,13 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
 
 namespace {
 
-// The logarithm if it exists, else X + Y.
+// log M if it exists, otherwise X + Y.
 struct Answer {
   Mat3<double> log;
   bool is_log;
 };
 
-// A log with a norm below 3 belongs to a map that rotates by less than 122 degrees and is not flat.
+// If |log M| < 3, M rotates by less than 122 degrees and is not flat, so the logarithm is reliable.
 Answer principal_log(const Mat3<double>& m) {
   constexpr double is_short = 3;
   const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];

@@ -1,8 +1,8 @@
-// Selects the instruction sets of the kernels; include before any header of Highway. Internal.
+// Selects the instruction sets of the kernels. Include it before all headers of Highway. Internal.
 #pragma once
 
-// Makes "scalar" the fallback with every compiler, not only GCC 12; newer AVX-512 variants do not help here.
-// Vectors without a fixed size (SVE, RISC-V) cannot be members of a struct.
+// With this macro, "scalar" is the fallback with every compiler. Below are disabled: AVX-512 variants that do
+// not improve on AVX3, and vectors without a fixed size (SVE), which cannot be members of a struct.
 #define HWY_BROKEN_EMU128 1
 #include <hwy/detect_targets.h>
 
@@ -21,7 +21,7 @@
 #else
 #define VIETE_HWY_SSE2 0
 #endif
-// Instruction sets that the build excludes (VIETE_KERNELS).
+// The instruction sets that the build option VIETE_KERNELS excludes.
 #ifndef VIETE_KERNELS_LEFT_OUT
 #define VIETE_KERNELS_LEFT_OUT 0
 #endif

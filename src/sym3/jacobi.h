@@ -1,4 +1,4 @@
-// Eigenvalues and eigenvectors by Jacobi rotations, for code that is not time-critical. Internal.
+// Eigenvalues and eigenvectors by Jacobi rotations: accurate, but too slow for batches. Internal.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace viete::sym3 {
 
-/// values[k] belongs to the unit vector (vectors[0][k], vectors[1][k], vectors[2][k]); not sorted.
+/// The eigenvector of values[k] is column k of `vectors`. Not sorted.
 template <class Real>
 struct Eigen3 {
   std::array<Real, 3> values;
@@ -21,7 +21,7 @@ namespace jacobi {
 template <class Real>
 using Rows = std::array<std::array<Real, 3>, 3>;
 
-constexpr int max_sweeps = 16;  // five are enough for double, six for double-double: convergence is quadratic
+constexpr int max_sweeps = 16;  // usually five are enough for double and six for double-double
 
 inline double leading(double x) {
   return x;
@@ -30,7 +30,7 @@ inline double leading(const DoubleDouble& x) {
   return x.hi;
 }
 
-/// An off-diagonal entry this much smaller than its diagonal entries changes no digit of the result.
+/// An off-diagonal entry below this fraction of the diagonal entries changes no digit of the result.
 constexpr double negligible(double) {
   return 0x1p-56;
 }
@@ -49,7 +49,7 @@ bool is_diagonal(const Rows<Real>& a) {
   return is_negligible(a, 0, 1) && is_negligible(a, 0, 2) && is_negligible(a, 1, 2);
 }
 
-/// tan of the smaller of the two angles that annihilate a_pq.
+/// The tangent of the smaller rotation angle that makes the entry pq zero.
 template <class Real>
 Real tangent(const Real& app, const Real& aqq, const Real& apq) {
   using std::sqrt;
@@ -81,8 +81,9 @@ void rotate(Rows<Real>& a, Rows<Real>& v, int p, int q) {
 
 }  // namespace jacobi
 
-/// Cyclic Jacobi (Golub and Van Loan, Matrix Computations, 8.5), Real = double or DoubleDouble. Zeros stay
-/// exact zeros: a block of S is a block of the vectors. Finite entries up to 1e290 in size.
+/// Cyclic Jacobi method (Golub and Van Loan, Matrix Computations, 8.5); Real is double or DoubleDouble. Zeros
+/// stay exactly zero: if S has diagonal blocks, the vectors have the same blocks. Entries must be finite and
+/// at most 1e290 in size.
 template <class Real>
 Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   using namespace jacobi;
@@ -98,7 +99,7 @@ Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
 
-/// V f(values) V^T. Zero terms are skipped: an overflow stays in its own block of the matrix.
+/// V f(values) V^T. Zero terms are skipped, so that an infinity stays in its diagonal block.
 template <class F, class Real>
 Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
@@ -113,7 +114,7 @@ Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-/// Vectors as columns.
+/// Three vectors as columns.
 using Axes = std::array<std::array<double, 3>, 3>;
 
 template <class Real>
@@ -129,7 +130,7 @@ inline Axes transposed(const Axes& v) {
   return {{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
-/// V^T E V.
+/// V^T E V for the vectors V.
 inline Sym3<double> in_axes(const Axes& v, const Sym3<double>& e) {
   Axes ev;
   for (int k = 0; k < 3; ++k) {

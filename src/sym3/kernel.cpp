@@ -8,7 +8,6 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-// The kernel of each instruction set, in its namespace.
 namespace viete::sym3::HWY_NAMESPACE {
 
 #define VIETE_FUNCTION(name, ...)                           \
@@ -55,7 +54,7 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
-#if HWY_TARGETS & HWY_SCALAR  // unless all machines have a better one
+#if HWY_TARGETS & HWY_SCALAR  // not compiled if every processor of the platform supports a better one
     {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
 #endif
 };
@@ -73,18 +72,12 @@ bool machine_can_run(const Kernel& k) {
   return k.highway_target == HWY_SCALAR || k.highway_target == HWY_NEON;
 }
 
-// Best kernels first; a machine that supports one also supports those after it.
+// A processor that supports a kernel also supports all kernels after it.
 std::span<const Kernel> find() {
   const std::span<const Kernel> all(compiled);
   std::size_t skipped = 0;
   while (!machine_can_run(all[skipped])) ++skipped;
   return all.subspan(skipped);
-}
-
-const Kernel& choose() {
-  const char* wanted = std::getenv("VIETE_KERNEL");
-  const Kernel* k = wanted ? kernel_from_name(wanted) : nullptr;
-  return k ? *k : kernels().front();
 }
 
 }  // namespace
@@ -102,8 +95,12 @@ const Kernel* kernel_from_name(std::string_view name) {
 }
 
 const Kernel& kernel() {
-  static const Kernel& chosen = choose();
-  return chosen;
+  static const Kernel* const chosen = [] {
+    const char* wanted = std::getenv("VIETE_KERNEL");
+    const Kernel* k = wanted ? kernel_from_name(wanted) : nullptr;
+    return k ? k : &kernels().front();
+  }();
+  return *chosen;
 }
 
 std::string_view kernel_name() {

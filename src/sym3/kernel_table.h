@@ -1,4 +1,5 @@
-// The functions compiled for every instruction set. Internal; no inline functions here (fallback.h).
+// The functions that are compiled for each instruction set. Internal. Must not have inline functions, see
+// fallback.h.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +14,17 @@ struct View;
 /// Items [begin, end) of a batch; begin is a multiple of 64.
 struct Range {
   std::size_t begin, end;
-  bool stream;  ///< with non-temporal stores
+  bool stream;  ///< use non-temporal stores
 };
 
-/// From N numbers to M; More: parameters, such as an exponent.
+/// A function from N numbers to M numbers. More: types of further parameters, such as an exponent.
 template <class T, int N, int M, class... More>
 struct Function {
   void (*one)(const T* in, T* out, More... more);
   void (*many)(const View<const T, N>& in, const View<T, M>& out, More... more, const Range& range);
 };
 
-/// Rotations and stretches. `one` writes nine numbers, then six.
+/// The polar decomposition. `one` writes nine numbers of the rotation, then six of the stretch.
 template <class T>
 struct PolarFunction {
   void (*one)(const T* in, T* out);
@@ -31,8 +32,7 @@ struct PolarFunction {
                const Range& range);
 };
 
-/// `one`: a matrix and a direction, six numbers each, give six numbers. `many`: n views of directions and n
-/// views of results. p: the exponent of pow.
+/// A derivative at S in one direction, or in n directions. p is the exponent of pow.
 template <class T>
 struct DerivativeFunction {
   void (*one)(const T* s, const T* direction, T* out, Of f, double p);

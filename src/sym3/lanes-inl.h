@@ -1,5 +1,7 @@
-// Matrices in vector registers: one matrix per lane, one register per entry. Included once per instruction
-// set. (No #pragma once: Highway's foreach_target includes this file again for each target.)
+// Matrices in vector registers: each lane has one matrix, each register one entry.
+//
+// Headers *-inl.h have guards instead of #pragma once, because Highway's foreach_target includes each of them
+// once for each instruction set.
 #if defined(VIETE_SYM3_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_LANES_INL_H
 #undef VIETE_SYM3_LANES_INL_H
@@ -14,7 +16,8 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Symmetric matrices, one per lane. Copied entry by entry, because GCC would copy the whole through memory.
+/// A symmetric matrix in each lane. It is copied entry by entry, because GCC copies a whole structure through
+/// memory.
 template <class V>
 struct Six {
   V xx, xy, xz, yy, yz, zz;
@@ -28,20 +31,19 @@ struct Six {
   }
 };
 
-/// Vectors of three, one per lane.
 template <class V>
 struct Three {
   V x, y, z;
 };
 
-/// General matrices, one per lane, entries by rows.
 template <class V>
 struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-/// Two registers processed in turn, written as one: their dependency chains hide each other's latencies.
-/// Arithmetic on V and on Two<V> is called without hn::, found by argument-dependent lookup.
+/// A pair of registers, which functions of one register also accept: while one register waits for a result,
+/// the other is computed. Such functions call Add and so on without hn::, so that argument-dependent lookup
+/// finds the right function.
 template <class V>
 struct Two {
   V a, b;
@@ -96,7 +98,6 @@ static HWY_INLINE Six<V> times(const Six<V>& m, V s) {
           hn::Mul(m.yy, s), hn::Mul(m.yz, s), hn::Mul(m.zz, s)};
 }
 
-/// Per lane: `yes` if the mask is set, else `no`.
 template <class M, class V>
 static HWY_INLINE Six<V> select(M mask, const Six<V>& yes, const Six<V>& no) {
   return {hn::IfThenElse(mask, yes.xx, no.xx), hn::IfThenElse(mask, yes.xy, no.xy),
@@ -104,7 +105,6 @@ static HWY_INLINE Six<V> select(M mask, const Six<V>& yes, const Six<V>& no) {
           hn::IfThenElse(mask, yes.yz, no.yz), hn::IfThenElse(mask, yes.zz, no.zz)};
 }
 
-/// a b + c d + e f.
 template <class V>
 static HWY_INLINE V sum_of_products(V a, V b, V c, V d, V e, V f) {
   return MulAdd(a, b, MulAdd(c, d, Mul(e, f)));
@@ -120,7 +120,6 @@ static HWY_INLINE Six<V> square(const Six<V>& m) {
           sum_of_products(m.zz, m.zz, m.xz, m.xz, m.yz, m.yz)};
 }
 
-/// a b - c d.
 template <class V>
 static HWY_INLINE V difference_of_products(V a, V b, V c, V d) {
   return MulSub(a, b, Mul(c, d));
@@ -145,7 +144,6 @@ static HWY_INLINE Six<V> adjugate(const Six<V>& a) {
           difference_of_products(a.xy, a.xz, a.xx, a.yz), difference_of_products(a.xx, a.yy, a.xy, a.xy)};
 }
 
-/// True in lanes with only finite entries.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_finite(D d, const Six<V>& m) {
   const V zero = hn::Zero(d);
@@ -160,7 +158,7 @@ static HWY_INLINE hn::Mask<D> is_diagonal(D d, const Six<V>& m) {
   return hn::And(hn::Eq(m.xy, zero), hn::And(hn::Eq(m.xz, zero), hn::Eq(m.yz, zero)));
 }
 
-/// (c_0 + c_1 x + ...) times scale; the products c_k scale are constants.
+/// (c[0] + c[1] x + c[2] x^2 + ...) times scale. The compiler computes the products of c[k] and scale.
 template <class D, class T, std::size_t N, class V>
 static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   V sum = hn::Set(d, c[N - 1] * scale);
@@ -169,8 +167,8 @@ static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   return sum;
 }
 
-/// Calls one(from, to) for each lane of the mask, with the N numbers of the lane of `in` and space for the M
-/// of `out`. Leaves other lanes unchanged.
+/// For each lane of the mask, calls one(from, to) with the N numbers of the lane in `in`, and stores the M
+/// results in `out`.
 template <class D, class V, int N, int M, class One>
 static HWY_NOINLINE void replace_lanes(D d, hn::Mask<D> mask, const V (&in)[N], V (&out)[M], One one) {
   using T = hn::TFromD<D>;

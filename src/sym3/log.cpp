@@ -40,6 +40,7 @@ Sym3<T> pow(const Sym3<T>& s, double p) {
 
 #define VIETE_FOR(T)                                                                                        \
   template Sym3<T> log(const Sym3<T>&);                                                                     \
+  template Sym3<T> log_qr(const Sym3<T>&);                                                                  \
   template Sym3<T> sqrt(const Sym3<T>&);                                                                    \
   template Sym3<T> inv_sqrt(const Sym3<T>&);                                                                \
   template Sym3<T> pow(const Sym3<T>&, double);                                                             \
@@ -56,10 +57,6 @@ Sym3<T> pow(const Sym3<T>& s, double p) {
            const Batch& batch) {                                                                            \
     call_many(&KernelFunctions<T>::pow, in, out, count, batch, p);                                          \
   }
-VIETE_FOR(float)
-VIETE_FOR(double)
-#undef VIETE_FOR
-
 template <class T>
 Sym3<T> log_qr(const Sym3<T>& s) {
   if (!is_finite(s)) return nan_matrix<T>();
@@ -69,14 +66,15 @@ Sym3<T> log_qr(const Sym3<T>& s) {
   const auto& v = solver.eigenvectors();
   if (!(solver.eigenvalues().minCoeff() > 0)) return nan_matrix<T>();
   Eigen::Matrix<T, 3, 1> values = solver.eigenvalues().array().log();
-  for (int k = 0; k < 3; ++k) {  // Eigen replaces subnormal numbers by the least normal one
+  for (int k = 0; k < 3; ++k) {  // Eigen replaces subnormal numbers by the smallest normal number
     const T value = solver.eigenvalues()[k];
     if (value < std::numeric_limits<T>::min()) values[k] = std::log(value);
   }
   return from_eigen<T>(v * values.asDiagonal() * v.transpose());
 }
 
-template Sym3<float> log_qr(const Sym3<float>&);
-template Sym3<double> log_qr(const Sym3<double>&);
+VIETE_FOR(float)
+VIETE_FOR(double)
+#undef VIETE_FOR
 
 }  // namespace viete::sym3

@@ -1,10 +1,9 @@
-// The nearest rotation of general matrices, in registers. Included once per instruction set. (No #pragma
-// once: Highway's foreach_target includes this file again for each target.) Internal.
+// The rotation R nearest to a general matrix M = R U, in vector registers. Internal.
 //
-// M = R U with R a rotation: tr U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, N and Q the
-// squared norms of M and of its cofactors; R = (x M + cof M)(M^T M + y I)^-1, y = (x^2 - N) / 2. Errors of x
-// or of the inverse's scale stretch R along the axes of U; one step R (3 I - R^T R) / 2 towards orthogonality
-// removes them.
+// The trace x of U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, where N and Q are the
+// squared norms of M and of its cofactors. R = (x M + cof M)(M^T M + y I)^-1 with y = (x^2 - N) / 2. Rounding
+// errors of x and of the inverse stretch R along the axes of U; one step R (3 I - R^T R) / 2 makes it
+// orthogonal again.
 #if defined(VIETE_SYM3_POLAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_POLAR_INL_H
 #undef VIETE_SYM3_POLAR_INL_H
@@ -26,7 +25,6 @@ static HWY_INLINE Nine<V> cofactors(const Nine<V>& m) {
           difference_of_products(m.xx, m.yy, m.xy, m.yx)};
 }
 
-/// M^T M.
 template <class V>
 static HWY_INLINE Six<V> gram(const Nine<V>& m) {
   return {sum_of_products(m.xx, m.xx, m.yx, m.yx, m.zx, m.zx),
@@ -37,7 +35,6 @@ static HWY_INLINE Six<V> gram(const Nine<V>& m) {
           sum_of_products(m.xz, m.xz, m.yz, m.yz, m.zz, m.zz)};
 }
 
-/// M S for symmetric S.
 template <class V>
 static HWY_INLINE Nine<V> product(const Nine<V>& m, const Six<V>& s) {
   return {sum_of_products(m.xx, s.xx, m.xy, s.xy, m.xz, s.xz),
@@ -66,8 +63,8 @@ static HWY_INLINE V squared_norm(const Nine<V>& m) {
                  sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
 }
 
-/// The largest root by Newton's method from above, for G registers at a time, to hide the latency of
-/// divisions.
+/// The largest root, by Newton's method from above. Processes G registers at once, because divisions take
+/// long.
 template <int G, class D, class V>
 static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G], const V (&q)[G],
                                          V (&x)[G]) {
@@ -92,14 +89,14 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   }
 }
 
-/// The rotations, valid in the lanes of ok: if s2 + s3 (with the sign of det M) is not small relative to s1.
+/// Rotations, which are valid in the lanes of `ok`: if s2 + s3 (polar.h) is not small relative to s1.
 template <class D, class V = hn::Vec<D>>
 struct Rotations {
   Nine<V> r;
   hn::Mask<D> ok;
 };
 
-/// x is the trace of U, k are the cofactors, n is the squared norm.
+/// The rotation of m, from cofactors k, squared norm n and trace x of the stretch.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const Nine<V>& k, V n, V x) {
   using T = hn::TFromD<D>;
@@ -111,7 +108,7 @@ static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const 
   const V det_w = sum_of_products(w.xx, c.xx, w.xy, c.xy, w.xz, c.xz);  // ((s1 + s2)(s1 + s3)(s2 + s3))^2
   const V inverse = hn::Div(one, det_w);
   const Nine<V> r = product(multiply_add(m, x, k), times(c, inverse));
-  Six<V> g = gram(r);  // then (3 I - g) / 2
+  Six<V> g = gram(r);  // below, g becomes (3 I - g) / 2
   const V off = hn::Add(hn::Abs(g.xy), hn::Add(hn::Abs(g.xz), hn::Abs(g.yz)));
   const V on =
       hn::Add(hn::Abs(hn::Sub(g.xx, one)), hn::Add(hn::Abs(hn::Sub(g.yy, one)), hn::Abs(hn::Sub(g.zz, one))));
@@ -141,7 +138,7 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
   for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
-/// The symmetric part of R^T M. (Halved before the sum, so that large entries do not overflow.)
+/// The symmetric part of R^T M. Halves before it adds, so that large entries do not overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));

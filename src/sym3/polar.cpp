@@ -6,7 +6,7 @@
 
 namespace viete::sym3 {
 
-/// The kernels see a Polar as fifteen contiguous numbers.
+// The kernels write a Polar as fifteen contiguous numbers.
 static_assert(sizeof(Polar<double>) == 15 * sizeof(double) && sizeof(Polar<float>) == 15 * sizeof(float));
 static_assert(std::is_standard_layout_v<Polar<double>> && std::is_standard_layout_v<Polar<float>>);
 

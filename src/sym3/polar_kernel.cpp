@@ -1,4 +1,4 @@
-// Nearest rotations and stretches of batches, compiled once per instruction set.
+// Polar decompositions of batches, compiled once for each instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/polar_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -61,7 +61,7 @@ struct RotationAndStretch {
   }
 
 private:
-  /// Sums of three of the largest entries would overflow.
+  /// Scales large matrices down, because sums of three entries could overflow.
   template <class D, class V>
   static HWY_INLINE void put_in_range(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
     using T = hn::TFromD<D>;

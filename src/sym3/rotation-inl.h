@@ -1,13 +1,10 @@
-// exp of rotation vectors and log of rotations in vector registers: the source of the kernels, and usable in
-// fused loops elsewhere. (No #pragma once: Highway's foreach_target includes this file again for each
-// target.) Usage: exp-inl.h. Bounds and special values: rotation.h.
+// exp of rotation vectors and log of rotations in vector registers. How to use it: exp-inl.h. Bounds and
+// special values: rotation.h.
 //
-// exp uses half the angle: h = |w|^2 / 4, cos(sqrt h) and sin(sqrt h) / (2 sqrt h) are polynomials in h up to
-// 3.24 radians, which gives the quaternion without a root and without a case for small angles; the matrix
-// follows by products.
-//
-// log uses a quarter of the angle: its tangent t is at most one, and atan(t) / t is a polynomial in t^2,
-// without cases for small angles or half turns.
+// exp computes the quaternion of half the angle. Up to 3.24 radians, cos(sqrt h) and sin(sqrt h) / (2 sqrt h)
+// are polynomials in h = |w|^2 / 4, so small angles are no special case. log uses the tangent t of a quarter
+// of the angle, which is at most one, and a polynomial in t^2 for atan(t) / t. Small angles and half turns
+// are no special cases.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -56,13 +53,13 @@ struct HalfAngle {
   V cosine, sine;
 };
 
-/// |w|^2 / 4; NaN or infinite if w is, or if it overflows.
+/// h = |w|^2 / 4. NaN or infinite if w is, or if it overflows.
 template <class D, class V>
 static HWY_INLINE V quarter_of_square(D d, const Three<V>& w) {
   return Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
 }
 
-/// True if the polynomials apply: angles up to 3.24.
+/// True if the polynomials are valid: for angles up to 3.24.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_small_angle(D d, V h) {
   return hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
@@ -78,7 +75,7 @@ static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
   return {horner(d, C::cosine, h), horner(d, C::sine, h)};
 }
 
-/// Any angle; lanes beyond 3.24 one by one.
+/// Any angle. Lanes with angles above 3.24 are computed one by one.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
@@ -101,19 +98,19 @@ template <class D, class V>
 static HWY_INLINE HalfAngle<V> half_angle_lanes(D d, const Three<V>& w) {
   const V h = quarter_of_square(d, w);
   if (HWY_LIKELY(hn::AllTrue(d, is_small_angle(d, h)))) return half_angle_quick(d, h);
-  const Three<V> vector = w;  // a copy: arguments by reference would live in memory, even on the quick path
+  const Three<V> vector = w;  // a reference to w would keep w in memory, even without this call
   return half_angle_general(d, vector, h);
 }
 
-/// The rotations about w / |w| by |w| radians, one per lane. T = float or double; any number of lanes.
+/// In each lane the rotation about w / |w| by |w| radians, float or double, for any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
   return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
 }
 
-/// exp_rotation_lanes(d, w) u without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u), c and s from half the
-/// angle. V is one register or Two.
+/// The vector u rotated by w, without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u) with the cosine c and
+/// sine s of HalfAngle. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
@@ -131,8 +128,8 @@ static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Q
           hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Four times the products of w, x, y, z with the largest of them (Shepperd 1978), which avoids cancellation:
-/// quaternions of length between 2 and 4.
+/// A multiple of the quaternion of a rotation, with a length between 2 and 4. It is computed from the largest
+/// component, to avoid cancellation (Shepperd 1978).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
@@ -148,8 +145,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// The sign that selects q or -q: the one with angle <= pi; at pi the one whose axis starts with a positive
-/// number.
+/// The first nonzero number of q. The rotation angle is at most pi for the sign that makes it positive.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);
@@ -157,8 +153,8 @@ static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   return hn::IfThenElse(hn::Eq(q.w, zero), xyz, q.w);
 }
 
-/// The rotation vectors of rotations, one per lane. T = float or double; any number of lanes. Infinite
-/// entries, or entries whose squares overflow, give NaN.
+/// The rotation vector of the rotation in each lane, float or double, for any number of lanes. Entries that
+/// are infinite or whose squares overflow give NaN.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
   using T = hn::TFromD<D>;
@@ -167,7 +163,7 @@ static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
   const V sine2 = sum_of_products(q.x, q.x, q.y, q.y, q.z, q.z);
   const V length2 = hn::MulAdd(q.w, q.w, sine2);
   const V one_or_nan = hn::MulAdd(length2, hn::Zero(d), hn::Set(d, T(1)));
-  // The tangent over the length of (x, y, z).
+  // The tangent of a quarter of the angle, divided by the length of (x, y, z).
   const V tangent = hn::Div(one_or_nan, hn::Add(hn::Abs(q.w), hn::Sqrt(length2)));
   const V t2 = hn::Mul(sine2, hn::Mul(tangent, tangent)), t4 = hn::Mul(t2, t2);
   const V arc = hn::MulAdd(horner(d, C::arc_odd, t4, T(4)), t2, horner(d, C::arc_even, t4, T(4)));

@@ -1,4 +1,4 @@
-// exp of batches of rotation vectors and log of batches of rotations, compiled once per instruction set.
+// exp of many rotation vectors and log of many rotations, compiled once for each instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/rotation_kernel.cpp"
 #include <hwy/foreach_target.h>

@@ -1,16 +1,15 @@
-// Coefficients of the exponential and the logarithm of rotations. Internal; data only.
+// Polynomial coefficients for exp and log of rotations. Internal.
 #pragma once
 
 namespace viete::sym3 {
 
-/// Tables of one precision; tests/sym3/make_tables.cpp computes them and measures their errors.
-///
-/// `cosine` and `sine`: cos(sqrt h) and sin(sqrt h) / (2 sqrt h) on 0 <= h <= 2.63, minimax with the first
-/// coefficient exact; the others were rounded one after the other with a new fit of the rest. Error 0.07 u
-/// and 0.0021 u, in float 1.3 u and 0.07 u.
-///
-/// `arc_even` and `arc_odd`: atan(sqrt x) / sqrt x = even(x^2) + x odd(x^2) on 0 <= x <= 1, computed
-/// likewise. Relative error 0.09 u (float 0.19 u).
+/// tests/sym3/make_tables.cpp computes these tables and measures their errors. The polynomials are minimax
+/// with an exact first coefficient. The other coefficients were rounded one by one, each time with a new fit
+/// of the rest.
+/// `cosine` and `sine`: cos(sqrt h) and sin(sqrt h) / (2 sqrt h) for 0 <= h <= 2.63. Errors 0.07 u and 0.0021
+/// u, in float 1.3 u and 0.07 u.
+/// `arc_even` and `arc_odd`: atan(sqrt x) / sqrt x = even(x^2) + x odd(x^2) for 0 <= x <= 1. Relative error
+/// 0.09 u (float 0.19 u).
 template <class T>
 struct RotationTables;
 

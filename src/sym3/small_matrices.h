@@ -1,5 +1,5 @@
-// Algebra of symmetric and general 3x3 matrices and vectors. Internal; not for kernels, which must not share
-// inline code.
+// Algebra of symmetric and general 3x3 matrices and vectors. Internal. Kernels must not include it: they must
+// not share inline functions with other code.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,6 @@
 
 namespace viete::sym3 {
 
-/// False if an entry is NaN or infinite.
 template <class T>
 bool is_finite(const Sym3<T>& s) {
   return s.xx * 0 + s.xy * 0 + s.xz * 0 + s.yy * 0 + s.yz * 0 + s.zz * 0 == 0;
@@ -35,7 +34,6 @@ Sym3<T> times(const Sym3<T>& s, T x) {
   return {s.xx * x, s.xy * x, s.xz * x, s.yy * x, s.yz * x, s.zz * x};
 }
 
-/// S S.
 template <class T>
 Sym3<T> square(const Sym3<T>& s) {
   return {s.xx * s.xx + s.xy * s.xy + s.xz * s.xz, s.xx * s.xy + s.xy * s.yy + s.xz * s.yz,
@@ -43,13 +41,13 @@ Sym3<T> square(const Sym3<T>& s) {
           s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
 }
 
-/// True if eigenvalues may overflow: functions of S then use S / 256.
+/// True if eigenvalues may overflow. Functions then compute with S / 256.
 template <class T>
 bool has_huge_eigenvalues(const Sym3<T>& s) {
   return !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
 }
 
-/// log(256 S) from log(S).
+/// log(256 S), from log(S).
 template <class T>
 Sym3<T> log_of_256_times(Sym3<T> log) {
   constexpr T more = T(5.545177444479562475337856971665412545);
@@ -57,7 +55,7 @@ Sym3<T> log_of_256_times(Sym3<T> log) {
   return log;
 }
 
-/// Six contiguous numbers, and back.
+/// Converts six contiguous numbers.
 template <class T>
 Sym3<double> from_six(const T* in) {
   return {in[0], in[1], in[2], in[3], in[4], in[5]};
@@ -78,7 +76,7 @@ inline Mat3<double> full(const Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
 }
 
-/// The antisymmetric matrix of w: its product with x is the cross product w x x.
+/// The antisymmetric matrix whose product with a vector is the cross product of w and that vector.
 inline Mat3<double> cross_matrix(const Vec3<double>& w) {
   return {0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0};
 }
@@ -114,7 +112,7 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// Norm; Frobenius norm for a matrix.
+/// The Euclidean norm of a vector, or the Frobenius norm of a matrix.
 template <std::size_t N>
 double norm(const std::array<double, N>& a) {
   return std::sqrt(dot(a, a));
@@ -133,8 +131,8 @@ inline double determinant(const Mat3<double>& m) {
          m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// X with A X = B, by elimination with column pivoting: backward stable. B and X by rows; not finite if A is
-/// singular.
+/// The solution X of A X = B, by elimination with pivoting. B and X are stored by rows. X is not finite if A
+/// is singular.
 template <std::size_t N>
 std::array<std::array<double, N>, 3> solved(Mat3<double> a, std::array<std::array<double, N>, 3> b) {
   std::array<std::size_t, 3> row{0, 1, 2};

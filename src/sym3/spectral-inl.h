@@ -1,13 +1,12 @@
-// Functions of symmetric matrices by eigenvalues in closed form and Newton's divided differences, in
-// registers. Included once per instruction set. (No #pragma once: Highway's foreach_target includes this file
-// again for each target.) Internal.
+// Functions of symmetric matrices in vector registers, by a closed form of the eigenvalues and Newton's
+// divided differences. Internal.
 //
-// S = M I + s B with B traceless and s a power of two that makes its largest entry about 1; p, q and C = adj
-// B as in exp-inl.h. The eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t) times the sign of q,
-// g^2 = p / 3, where exp(3 i t) has the parts |q| and sqrt(D / 27) over 2 g^3. The discriminant D is summed
-// from squares of minors of (I, B, C), never subtracted: so eigenvalues that are close are as accurate,
-// relative to the largest, as any others. f(B) = f(b) + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1
-// B + z2 C.
+// S = M I + s B, where B has trace zero and s is a power of two that makes the largest entry of B about 1. p,
+// q and C = adj B are as in exp-inl.h. With g^2 = p / 3 and the angle t of 2 g^3 exp(3 i t) = |q| + i sqrt(D
+// / 27), the eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t), times the sign of q. The
+// discriminant D is a sum of squares of minors of (I, B, C). Since nothing is subtracted, close eigenvalues
+// are as accurate, relative to the largest, as any others. Newton's form is f(B) = f(b) + f[b,c] (B - b) +
+// f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
 #undef VIETE_SYM3_SPECTRAL_INL_H
@@ -21,17 +20,17 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// The eigenvalues of S: its mean eigenvalue plus `size` times a, b, c; b >= c are the closer pair, a is far
-/// from both.
+/// The eigenvalues of B are a, b and c, where b >= c are the closer pair. Those of S are the mean eigenvalue
+/// plus `size` times a, b and c.
 template <class V>
 struct Spectrum {
   Six<V> matrix, adjugate;  ///< B and C
-  V minus_p, q;             ///< of B
+  V minus_p, q;             ///< the invariants of B
   V size, a, b, c, gap;     ///< gap = b - c
-  V at_a, at_b, at_c;       ///< the eigenvalues
+  V at_a, at_b, at_c;       ///< the eigenvalues of S
 };
 
-/// 2^e for x of binary exponent e, and its inverse. x = 0 gives 0 and 2^1023 (float 2^127).
+/// 2^e and 2^-e, where e is the binary exponent of x. x = 0 gives 0 and 2^1023 (float 2^127).
 template <class D, class V>
 static HWY_INLINE void power_of_two_below(D d, V x, V& power, V& inverse) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -48,16 +47,16 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// 4/3 of the discriminant D of B, the product of the squared differences of its eigenvalues, as a sum of
-/// squares:
-///   D is the squared Vandermonde determinant of the eigenvalues, which is the Gram determinant of (I, B,
-///   B^2) in the inner product tr(XY); and that of (I, B, C), because C = B^2 - p I. B and C' = C - (tr C /
-///   3) I are orthogonal to I, and tr(I I) = 3: D = 3 (|B|^2 |C'|^2 - tr(B C')^2) = 3 times the sum of all
-///   (b_i c_j - b_j c_i)^2, i < j, by Lagrange's identity, for coordinates b, c of B and C' in an orthonormal
-///   basis of the traceless matrices: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
-///   Below they are sqrt 2 times as large.
-/// Computed as 4 p^3 - 27 q^2 it would have an error of u, and the gap of two close eigenvalues, its root, an
-/// error of sqrt u. A minor has an error of u, so the root of the sum also has an error of u.
+/// 4/3 of the discriminant D of B, the product of the squared differences of the eigenvalues, as a sum of
+/// squares. D is the Gram determinant of (I, B, B^2) for the inner product tr(X Y). Since C = B^2 - p I, it
+/// is also the Gram determinant of (I, B, C). B and C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) =
+/// 3, so D = 3 (|B|^2 |C'|^2 - tr(B C')^2). By Lagrange's identity this is 3 times the sum of all (b_i c_j -
+/// b_j c_i)^2 with i < j. Here b and c are coordinates of B and C' in an orthonormal basis of the matrices
+/// with trace zero: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz. The code uses sqrt 2
+/// times these coordinates.
+///
+/// The formula 4 p^3 - 27 q^2 would have an error of u, and its root, the difference of close eigenvalues, an
+/// error of sqrt u. The minors have an error of u, so the root of the sum also has an error of u.
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -108,7 +107,7 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
-/// True if S is positive definite with some margin, and in a range without over- and underflow.
+/// True if S is positive definite, its condition is not too large, and nothing overflows or underflows.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -117,8 +116,7 @@ static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
                  hn::Ge(hn::Mul(low, hn::Set(d, C::condition)), high));
 }
 
-/// f(S) from f at b, and its divided differences over b, c and over a, b, c, with respect to eigenvalues of
-/// B.
+/// f(S) from f(b) and the divided differences f[b,c] and f[a,b,c] with respect to eigenvalues of B.
 template <class V>
 static HWY_INLINE Six<V> newton_form(const Spectrum<V>& e, V at_b, V over_bc, V over_abc) {
   const V z1 = hn::MulAdd(e.a, over_abc, over_bc);
@@ -145,7 +143,7 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y), and its quotient by x - y, for positive normal x and y whose difference is accurate.
+/// log(x / y), and log(x / y) / (x - y), for positive normal x and y. `difference` is an accurate x - y.
 template <class V>
 struct LogRatio {
   V log, slope;
@@ -157,12 +155,12 @@ static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using C = SpectralTables<T>;
   const hn::RebindToUnsigned<D> du;
   using U = hn::TFromD<decltype(du)>;
-  // 2^k nearest to x / y, within a tenth: the exponent of the difference of the bits.
+  // About the nearest 2^k to x / y: the exponent of the difference of the bits.
   const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
   const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
   const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
   const auto near = hn::Eq(power, hn::Set(d, T(1)));
-  // k as a number: its biased value into the low bits of 2^52 (float 2^23).
+  // Converts the biased integer k to a number, as the low bits of 2^52 (float 2^23).
   const V magic = hn::Set(d, ExpTables<T>::round_magic / T(1.5));
   const V k = hn::Sub(hn::Or(hn::BitCast(d, hn::ShiftRight<C::mantissa_bits>(bits)), magic),
                       hn::Add(magic, hn::Set(d, T(C::exponent_bias))));
@@ -180,7 +178,7 @@ template <class D, class V>
 static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
-  // b - 1 from the entries minus 1, which are exact if the logarithm is small.
+  // The eigenvalue b minus 1, from diagonal entries minus 1: exact if the logarithm is small.
   const V above = hn::Mul(hn::Add(hn::Add(hn::Sub(s.xx, one), hn::Sub(s.yy, one)), hn::Sub(s.zz, one)),
                           hn::Set(d, T(1) / T(3)));
   const V at_b = log_ratio(d, e.at_b, one, hn::MulAdd(e.size, e.b, above)).log;
@@ -191,7 +189,7 @@ static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   return newton_form(e, at_b, hn::Mul(e.size, bc), hn::Mul(e.size, curvature));
 }
 
-/// Eigenvalues in ascending order.
+/// The eigenvalues in ascending order.
 template <class D, class V>
 static HWY_INLINE Three<V> eigenvalues_lanes(D d, const Spectrum<V>& e) {
   const auto far_is_top = hn::Ge(e.a, hn::Zero(d));

@@ -1,4 +1,4 @@
-// log, square roots, powers and eigenvalues of batches, compiled once per instruction set.
+// log, square roots, powers and eigenvalues of batches, compiled once for each instruction set.
 #include "sym3/highway_targets.h"
 #define HWY_TARGET_INCLUDE "sym3/spectral_kernel.cpp"
 #include <hwy/foreach_target.h>
@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// Uses F::lanes for ordinary spectra, F::one for the others.
+/// A function of positive definite matrices: F::lanes() if is_ordinary(), otherwise F::one().
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;
@@ -27,7 +27,7 @@ struct OfPositive {
   }
 
 private:
-  /// The mask of valid lanes.
+  /// Returns the lanes that are valid.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[6]) {
     const Six<V> s = six(in);
@@ -106,7 +106,7 @@ struct Eigenvalues {
   }
 
 private:
-  /// The mask of valid lanes: finite, and of a size whose powers are in range.
+  /// Returns the lanes that are valid: finite matrices whose invariants are in range.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[3]) {
     using T = hn::TFromD<D>;

@@ -1,12 +1,11 @@
-// Coefficients of the spectral functions: the cube root of a unit complex number, and log. Internal; data
-// only.
+// Polynomial coefficients for eigenvalues and logarithms. Internal.
 #pragma once
 
 namespace viete::sym3 {
 
-/// `sine` and `cosine`: sin and cos of (2/3) atan(sqrt w), the former over sqrt w, on 0 <= w <= 1. `atanh`:
-/// atanh(s) / s in s^2 <= 0.0445. Interpolated at Chebyshev points by tests/sym3/make_tables.cpp; error below
-/// 0.9 u (float 1.5 u).
+/// With t = (2/3) atan(sqrt w) and 0 <= w <= 1, `sine` is sin(t) / sqrt w and `cosine` is cos(t). `atanh` is
+/// atanh(s) / s as a polynomial in s^2 <= 0.0445. tests/sym3/make_tables.cpp interpolated them at Chebyshev
+/// points. Errors are below 0.9 u (float 1.5 u).
 template <class T>
 struct SpectralTables;
 

@@ -1,9 +1,9 @@
-// The type: a 3x3 real symmetric matrix as six numbers.
+// A real symmetric 3x3 matrix as six numbers.
 #pragma once
 
 namespace viete::sym3 {
 
-/// The upper triangle by rows. This order is used everywhere: in memory, in planes, in packed arrays.
+/// The upper triangle by rows. Every layout of view.h stores the entries in this order.
 template <class T>
 struct Sym3 {
   T xx{}, xy{}, xz{}, yy{}, yz{}, zz{};
@@ -16,7 +16,7 @@ constexpr Sym3<T> identity() {
   return {T(1), T(0), T(0), T(1), T(0), T(1)};
 }
 
-/// A value hi + lo, |lo| <= ulp(hi) / 2: about 106 bits.
+/// The value hi + lo with about 106 bits: |lo| is at most half a unit in the last place of hi.
 struct DoubleDouble {
   double hi = 0, lo = 0;
 };

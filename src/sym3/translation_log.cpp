@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// Damping factor of the even part at an angle: 0 at whole turns, 1 away from them, with a continuous slope.
+// The damping factor of E (see the header) at an angle: 0 at a whole turn, rising smoothly to 1.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -26,7 +26,7 @@ double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
 }
 
-// (angle / 2) cot(angle / 2), times the damping factor.
+// E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
 double across(double angle) {
   const double square = angle * angle;
   if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
@@ -34,7 +34,6 @@ double across(double angle) {
   return share > 0 ? share * (angle / 2) / std::tan(angle / 2) : 0;
 }
 
-// n n^T of an axis.
 Mat3<double> projector(const Vec3<double>& axis) {
   const Vec3<double> n = times(1 / norm(axis), axis);
   Mat3<double> m;
@@ -42,7 +41,7 @@ Mat3<double> projector(const Vec3<double>& axis) {
   return m;
 }
 
-// Powers of L / 2^k, each a combination of the first three (Cayley-Hamilton).
+// Multiplies polynomials in L. Each is p[0] I + p[1] L + p[2] L^2 (Cayley-Hamilton).
 struct Powers {
   double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
 
@@ -57,7 +56,8 @@ struct Powers {
   }
 };
 
-// phi(L) = c[0] I + c[1] A + c[2] A^2, A = L / 2^k: phi(2 A) = phi(A) + A phi(A)^2 / 2, from |A| <= 1/2 up.
+// phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k. Starts with |A| <= 1/2, then uses phi(2 A) = phi(A) +
+// A phi(A)^2 / 2.
 struct Phi {
   Mat3<double> a;
   Vec3<double> c;
@@ -69,7 +69,7 @@ struct Phi {
     a = times(std::exp2(-doublings), log);
     const double sum = trace(a);
     const Powers powers{sum, (sum * sum - trace(product(a, a))) / 2, determinant(a)};
-    double factorial = 1;  // of n + 1
+    double factorial = 1;  // (n + 1)!
     for (int n = 2; n <= last + 1; ++n) factorial *= n;
     c = {1 / factorial, 0, 0};
     for (int n = last - 1; n >= 0; --n) {
@@ -101,7 +101,7 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
 Sym3<double> even_part(const Vec3<double>& y) {
   const double angle = norm(y), g = across(angle);
   if (angle == 0) return identity<double>();
-  // 1 - g is small where the axis is determined only by rounding.
+  // If the angle is so small that the axis is only rounding, then 1 - g is small, too.
   const double along = (1 - g) / dot(y, y);
   return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
           g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
@@ -122,8 +122,7 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by half the angle: x sin / theta + ... + the
-// component along the axis.
+// phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, computed from half the angle theta.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,

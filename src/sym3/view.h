@@ -1,4 +1,4 @@
-// Memory layouts of many small matrices: three layouts in one type. Non-owning.
+// Views of many small matrices in three memory layouts. A view does not own its data.
 #pragma once
 
 #include <array>
@@ -15,38 +15,36 @@ enum class Layout : unsigned char {
   full,    ///< symmetric matrices with all nine entries: data[9 i + k], by rows or by columns
 };
 
-/// A view of many items of N numbers of type T (which may be const). N = 6: symmetric matrices in the order
-/// of Sym3. N = 9: general matrices by rows. N = 3: vectors. No alignment is needed; planes must not overlap
-/// each other. Symmetric matrices in `full` are read at 0 1 2 4 5 8 and written in all places. Planes are
-/// fastest; strides between planes that are multiples of 4096 bytes are slow (see padded_stride).
+/// A view of many items of N numbers of type T, which may be const. An item is a symmetric matrix in the
+/// order of Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment;
+/// planes must not overlap each other. A symmetric matrix in `full` is read from its entries 0 1 2 4 5 8, and
+/// all nine are written. Planes are the fastest layout. Distances between planes that are multiples of 4096
+/// bytes are slow, see padded_stride().
 template <class T, int N>
 struct View {
   Layout layout = Layout::packed;
-  T* plane[N] = {};  ///< all N for `planes`, otherwise only the first: the data
+  T* plane[N] = {};  ///< `planes` uses all N pointers; other layouts use only plane[0], the data
 
   constexpr View() = default;
   constexpr View(Layout layout, T* data) : layout(layout) { plane[0] = data; }
-  /// The n-th plane starts at data + n stride.
+  /// Plane k starts at data + k * stride.
   constexpr View(T* data, std::size_t stride) : layout(Layout::planes) {
     for (int k = 0; k < N; ++k) plane[k] = data + k * stride;
   }
   constexpr explicit View(const std::array<T*, N>& planes) : layout(Layout::planes) {
     for (int k = 0; k < N; ++k) plane[k] = planes[k];
   }
-  /// Conversion from writable to read-only.
+  /// Makes a read-only view from a writable one.
   template <class U>
   requires(sizeof(U) == sizeof(T)) constexpr View(const View<U, N>& v) : layout(v.layout) {
     for (int k = 0; k < N; ++k) plane[k] = v.plane[k];
   }
 };
 
-/// Symmetric matrices.
 template <class T>
 using SymView = View<T, 6>;
-/// General matrices, entries by rows.
 template <class T>
 using MatView = View<T, 9>;
-/// Vectors.
 template <class T>
 using VecView = View<T, 3>;
 
@@ -59,9 +57,9 @@ SymView<const T> packed(const Sym3<T>* data) {
   return {Layout::packed, reinterpret_cast<const T*>(data)};
 }
 
-/// A stride for planes of `count` numbers that places each plane at a 64-byte boundary and 448 bytes further
-/// into a page than the previous one: in other cache sets, and away from stores that processors confuse with
-/// loads 4096 bytes apart.
+/// A stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than the plane
+/// before it, so that planes use different cache sets. A processor can also confuse a load with a store 4096
+/// bytes away; this stride avoids that. If the first plane is aligned to 64 bytes, so are all others.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);

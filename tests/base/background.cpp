@@ -41,7 +41,7 @@ using viete::base::Progress;
 
 namespace {
 
-// A job that reports progress until it is cancelled, and has begun.
+// Starts a job that reports progress until it is cancelled.
 struct Endless {
   void start(BackgroundJob<int>& job, std::shared_ptr<int> held = nullptr) {
     job.start([this, held](Progress& progress) -> int {

@@ -13,7 +13,7 @@ TEST_CASE("a_pattern_names_the_files_of_a_sequence") {
   CHECK(NumberedName("a/frame_####.obj").file(7) == "a/frame_0007.obj");
   CHECK(NumberedName("#.ply").file(12345) == "12345.ply");
   CHECK(NumberedName("a_####.ply").file(-7) == "a_-007.ply");
-  CHECK(NumberedName("a#b/c#.ply").file(3) == "a#b/c3.ply");  // marks in the folder do not count
+  CHECK(NumberedName("a#b/c#.ply").file(3) == "a#b/c3.ply");  // the mark in the folder is not a placeholder
   CHECK(NumberedName("x/a_###.obj").pattern() == "x/a_###.obj");
 }
 

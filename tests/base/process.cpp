@@ -35,7 +35,7 @@ using viete::base::ForkDelay;
 
 TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
   std::atomic<bool> begun = false, stop = false;
-  std::atomic<int> half = 0;  // odd while the other thread is inside
+  std::atomic<int> half = 0;  // odd while the other thread has a ForkDelay
   std::jthread other([&] {
     while (!stop) {
       const ForkDelay delay;
@@ -50,7 +50,7 @@ TEST_CASE("fork_waits_for_other_threads_and_not_for_its_own") {
     const ForkDelay own, nested;
     const pid_t child = fork();
     if (child == 0) {
-      alarm(60);  // limits the time of a hang
+      alarm(60);  // ends the child if it hangs
       const ForkDelay inside_child;
       _exit(half % 2);
     }

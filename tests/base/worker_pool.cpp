@@ -75,14 +75,14 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
   for (int left = 0; left < 7; ++left) {
     const viete::test::ThreadsLeft limit(left);
     WorkerPool pool(8);
-    CHECK(pool.threads() == 1 + left / 2);  // the rest is left to others
+    CHECK(pool.threads() == 1 + left / 2);  // the other half ended
     CHECK(visited_by(pool) == 100);
   }
   WorkerPool all(8);
   CHECK(all.threads() == 8);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // which need more address space
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these need more address space
 TEST_CASE("pool_leaves_address_space_to_its_caller") {
   const pid_t child = fork();
   if (child == 0) {

@@ -1,4 +1,4 @@
-// The running method's accuracy in the panel and on the mesh.
+// The accuracy of the active method, in the panel and on the mesh.
 #include "program/driver.h"
 
 using namespace viete;
@@ -12,7 +12,7 @@ void open_posed_dragon(Driver& d) {
   d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
-// Pixels of the view that differ from the background.
+// The colours of pixels in the view that differ from the background.
 struct Shown {
   double red = 0, blue = 0;
   int pixels = 0;
@@ -21,8 +21,8 @@ struct Shown {
 Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
-  for (int y = 0; y < 660; ++y) {      // above the legend
-    for (int x = 330; x < 955; ++x) {  // without the timings, which differ in every run
+  for (int y = 0; y < 660; ++y) {      // the rows above the legend
+    for (int x = 330; x < 955; ++x) {  // the columns without timings, which differ in every run
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
       sum.red += p[0];
@@ -54,8 +54,8 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   CHECK(map.most < -14);
   CHECK(map.median <= map.most);
   CHECK(exact.pixels > 20000);
-  CHECK(exact.blue > exact.red);  // the low end of the colours
-  CHECK(plain.red > plain.blue);  // clay
+  CHECK(exact.blue > exact.red);  // blue means a small error
+  CHECK(plain.red > plain.blue);  // the plain model
 
   d.click("method_sd");
   d.settle();

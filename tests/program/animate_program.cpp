@@ -1,4 +1,4 @@
-// viete animate: exported frames are complete whenever the program ends, and can be continued.
+// viete animate: exported frames are complete even if the program is killed, and an export can be continued.
 #include <set>
 
 #include "base/numbered_files.h"
@@ -16,7 +16,7 @@ using namespace viete::test;
 
 namespace {
 
-// A cube in its cage, with posed cages p_01, p_09 and p_17 as keys.
+// Files of a cube and its cage, with the posed cages p_01, p_09 and p_17 as keys.
 struct AnimatedFiles : AnimatedCube {
   AnimatedFiles() {
     for (const int frame : {1, 9, 17}) {
@@ -38,7 +38,7 @@ std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
   return names;
 }
 
-// The dragon with two keys, slow enough to be interrupted within a frame.
+// The dragon with two keys: slow enough to be interrupted during a frame.
 struct AnimatedDragon : TemporaryFolder {
   AnimatedDragon() {
     fs::copy(cage, *this / "k_01.obj");
@@ -139,7 +139,8 @@ TEST_CASE("existing_frames_need_force_and_those_of_an_earlier_run_are_noted") {
   const Outcome refused = files.animate("-o f_##.ply --frames 1-5");
   CHECK(refused.code == 1);
   CHECK(mentions(refused, "--force"));
-  CHECK_FALSE(mentions(files.animate("-o f_##.ply", "VIETE_PROGRESS=1"), "--force"));  // run by the window
+  CHECK_FALSE(
+      mentions(files.animate("-o f_##.ply", "VIETE_PROGRESS=1"), "--force"));  // as the window runs it
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply already existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
                  "3 files from f_01.ply to f_05.ply already existed"));
@@ -161,7 +162,7 @@ TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const fs::path part = files / "b.obj.999999999-1-0.part";
   put_file(part, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // also if it is refused
+  CHECK(files.animate("-o p_##.obj").code == 1);  // although the command is refused
   CHECK_FALSE(fs::exists(part));
 }
 

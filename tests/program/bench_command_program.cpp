@@ -1,4 +1,4 @@
-// viete bench: short runs of every benchmark, with their files and tables.
+// viete bench: short runs of all benchmarks, with their files and tables.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   const WorkFolder f;
   for (const std::string what : {"frame --vertices 500 ", "bind "}) {
     CHECK(mentions(f.done("bench " + what + "--rounds 1 " + in_cage + " --json a.json"),
-                   "148 cage triangles"));                                   // its own
+                   "148 cage triangles"));                                   // of the cage itself
     CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only for generated cages
   }
   const auto made = f.done("bench frame --rounds 1 --vertices 500 --faces 8,10 " + quoted(dragon));
@@ -57,18 +57,18 @@ TEST_CASE("every_way_of_blending_is_compared_on_the_poses_that_are_named") {
   for (const char* title : {"\ntall\n", "\nbox\n", "\nall 2 poses; "}) CHECK(mentions(outcome, title));
   std::istringstream lines(outcome.text);
   for (std::string line; std::getline(lines, line);) {
-    const bool names_processor = line.starts_with("modes: ");  // the processor's name may be long
+    const bool names_processor = line.starts_with("modes: ");  // this line may be long
     CHECK_MESSAGE((names_processor || line.size() <= 130), line);
   }
   const auto results = nlohmann::json::parse(file_bytes(json))["results"];
   for (const deform::Scheme& scheme : deform::valid_schemes()) CHECK(mentions(outcome, deform::text(scheme)));
-  CHECK(results.size() == deform::valid_schemes().size() + 1);  // and Way::arap
+  CHECK(results.size() == deform::valid_schemes().size() + 1);  // one more for Way::arap
   for (const std::size_t i : {0, 1, 2, 3, 4, 5})
     CHECK(results[i].value("way", "") == deform::all_ways()[i].name);
   for (const auto& mode : results) {
     REQUIRE(mode["poses"].size() == 2);
     CHECK(double(mode["deviations"]["translation"]) < 1e-9);
-    CHECK(double(mode["poses"][1]["energy"]) < 1e-9);  // the box is at rest
+    CHECK(double(mode["poses"][1]["energy"]) < 1e-9);  // pose 1 is the box at rest
   }
   const auto& mean_values = *std::find_if(results.begin(), results.end(),
                                           [](const auto& mode) { return mode["weights"] == "mean-value"; });
@@ -87,7 +87,8 @@ TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   f.refused("bench modes " + quoted(dragon), 2, "CAGE is required");
   f.refused("bench modes " + in_cage, 2, "POSE is required");
   f.refused("bench modes " + in_cage + " none.obj", 1, "none.obj");
-  f.refused("bench modes " + in_cage + " " + quoted(dragon), 1, "dragon.ply");  // another number of vertices
+  f.refused("bench modes " + in_cage + " " + quoted(dragon), 1,
+            "dragon.ply");  // the model has another number of vertices
   f.refused("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose), 1, "is an input file");
 }
 
@@ -116,7 +117,7 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
       for (const auto& row : table["rows"]) {
         const auto& fast = row["methods"]["Fast"];
         const double spread =
-            table["by"] == "spread" ? double(row["value"]) : 35;  // maximum of the other rows
+            table["by"] == "spread" ? double(row["value"]) : 35;  // 35 is the limit of other rows
         CHECK(fast["nan"] == 0);
         CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
       }

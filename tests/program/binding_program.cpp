@@ -1,4 +1,4 @@
-// Binding in the background: the view stays responsive, and a cancelled or failed binding changes nothing.
+// Binding in the background. The program still reacts, and a cancelled or failed binding changes nothing.
 #include "deform/binding.h"
 #include "formats/write.h"
 #include "program/driver.h"
@@ -23,9 +23,9 @@ struct Bound : Driver {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
-    workspace::mark_saved(workspace());  // so that replacing the cage needs no question
+    workspace::mark_saved(workspace());  // otherwise the program asks before it replaces the cage
   }
-  // Opens a cage of 8 * 4^levels triangles around the dragon; acts after the first frame.
+  // Opens a cage of 8 * 4^levels triangles around the dragon, and calls a function after the first frame.
   template <class Act>
   void open_ball(int levels, const Act& act) {
     formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));
@@ -61,7 +61,7 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   const auto before = d.positions();
   d.document().changed_pose().positions[0][1] += 0.3;
   test::run_command(d.workspace(), "weights_mean_value");
-  d.frame();  // starts the new binding and deforms with the old one
+  d.frame();  // starts the new binding and deforms with the old binding
   REQUIRE(d.workspace().binding.running);
   CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
   const auto moved = d.positions();

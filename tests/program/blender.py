@@ -1,5 +1,4 @@
-"""Checks viete's files with Blender's importers: a textured box in a rigidly rotated cage, so that all positions
-and normals are known, in every format and converted between formats."""
+"""Checks viete's files of every format with Blender's importers. A cage rotates a textured box, so all results are known."""
 import json
 import math
 import os
@@ -12,7 +11,7 @@ import zlib
 import bpy
 import numpy
 
-if "bool" not in dir(numpy):  # Debian 12: the glTF importer of its Blender asks for what its numpy has no longer
+if "bool" not in dir(numpy):  # the glTF importer of Debian 12 uses a name that its numpy no longer has
     numpy.bool = bool
 VIETE, FOLDER = sys.argv[sys.argv.index("--") + 1:]
 COLORS = {"wood": (1, 1, 1), "red": (0.8, 0.1, 0.1)}
@@ -30,7 +29,7 @@ def put(name, data):
 
 
 def turned(p):
-    """The pose of a point: a rotation about the x axis, then a translation. Directions: with w = 0."""
+    """Rotates a point about the x axis, then moves it by w times the translation; w is 0 for directions."""
     c, s = math.cos(0.6), math.sin(0.6)
     w = p[3] if len(p) > 3 else 1
     return (p[0] + 0.25 * w, c * p[1] - s * p[2] - 0.5 * w, s * p[1] + c * p[2])
@@ -48,7 +47,7 @@ def png():
 
 
 class Box:
-    """Six sides of 2 x 2 quads; each side has a region of the texture, its normal, and one of two materials."""
+    """A box: each side has 2 x 2 quads, its own part of the texture, its normal, and one of two materials."""
 
     def __init__(self):
         self.points, self.faces, numbers = [], [], {}
@@ -76,7 +75,7 @@ class Box:
                 self.faces.append((corners, normal, "wood" if side < 4 else "red"))
 
     def corners(self):
-        """(place, texture point, normal, material) of every corner, rotated."""
+        """(place, texture point, normal, material) of every corner of the rotated box."""
         return [(turned(self.points[n]), uv, turned(normal + (0,)), material)
                 for corners, normal, material in self.faces for n, uv in corners]
 
@@ -144,7 +143,7 @@ def vertex_color(p):
 
 
 def ply_of(box):
-    """One texture point and one colour per vertex: the PLY attributes that Blender reads."""
+    """A texture point and a colour for each vertex: the PLY attributes that Blender reads."""
     head = ["ply", "format ascii 1.0", "element vertex %d" % len(box.points)]
     head += ["property float " + n for n in "xyz"] + ["property uchar " + n for n in ("red", "green", "blue")]
     head += ["property float s", "property float t", "element face %d" % len(box.faces),
@@ -175,7 +174,7 @@ def cage(pose):
 
 
 def imported(name):
-    """The file's only mesh in world coordinates with the file's axes: corners, and Blender's mesh."""
+    """The corners of the only mesh of a file, in world coordinates with the axes of the file, and Blender's mesh."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     extension = name.rsplit(".", 1)[1]
     candidates = {"obj": ("wm.obj_import", "import_scene.obj"), "ply": ("wm.ply_import", "import_mesh.ply"),
@@ -257,7 +256,7 @@ def deform(model, out, rest="cage.obj"):
 
 
 def check_textured(box, out):
-    """Positions, texture points and normals equal the box's; in the model's format also materials and their image."""
+    """Checks positions, texture points and normals; if the format is the model's, also materials and the image."""
     scene_object, y_up = imported(out)
     quads, own = out == "obj.obj", out in ("obj.obj", "glb.glb")
     check_counts(out, scene_object.data, len(box.points) if out.endswith("obj") else None,
@@ -282,7 +281,7 @@ def check_places(box, out, faces):
 
 
 def check_blue():
-    """The STL's facet colours become vertex colours in a GLB."""
+    """Facet colours of an STL become vertex colours in a GLB."""
     deform("model.stl", "stl.glb")
     mesh = imported("stl.glb")[0].data
     colors = mesh.color_attributes[0].data
@@ -304,7 +303,7 @@ def written_places(frame):
 
 
 def places_at(scene_object, frame):
-    """Vertices in object coordinates at that frame."""
+    """The vertices at a frame, in object coordinates."""
     bpy.context.scene.frame_set(int(frame), subframe=frame % 1)
     shown = scene_object.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
@@ -333,14 +332,14 @@ def check_morphs(out):
     curves = scene_object.data.shape_keys.animation_data.action.fcurves
     first = min(point.co[0] for curve in curves for point in curve.keyframe_points)
     for frame in FRAMES:
-        found = [(p[0], p[2], -p[1]) for p in places_at(scene_object, first + frame - 1)]  # the importer turns them
+        found = [(p[0], p[2], -p[1]) for p in places_at(scene_object, first + frame - 1)]  # the importer has exchanged axes
         expected = written_places(frame)
         lost = [p for p in expected if not any(math.dist(p, q) < 1e-3 for q in found)]
         assert not lost, "%s: frame %d: nothing is at %s" % (out, frame, lost[0])
 
 
 def check_animations():
-    """Compares caches and morph targets of the rotating box with the models of the same frames."""
+    """Compares point caches and morph targets of the rotating box with the models of the same frames."""
     put("key_01.obj", cage(tuple))
     put("key_11.obj", cage(turned))
     animate("frame_##.obj", "--digits", "all")
@@ -359,7 +358,7 @@ def main():
         put(name, data)
     for model, out in (("model.obj", "obj.obj"), ("model.obj", "obj.glb"), ("model.glb", "glb.glb"),
                        ("model.glb", "glb.obj"), ("glb.obj", "glb_obj.glb")):
-        deform(model, out, rest="posed.obj" if model == "glb.obj" else "cage.obj")  # which is turned already
+        deform(model, out, rest="posed.obj" if model == "glb.obj" else "cage.obj")  # posed.obj is already rotated
         check_textured(box, out)
     for model, out in (("model.ply", "ply.ply"), ("model.ply", "ply.glb")):
         deform(model, out)

@@ -1,4 +1,4 @@
-// Cage generation in the window: offer, sliders, undo, posing and saving.
+// Making a cage in the window: offer, sliders, undo, posing and saving.
 #include "document/edit.h"
 #include "formats/read.h"
 #include "formats/write.h"
@@ -15,7 +15,7 @@ using test::Driver;
 
 namespace {
 
-// A ball of 642 vertices.
+// A file with a ball of 642 vertices.
 std::filesystem::path ball() {
   static const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "ball.obj";
@@ -28,7 +28,7 @@ struct Maker : Driver {
     REQUIRE(open({model}));
     settle();
   }
-  // Until the generated cage matches the settings and is bound.
+  // Runs frames until the cage has the current settings and is bound.
   void finish() {
     frame();
     finish_making();
@@ -41,7 +41,7 @@ struct Maker : Driver {
     finish();
     REQUIRE(document().has_cage());
   }
-  // Starts a cage, and returns its preview.
+  // Starts to make a cage and returns the preview.
   std::shared_ptr<const deform::Cage> preview() {
     click("make_cage");
     REQUIRE(until([&] { return document().has_cage(); }));
@@ -77,7 +77,7 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
     const auto beside = d.viewer().recorder().find("open_cage_beside");
     REQUIRE(beside);
-    CHECK(beside->y0 - 94 < offer);  // three lines are above that button
+    CHECK(beside->y0 - 94 < offer);  // three lines are above the button
     CHECK(offer < beside->y0 - 60);
     const float above = lowest();
     CHECK(above < offer);
@@ -182,7 +182,7 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   d.frame(3);
   CHECK(d.document().cage != cage);
   CHECK(d.document().cage_file.path.empty());
-  CHECK(d.viewer().recorder().find("making_lost"));  // the key is gone
+  CHECK(d.viewer().recorder().find("making_lost"));  // the key no longer exists
   d.press_key('Z', true);
   d.frame(2);
   CHECK(d.document().timeline.keys.size() == 1);
@@ -257,7 +257,7 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
 TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   const test::TemporaryFolder folder;
   mesh::Surface cage = test::ball(1.2, 1);
-  cage.positions[5][0] += 0.3;  // removes its mirror image
+  cage.positions[5][0] += 0.3;  // the mirror vertex is now missing
   formats::write(folder / "cage.obj", cage);
   Driver d;
   REQUIRE(d.open({ball(), folder / "cage.obj"}));

@@ -1,4 +1,4 @@
-// viete cage: generates cages that the other commands accept.
+// viete cage makes cages that the other commands accept.
 #include <utility>
 #include <vector>
 

@@ -1,4 +1,4 @@
-// Defective cages in the real program: findings, the offers and badges they lead to, and their highlights.
+// Cages with defects: findings, offers, badges and highlights.
 #include "formats/write.h"
 #include "mesh/winding_number.h"
 #include "program/small_scene.h"
@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A ball, and two cages of it: one without a face, and one that leaves a part of the ball outside.
+// A ball and two cages: a cage with a missing face, and a cage that does not contain the whole ball.
 struct Checked : test::SmallScene {
   fs::path holed = folder / "holed.obj", low = folder / "low.obj";
 
@@ -37,7 +37,7 @@ struct Checked : test::SmallScene {
     const auto found = std::ranges::find(all, defect, &document::Finding::defect);
     return found == all.end() ? nullptr : &*found;
   }
-  // In the view, not in a column.
+  // True if the widget is in the view, not in a column.
   bool shows(const std::string& widget) {
     d.frame(2);
     const auto rect = d.viewer().recorder().find(widget);
@@ -45,7 +45,7 @@ struct Checked : test::SmallScene {
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
   }
-  // Highlight pixels in the view: much red, little green, unlike any model, cage or selection.
+  // Counts pixels with the colour of highlights, which only they have: much red and little green.
   int highlighted() {
     d.settle();
     const auto picture = d.picture();
@@ -117,7 +117,7 @@ TEST_CASE("the_next_step_with_an_own_model_is_offered_until_work_begins") {
   CHECK_FALSE(c.shows("enclose_model"));
   c.open_cage(c.low);
   CHECK(c.shows("hide_cage_offer"));
-  d.press_key(workspace::key('A'));  // an edit
+  d.press_key(workspace::key('A'));  // makes an edit
   CHECK_FALSE(c.shows("hide_cage_offer"));
   c.open_cage(c.folder / "cage.obj");
   CHECK(d.workspace().checks.findings.empty());

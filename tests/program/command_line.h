@@ -1,4 +1,4 @@
-// Runs the program in a shell, for tests of its command line.
+// Runs the program in a shell.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -22,7 +22,6 @@ struct Outcome {
   std::string text;  ///< stdout and stderr
 };
 
-/// Runs a shell command.
 inline Outcome outcome_of(const std::string& command) {
   Outcome outcome;
   FILE* pipe = popen(command.c_str(), "r");
@@ -35,7 +34,7 @@ inline Outcome outcome_of(const std::string& command) {
   return outcome;
 }
 
-/// Runs the program in that folder.
+/// Runs the program `viete` of a folder.
 inline Outcome run_of(const fs::path& folder, const std::string& arguments,
                       const std::string& environment = "") {
   return outcome_of(environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null");
@@ -49,8 +48,8 @@ inline std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-/// Runs the program in that folder and sends the signal once the file `until` exists: a result, or `said`,
-/// which receives its output. If the program ends first, deletes the files `made` and starts again.
+/// Runs the program in a folder and sends the signal when the file `until` exists: a result, or `said`, the
+/// file with the output. If the program ends before that, deletes the files `made` and starts again.
 inline Outcome ended_by(const std::string& signal, const fs::path& folder, const std::string& arguments,
                         const std::string& until, const std::string& made) {
   put_file(folder / "ended.sh",
@@ -62,7 +61,6 @@ inline Outcome ended_by(const std::string& signal, const fs::path& folder, const
   return outcome_of("sh " + quoted(folder / "ended.sh") + " 2>&1 </dev/null");
 }
 
-/// Changes to the folder and unsets the display.
 inline std::string without_display(const fs::path& folder) {
   return "cd " + quoted(folder) + " && env -u DISPLAY -u WAYLAND_DISPLAY";
 }

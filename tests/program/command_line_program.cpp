@@ -1,4 +1,4 @@
-// The program in a shell: subcommands, outputs, errors, exit codes.
+// The command line: subcommands, outputs, errors and exit codes.
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -33,7 +33,7 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model_and_rest_as
 
 namespace {
 
-// Streams the folder's `poses` to its `frames`.
+// Runs `viete deform --stream` with the file `poses` as input and the file `frames` as output.
 Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
                  const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
@@ -90,7 +90,8 @@ TEST_CASE("an_invalid_stream_names_the_pose") {
   const auto with_output = run("deform a b --stream -o a.ply");
   CHECK(mentions(with_output, "--stream"));
   CHECK(with_output.code == 2);
-  for (const std::string in : {"< .", "<&-", "0> write_only"}) {  // unreadable input is not the end
+  for (const std::string in :
+       {"< .", "<&-", "0> write_only"}) {  // input that cannot be read is not the end of input
     CAPTURE(in);
     const auto outcome = streamed(scratch, "frames", in);
     CHECK(outcome.code == 1);
@@ -177,7 +178,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
-  // Transparent in the corner, opaque in the middle, and blended edges between them.
+  // The corner is transparent, the middle is opaque, and edges are between both.
   const auto clear = picture("--transparent");
   CHECK(clear.rgba[3] == 0);
   std::size_t whole = 0, partly = 0;
@@ -187,7 +188,6 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   }
   CHECK(whole > 5000);
   CHECK(partly > 200);
-  // An unavailable map is reported.
   CHECK(mentions(f.done("render " + quoted(dragon) + " --size 200x100 --map volume -o without.png"),
                  "the map volume is not available"));
   f.refused("render " + quoted(dragon) + " -o no.png --camera none.viete", 1, "none.viete");
@@ -204,7 +204,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
   const auto rest = formats::read(dragon).surface.positions;
   const double rounding = 1e-9 * mesh::bounds(rest).diagonal();
   std::ptrdiff_t last = std::ssize(rest) + 1;
-  for (const std::string radius : {"1000", "40", "10"}) {  // the shorter the radius, the fewer vertices move
+  for (const std::string radius : {"1000", "40", "10"}) {  // with a smaller radius, fewer vertices move
     f.done("deform " + in_cage + " --pose pulled.obj --force -o out.ply --radius " + radius);
     const auto moved = formats::read(f / "out.ply").surface.positions;
     std::ptrdiff_t count = 0;
@@ -231,10 +231,10 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(linear != mean_values);
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // a setting that only these weights have
+  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // only these weights have a radius
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
-  CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no exponential
+  CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no matrix method
   CHECK(deformed(" --stitched --iterations 1 --pins 0 --hold 0") == stitched);
   for (const char* more : {" --iterations 2", " --pins 10", " --hold 100"})
     CHECK(deformed(std::string(" --stitched") + more) != stitched);

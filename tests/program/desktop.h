@@ -1,4 +1,4 @@
-// A virtual display with a real mouse and keyboard, and real programs on it.
+// A virtual display with mouse and keyboard, and programs on it.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -24,7 +24,8 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-/// The default limit only guards against a hanging program.
+/// Waits until the condition is true. False after the time limit, which is long by default, for programs that
+/// hang.
 inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;
@@ -37,10 +38,10 @@ inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// The key code: some keyboard maps have the symbol F12 on another key too, and xdotool uses the first.
+/// The key code of F12. Some keyboard layouts have F12 on two keys, and xdotool would use the wrong one.
 constexpr const char* f12_keycode = "96";
 
-// A child process that ends with the test.
+// A child process. The destructor kills it.
 class Child {
 public:
   Child(const std::string& command, const fs::path& log) {
@@ -67,13 +68,12 @@ public:
     }
     return status_.has_value();
   }
-  /// kill -9, at once.
   void kill_now() {
     kill(pid_, SIGKILL);
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
-  /// Like the end of a desktop session; reaches the program itself, which has replaced the shell.
+  /// Sends SIGTERM, as at the end of a desktop session.
   void terminate() { kill(pid_, SIGTERM); }
   int exit_code() const { return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_); }
 
@@ -97,7 +97,7 @@ struct Desktop {
                     "Xvfb did not start");
     std::ifstream(number) >> display;
     display = ":" + display;
-    setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // separate preferences for each desktop
+    setenv("XDG_STATE_HOME", (folder / "state").c_str(), 1);  // each desktop has its own preferences
     fs::create_directories(folder / "state" / "viete");
     std::ofstream(folder / "state" / "viete" / "remembered.json")
         << R"({"format": "viete preferences", "version": 1, "ask_keys": false})";
@@ -110,14 +110,14 @@ struct Desktop {
     REQUIRE(std::system(("DISPLAY=" + display + " xdotool " + arguments + " >/dev/null 2>&1").c_str()) == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
   }
-  /// The screen as stored by the server in a file.
+  /// The bytes of the screen.
   std::string screen() const { return file_bytes(folder / "Xvfb_screen0"); }
-  /// Waits until a window is drawn that differs from the previous picture, and the screen stops changing: the
-  /// program has handled all events.
+  /// Waits until the screen differs from `before` and stops changing. The program has then handled all
+  /// events.
   void rest(const std::string& before = "") {
     std::string seen = before;
     const auto same_again = [&] {
-      std::this_thread::sleep_for(std::chrono::milliseconds(400));  // longer than a caret's blink
+      std::this_thread::sleep_for(std::chrono::milliseconds(400));  // longer than the text cursor blinks
       std::string now = screen();
       const bool same = now == seen && now != before;
       seen = std::move(now);
@@ -125,7 +125,7 @@ struct Desktop {
     };
     REQUIRE_MESSAGE(wait_until(same_again), "the screen does not come to rest");
   }
-  /// The same after keys or mouse events that change the screen.
+  /// Sends keys or mouse events that change the screen, and waits for the change.
   void xdotool_seen(const std::string& arguments) {
     const std::string before = screen();
     xdotool(arguments);
@@ -151,7 +151,7 @@ struct Desktop {
   }
 };
 
-/// Skips the case and returns true without a virtual display or its mouse.
+/// If Xvfb or xdotool is not installed, skips the test case and returns true.
 inline bool no_desktop() {
   for (const char* program : {"Xvfb", "xdotool"}) {
     if (has_program(program)) continue;

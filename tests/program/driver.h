@@ -1,4 +1,4 @@
-// Drives the real program offscreen with mouse and key events.
+// Runs the program offscreen with simulated mouse and key events.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -27,22 +27,20 @@
 
 namespace viete::test {
 
-/// The context for drivers of tests that need pixels.
+/// For tests that need pixels.
 struct WithPixels {
   platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any;
 };
 inline constexpr WithPixels with_pixels;
 
-/// Draws nothing, unless requested or VIETE_PICTURES is set. Input, commands and panels are the program's
-/// own.
+/// The program without drawing, except if a test needs pixels or VIETE_PICTURES is set.
 class Driver {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),
                   std::optional<WithPixels> pixels = pictures_wanted())
       : offscreen_(options,
                    pixels ? platform::OffscreenContext::create(pixels->kind) : std::make_unique<NoPixels>()) {
-    // Tests start with the published deformer.
-    document().scheme = {};
+    document().scheme = {};  // the deformer "As published"
     for (const char* title : {"Transform", "Select", "Display", "Analysis"})
       workspace().preferences.layout.sections[title] = true;
   }
@@ -72,17 +70,15 @@ public:
   render::Image picture() { return viewer().picture(); }
 
   using What = files::OpenRequest::What;
-  /// Opens files by request and runs frames until they are open. False if they are refused or a question is
-  /// asked.
+  /// Opens files and runs frames until they are open. False if the program refuses them or asks a question.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
-  /// The dragon in its cage, at rest or in a pose, with the picture at rest.
+  /// Opens the dragon in its cage, at rest or in a pose, and waits until the picture no longer changes.
   void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
 
-  /// Each event gets its own frames.
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
   }
-  /// Runs frames until background work has finished: limited by seconds, independent of the frame rate.
+  /// Runs frames until the condition is true. False if this takes five minutes.
   template <class Condition>
   [[nodiscard]] bool until(Condition has_come) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
@@ -93,7 +89,8 @@ public:
     }
     return true;
   }
-  /// Until the generated cage matches the settings, including the full-quality cage after a preview.
+  /// Runs frames until the generated cage has the current settings, also the full-quality cage after a
+  /// preview.
   void finish_making() {
     do {
       frame();
@@ -142,7 +139,7 @@ public:
     for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
   }
 
-  /// Unfolds columns one after the other until the widget is visible.
+  /// Unfolds columns until the widget is visible.
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
@@ -154,7 +151,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// Unfolds the custom deformer settings. Returns whether the widget exists afterwards.
+  /// Unfolds the custom settings of the deformer if the widget is there. True if the widget now exists.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
@@ -169,13 +166,13 @@ public:
     workspace::find_command(command)->run(workspace());
     frame(2);
   }
-  /// Scrolls its column until the widget is visible, and clicks its center.
+  /// Scrolls until the widget is visible and clicks in its center.
   void click(const std::string& widget) { click(place_of(widget)); }
-  /// Opens a chooser and selects an entry.
+  /// Opens a list and selects an entry.
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
-    const auto rect = viewer().recorder().find(item);  // drawn over columns and status bar
+    const auto rect = viewer().recorder().find(item);  // may cover columns and the status bar
     if (!rect || !rect->visible) return click(item);
     click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
   }
@@ -198,7 +195,7 @@ public:
     return {};
   }
 
-  /// The deformed model in double, as exported.
+  /// The deformed model in double, as an export writes it.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const files::Export e = files::export_of(document(), {});
@@ -207,7 +204,7 @@ public:
         .positions;
   }
 
-  /// The largest distance of the drawn model's vertices from the exact ones, in model diagonals.
+  /// The largest error of the drawn vertices, in diagonals of the model.
   double drawn_error() {
     return largest_distance(exact_positions(), viewer().deformer()->positions()) /
            document().model.bounds.diagonal();
@@ -218,7 +215,7 @@ public:
     return glm::vec2(*project(p));
   }
   glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
-  /// A cage vertex near the camera (so that it is visible), isolated on screen, and not far from the center.
+  /// A visible cage vertex that is far from other vertices on the screen and close to the center.
   std::uint32_t free_vertex();
 
   static constexpr int left_ctrl = 341, left_shift = 340, left_alt = 342;

@@ -1,4 +1,4 @@
-// Background export of deformed models, from a snapshot at the request.
+// Exports of deformed models in the background.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "formats/point_cache.h"
@@ -16,13 +16,13 @@ namespace {
 
 const std::string saved = "Saved ", old = "v 0 0 0\n";
 
-// A posed model so large that exporting it takes many frames.
+// A posed model that is so large that the export takes many frames.
 struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, int level = 7) : Driver(small_window()) {
     formats::write(folder / "large.ply", ball(1, level));
     formats::write(folder / "cage.obj", ball(1.4, 1));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
-    workspace().view.model = false;  // software rendering would take longer than the export
+    workspace().view.model = false;  // drawing it would take longer than the export
     settle();
     drag_some_vertex(*this, {20, 10});
   }
@@ -47,7 +47,7 @@ TEST_CASE("a_background_export_has_the_pose_at_the_request") {
   d.ask_for(file);
   CHECK(d.viewer().exporting());
   CHECK(d.workspace().exporting.what == "Exporting out.ply");
-  drag_some_vertex(d, {-40, 25});  // the view stays responsive
+  drag_some_vertex(d, {-40, 25});  // the program still reacts
   double furthest = 0;
   REQUIRE(d.until([&] {
     const auto& exporting = d.workspace().exporting;
@@ -67,7 +67,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const fs::path file = folder / "out.obj";
   test::put_file(file, old);
   const auto before = folder.entries();
-  d.workspace().requests.stop_export = true;  // in the frame that starts it, before it can finish
+  d.workspace().requests.stop_export = true;  // in the frame that starts the export
   d.ask_for(file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Cancelled exporting out.obj; no file was changed.");
@@ -121,7 +121,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
-  // Options of the dialog: light theme, another size, without cage and panels by default.
+  // The options of the dialog: by default without cage and panels; here light theme and another size.
   workspace::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);

@@ -1,6 +1,5 @@
-// Mouse and keyboard gestures, from the event to the model and its pixels: the gizmo, typed numbers, pivot,
-// soft selection, mirror, bending, selection sets and painting. What a gesture computes is tested in
-// tests/scene.
+// Mouse and keyboard gestures: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and
+// painting.
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -46,7 +45,7 @@ struct Hand : Driver {
     frame(2);
     CHECK(document().selection.size() == pose().size());
   }
-  // In double; the drawn floats agree with it.
+  // The model in double. The drawn model in float must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
     return exact_positions();
@@ -65,7 +64,7 @@ struct Hand : Driver {
 
 constexpr double radians = std::numbers::pi / 180;
 
-// The points rotated about a vertical line.
+// Rotates points about a vertical line.
 std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec3& center, double degrees) {
   const double c = std::cos(degrees * radians), s = std::sin(degrees * radians);
   for (auto& p : points) {
@@ -82,11 +81,11 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
   d.select_whole_cage();
   const auto rest = d.mesh();
   const glm::dvec3 center = test::selection_center(d.document());
-  d.press_key(workspace::Key::pad7);  // from above the ring about Y is a circle
+  d.press_key(workspace::Key::pad7);  // from above, the ring about Y is a circle
   d.settle();
   const glm::vec2 middle = workspace::gizmo_of(d.workspace())->center;
   const auto on_circle = [&](int i) {
-    const double a = (45 - i * 15) * radians;  // 45 degrees: no other ring crosses there
+    const double a = (45 - i * 15) * radians;  // at 45 degrees no other ring is close
     return middle + interact::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
   };
   d.move(on_circle(0));
@@ -115,7 +114,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
     return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
   };
   d.select_whole_cage();
-  CHECK_FALSE(advises());  // at rest
+  CHECK_FALSE(advises());  // the cage is at rest
   d.document().changed_pose().positions[0][0] += 1;
   CHECK(advises());
   d.document().scheme = deform::entry(deform::Way::mean_value).scheme;
@@ -128,7 +127,7 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   const glm::vec2 at = glm::round(d.vertex(v));
   d.press_and_move(at, at + glm::vec2(30, 30));
   const auto axes = d.workspace().view.axes;
-  d.key('X', true);  // a shortcut in other situations
+  d.key('X', true);  // without a drag, a shortcut
   d.type("x");
   d.key('X', false);
   CHECK(d.workspace().view.axes == axes);
@@ -165,12 +164,12 @@ TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
   d.type_in("transform_y", "1.5");
   d.frame(3);
   CHECK(d.moved().empty());
-  d.click("transform_x");  // the field before it, which takes the keyboard first
+  d.click("transform_x");  // the field before transform_y
   CHECK(d.pose()[v][1] == 1.5);
   d.type_in("transform_y", "2");
   d.click(glm::vec2(700, 60));
   CHECK(d.document().selection.empty());
-  CHECK(d.pose()[v][1] == 2);  // the vertex that was selected until then
+  CHECK(d.pose()[v][1] == 2);  // the vertex that was selected before the click
   d.press_key('Z', true);      // restores the selection
   CHECK_FALSE(d.document().selection.empty());
   CHECK(d.pose()[v][1] == 2);
@@ -260,7 +259,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
   d.type("60");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
-  d.type("y");  // again: in the plane of the view
+  d.type("y");  // pressed again: bends in the plane of the view
   d.frame();
   CHECK(is_bent({}, 60));
   d.type("Z");
@@ -273,7 +272,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
 TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_click_is_none") {
   Hand d;
   const auto v = d.free_vertex();
-  d.click("strip/tool_select");  // without a gizmo
+  d.click("strip/tool_select");  // this tool has no gizmo
   const auto before = d.workspace().camera.destination();
   d.click(d.vertex(v));
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
@@ -317,7 +316,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.choose("mirror", "mirror_x");
   REQUIRE(workspace::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
-  const double plane = 0.0195;  // a share of the pixels: not only lines
+  const double plane = 0.0195;  // a fraction of the pixels, larger than that of lines
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
   d.settle();
   CHECK(test::difference(without, d.picture(), 0) > plane);
@@ -333,7 +332,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   Hand d(test::with_pixels);
   const auto selected = [&] { return d.document().selection.size(); };
-  // Pixels of the view in the amber of selected vertices.
+  // Counts the pixels with the colour of selected vertices.
   const auto amber = [&] {
     d.move({700, 20});
     d.frame(2);
@@ -394,14 +393,14 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   const auto moved = d.mesh();
   for (std::size_t v = 0; v < rest.size(); ++v)
     CHECK(std::abs(moved[v][1] - rest[v][1] - double((*painted)[v])) < 1e-12);
-  d.key(Driver::left_ctrl, true);  // erases
+  d.key(Driver::left_ctrl, true);  // Ctrl erases
   d.press_and_move(middle, middle - glm::vec2(60, 10));
   d.key(Driver::left_ctrl, false);
   CHECK(d.document().mask != painted);
   d.press_key(workspace::Key::escape);
   d.button(0, false);
   CHECK(d.document().mask == painted);
-  d.click("brush_share");  // in its center
+  d.click("brush_share");  // a click in the center sets the middle value
   CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
   d.click("mask_clear");
   CHECK_FALSE(d.document().mask);

@@ -1,4 +1,4 @@
-// The cached view is redrawn whenever its content changes.
+// The program redraws the cached view whenever its content changes.
 #include <random>
 
 #include "interact/cursor_projection.h"
@@ -49,7 +49,7 @@ private:
     for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
     if (below(2) == 0) d.button(button, false);
   }
-  // Except those that quit, open files, or change the whole screen.
+  // Runs a random command, except commands of the File menu. Undoes requests and full screen.
   void run_any_command() {
     const auto all = workspace::commands();
     const workspace::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
@@ -139,7 +139,7 @@ TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
   d.workspace().preferences.coarse_motion = true;
   orbit();
   CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
-  CHECK(rest());  // the button is still held
+  CHECK(rest());  // the mouse button is still down
   d.button(2, false);
   d.workspace().preferences.coarse_motion = false;
   orbit();

@@ -1,4 +1,4 @@
-// Viewers with a state folder, small models that load quickly, and access to recovery files.
+// Viewers with a state folder, a small model, and recovery files.
 #pragma once
 
 #include "files/open.h"
@@ -21,10 +21,10 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
   d.drag(at, at + by);
 }
 
-// Moves the pointer away and waits for a still picture; without panels, whose timings always differ.
+// The picture of the view when it no longer changes. Panels are black, because their timings always differ.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
-  d.workspace().has_user = false;  // messages appear and disappear
+  d.workspace().has_user = false;  // hides messages, which disappear after some time
   d.settle();
   d.workspace().has_user = true;
   render::Image picture = d.picture();
@@ -47,7 +47,7 @@ inline std::vector<fs::path> kept_files(const fs::path& state) {
   return files;
 }
 
-// A small model and cage for a quick start.
+// Files of a small model and cage, which load quickly.
 struct SmallModel {
   fs::path model, cage;
 

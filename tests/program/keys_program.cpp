@@ -1,4 +1,4 @@
-// Keys of every preset, the key list, and the help for keys and mouse.
+// Keys of all keymaps, the list of keys, and the help for keys and mouse.
 #include <algorithm>
 
 #include "program/driver.h"
@@ -86,7 +86,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("reset_keys");
   CHECK(keymap(d) == workspace::Keymap());
   d.frame();
-  d.click("reset_keys");  // brings the changes back
+  d.click("reset_keys");  // restores the default keys
   CHECK(keymap(d) == changed);
   d.press_key(workspace::Key::escape);
   d.frame();

@@ -25,7 +25,7 @@ void choose_map(Driver& d, const char* word) {
   d.settle();
 }
 
-// The vertices shown in the active view.
+// The vertices of the active view.
 std::vector<mesh::Point> shown(Driver& d) {
   std::vector<mesh::Point> points;
   for (std::size_t v = 0; v < d.document().model.surface->positions.size(); ++v)
@@ -33,12 +33,12 @@ std::vector<mesh::Point> shown(Driver& d) {
   return points;
 }
 
-// The largest distance, in diagonals of the model.
+// The largest distance of corresponding points, in diagonals of the model.
 double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   return test::largest_distance(a, b) / d.document().model.bounds.diagonal();
 }
 
-// The distance of a view's vertices from the result in double.
+// The largest error of a view's vertices against double, in diagonals of the model.
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().split.sides()[side];
   base::WorkerPool pool;
@@ -73,7 +73,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
   }
-  // All maps differ; with a single view both difference maps are empty.
+  // All maps differ. But without a second view, both difference maps are empty.
   CHECK(seen.size() >= choices(Field::none).size() - 2);
   choose_map(d, "none");
   d.move({1, 1});
@@ -88,7 +88,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   CHECK(d.workspace().split.views[0].shown.stats.most < 1e-6);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(120, 40));
-  const double dragged = d.workspace().split.views[0].shown.stats.most;  // while the mouse is down
+  const double dragged = d.workspace().split.views[0].shown.stats.most;  // during the drag
   CHECK(dragged > 0.01);
   d.button(0, false);
   d.settle();
@@ -102,7 +102,7 @@ TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   d.press_key('Z', true, true);
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.high == stats.high);
-  // The worst vertex is centered and near.
+  // The worst vertex is in the center of the view.
   d.click("frame_worst");
   d.settle();
   const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
@@ -119,7 +119,7 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
   CHECK(d.workspace().split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
-  // Two pins that hold: at one the influence is 1, at the other 0.
+  // The influence of the second of two pins is 1 at this pin and 0 at the other.
   document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
   document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
   d.settle();
@@ -155,7 +155,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   workspace::enter_view(d.workspace(), 0);
-  // The errors also stay small after a drag of the cage in another view.
+  // Errors stay small after a drag of the cage in another view.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
   const auto& v = d.workspace().viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
@@ -165,7 +165,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.button(0, false);
   d.settle();
   CHECK(d.document().history.undo_label() == "move a vertex");
-  d.move({1, 1});  // outside all views
+  d.move({1, 1});  // the pointer is outside all views
   CHECK(d.drawn_error() < 2e-5);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   d.click("views_1");
@@ -205,7 +205,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
   d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
-  d.press_key('Y', false, false, true);  // nothing under the cursor
+  d.press_key('Y', false, false, true);  // no vertex is under the pointer
   CHECK_FALSE(d.workspace().vertex.vertex);
   workspace::find_command("map_exp_error")->run(d.workspace());
   d.settle();
@@ -219,7 +219,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(sum == doctest::Approx(1).epsilon(1e-9));
   CHECK(
       std::ranges::is_sorted(view.terms, std::greater<>(), [](const auto& t) { return std::abs(t.weight); }));
-  // The map moves the neighbourhood of the vertex to its position in the frame.
+  // The map of the vertex moves it to its position in the frame.
   const auto& last = view.terms.back().eigenvalues;
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
@@ -233,7 +233,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
-  // With the key, under the cursor: it opens its section wherever it was; it follows the pose.
+  // The key inspects the vertex under the pointer and opens the section. Its numbers follow the pose.
   d.workspace().preferences.layout.sections.clear();
   d.workspace().preferences.layout.folded[static_cast<std::size_t>(workspace::Column::methods)] = true;
   d.frame(3);
@@ -244,7 +244,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   REQUIRE(d.viewer().recorder().find("drop_vertex"));
   CHECK(d.viewer().recorder().find("drop_vertex")->visible);
   const double degrees = d.workspace().vertex.degrees;
-  d.press_key(workspace::key('R'), true);  // sets and resets a pose
+  d.press_key(workspace::key('R'), true);  // resets the pose
   document::reset_pose(d.document());
   d.settle();
   CHECK(d.workspace().vertex.degrees == 0);
@@ -273,7 +273,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.frame(2);
   const auto straight = shown(d);
   CHECK(apart(d, straight, first) > 0.02);
-  // It equals the document's result with linear blending.
+  // The view equals the document with linear blending.
   workspace::enter_view(d.workspace(), 0);
   workspace::find_command("toggle_straight")->run(d.workspace());
   d.settle();
@@ -288,7 +288,7 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.most == 0);
   CHECK(d.workspace().split.views[0].shown.problem.empty());
-  // A pin of a missing vertex cannot be reached from any triangle.
+  // The pin is at a vertex without triangles.
   document::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
   loose.positions.push_back({0, 0, 0});

@@ -36,7 +36,6 @@ app::ViewerOptions remembering(const std::filesystem::path& state) {
   return options;
 }
 
-// A cube in its cage.
 void open_cube(Driver& d, const std::filesystem::path& folder) {
   mesh::Surface cage = formats::read(test::dragon_cage).surface;
   formats::write(folder / "cube.obj", cage);
@@ -57,7 +56,7 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
   d.drag({end - 3, 60}, {end - 43, 60});
   CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
   CHECK(d.document().selection.empty());
-  // A tab folds a column away and brings it back.
+  // A tab folds and unfolds a column.
   for (const bool shown : {false, true}) {
     d.click("tab/methods");
     d.frame();
@@ -115,7 +114,7 @@ TEST_CASE("a_menu_runs_a_command") {
   d.click("menu/toggle_grid");
   CHECK_FALSE(d.workspace().view.grid);
   d.frame(2);
-  CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // it is closed again
+  CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
   d.click("menu/Deform");
   d.frame(2);
   d.click("menu/method_sd");
@@ -172,7 +171,7 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   d.frame(2);
   CHECK_FALSE(d.workspace().camera.pose() == camera);
   CHECK_FALSE(d.viewer().recorder().find("menu/select_all"));
-  // A probe from the menu stands where the menu was opened.
+  // The menu adds a probe at the place where it was opened.
   d.workspace().view.cage = false;
   const auto& view = d.workspace().viewport;
   d.click(view.origin + glm::vec2(0.5f, 0.62f) * view.size, 1);
@@ -208,7 +207,7 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   CHECK(d.workspace().palette.highlighted == found.size() - 1);
   d.press_key(workspace::Key::down);
   CHECK_FALSE(found.front()->enabled(d.workspace()));
-  d.press_key(workspace::Key::enter);  // nothing to save
+  d.press_key(workspace::Key::enter);  // there is nothing to save
   CHECK(d.workspace().palette.open);
   CHECK_FALSE(d.workspace().browser.open);
   d.press_key(workspace::Key::escape);
@@ -256,7 +255,7 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
   std::filesystem::create_directories(folder / "a_folder");
   Driver d;
   d.open_dragon();
-  d.workspace().saved.session = folder / "session.viete";  // exports are proposed in its folder
+  d.workspace().saved.session = folder / "session.viete";  // exports suggest the folder of the session
   for (const char* name : {"first.obj", "second.obj"}) {
     d.press_key(workspace::key('P'), true, true);
     d.frame(3);
@@ -283,14 +282,15 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
 
 namespace {
 
-// Requests a path in the file browser by keyboard, and waits for success or refusal.
+// Types a path in the file browser and waits until the program has read, written or refused the file.
 void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
   workspace::find_command(command)->run(d.workspace());
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.type(file.string());
   d.press_key(workspace::Key::enter);
-  if (d.workspace().browser.warned == file.string()) d.press_key(workspace::Key::enter);  // overwrite it
+  if (d.workspace().browser.warned == file.string())
+    d.press_key(workspace::Key::enter);  // overwrites the file
   REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
   d.frame(2);
 }
@@ -386,10 +386,10 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
     d.frame(3);
     for (const auto& [name, rect] : d.viewer().recorder().all()) {
-      if (!before.contains(name)) continue;  // measured later
+      if (!before.contains(name)) continue;  // only widgets that existed before
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
-    if (!d.workspace().browser.open) d.press_key('O', true);  // and stays open
+    if (!d.workspace().browser.open) d.press_key('O', true);  // it stays open in later rounds
     d.frame(3);
     for (const char* name : {"file_path", "file_choose"}) {
       const auto rect = d.viewer().recorder().find(name);

@@ -1,4 +1,3 @@
-// Large files read in the background.
 #include "formats/read.h"
 #include "program/kept_work.h"
 #include "support/edits.h"
@@ -9,10 +8,10 @@ using What = files::OpenRequest::What;
 
 namespace {
 
-// Runs frames until the progress bar is visible; false if the file was read too quickly for it.
+// Runs frames until the progress bar is visible. False if the file is read before that.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
-  d.frame();  // takes the request
+  d.frame();  // starts to read the file
   REQUIRE(d.until([&] {
     seen = d.viewer().recorder().find("stop_work").has_value();
     return seen || !d.viewer().loading();
@@ -28,7 +27,7 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   Driver d(remembering(folder / "state", {640, 400}));
   const files::OpenRequest request{What::model, {folder / "large.obj"}};
 
-  int level = 7;  // 164,000 vertices, 17 MB of text; fast machines get more
+  int level = 7;  // 164,000 vertices, 17 MB of text; increased if reading is too fast
   const mesh::Surface* surface = nullptr;
   for (;; ++level) {
     REQUIRE_MESSAGE(level < 10, "2.6 million vertices were read within 0.2 s");

@@ -1,4 +1,3 @@
-// The viewer without a display: a picture, and a line with its path.
 #include <algorithm>
 
 #include "program/command_line.h"

@@ -1,4 +1,4 @@
-// A context that draws nothing: runs the viewer without OpenGL.
+// A context that draws nothing, to run the viewer without OpenGL.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Accepts all GL calls. Reading a pixel throws.
+/// Ignores all GL calls. Reading a pixel throws an exception.
 class NoPixels final : public platform::OffscreenContext {
 public:
   render::Proc get_proc_address(const char* name) const override {

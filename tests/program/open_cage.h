@@ -1,4 +1,4 @@
-// A cage with a hole, which gives findings.
+// A cage with a hole.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,3 @@
-// Which files commands may overwrite.
 #include <map>
 #include <vector>
 
@@ -13,7 +12,7 @@ using namespace viete::test;
 
 namespace {
 
-// A small model, its cage, a pose and a session of them.
+// Files of a small model, a cage, a pose and a session.
 struct SmallFiles : WorkFolder {
   SmallFiles() {
     formats::write(*this / "model.obj", cube(1));

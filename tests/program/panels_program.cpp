@@ -1,4 +1,4 @@
-// Every panel at both scales: nothing leaves the window, nothing covers anything else.
+// No widget of any panel is outside the window or covers another widget, at both scales.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "files/open.h"
@@ -38,7 +38,7 @@ void check_places(const Widgets& widgets, glm::vec2 window) {
     CHECK(rect.y1 > rect.y0);
     CHECK(rect.x0 >= 0);
     CHECK(rect.x1 <= window.x);
-    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // in front of everything
+    if (name.starts_with("menu/") || on_notice_bar(name)) continue;  // these may cover other widgets
     if (rect.x0 < column) CHECK(rect.x1 <= column);
     if (rect.x1 > window.x - column) CHECK(rect.x0 >= window.x - column);
     for (auto b = std::next(a); b != widgets.end(); ++b) {
@@ -107,7 +107,7 @@ void visit_panels(Driver& d) {
   check(d, "empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
-  d.workspace().view.model = false;  // layout needs no drawn model
+  d.workspace().view.model = false;  // not needed for the layout
   d.press_key(workspace::key('A'));
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);

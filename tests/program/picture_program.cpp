@@ -1,8 +1,9 @@
 // Compares pictures of the program with reviewed references (tests/program/pictures).
 //
-// Tolerance: at most 2 levels per channel for 99.9 % of pixels. Panels are masked or hidden, because versions
-// of ImGui move text; cases that test panels are skipped for other versions. A missing reference, or
-// VIETE_UPDATE_PICTURES=1, writes the picture instead: review it before committing.
+// In 99.9 % of the pixels, each channel may differ by at most 2 levels. Versions of ImGui place text
+// differently: panels are masked or hidden, and tests of panels are skipped for other versions. If a
+// reference is missing or VIETE_UPDATE_PICTURES=1, the test writes the picture as new reference: review it
+// before committing.
 #include <cstdlib>
 #include <functional>
 
@@ -35,11 +36,11 @@ void mask_panels(render::Image& image, float scale) {
 }
 
 struct Tolerance {
-  int levels = 2;        // per channel
-  double share = 0.001;  // fraction of pixels that may exceed it
+  int levels = 2;        // largest difference of a channel
+  double share = 0.001;  // fraction of the pixels that may differ more
 };
 
-const Tolerance of_text{.share = 0.0001};  // a line of text has few pixels
+const Tolerance of_text{.share = 0.0001};  // smaller, because a line of text has few pixels
 
 struct Picture {
   const char* name;
@@ -54,7 +55,7 @@ void compare(const Picture& p) {
   auto options = Driver::default_options(p.size);
   options.scale = p.scale;
   Driver d(options, test::with_pixels);
-  d.workspace().has_user = false;  // versions of ImGui move text
+  d.workspace().has_user = false;  // hides messages
   auto& view = d.workspace().view;
   view.hints = view.axes = false;
   view.panels = p.panels;
@@ -77,7 +78,7 @@ void compare(const Picture& p) {
                 "-now.png in the build folder");
 }
 
-// The dragon after commands.
+// Opens the dragon and runs commands.
 std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> commands = {}) {
   return [=](Driver& d) {
     d.open_dragon(pose, test::bundled_dragon);
@@ -86,7 +87,7 @@ std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> c
   };
 }
 
-// Three selected elements without the model.
+// Selects three elements and hides the model.
 std::function<void(Driver&)> handles(const char* kind, const char* tool) {
   return [=](Driver& d) {
     auto& w = d.workspace();
@@ -100,7 +101,7 @@ std::function<void(Driver&)> handles(const char* kind, const char* tool) {
   };
 }
 
-// A textured sheet in a glTF, in a box whose right end was pulled forward.
+// A textured sheet (glTF) in a box whose right end is pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -181,7 +182,7 @@ void open_model_alone(Driver& d) {
   d.settle();
 }
 
-// At the head, rotating it.
+// A probe that rotates the head.
 void turn_a_probe(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   CHECK(test::run_command(d.workspace(), "view_right"));
@@ -218,7 +219,7 @@ const Picture views[] = {
     {"probe", turn_a_probe},
     {"model_without_cage", open_model_alone}};
 
-// Replaces measured numbers and machine names, which differ in each run.
+// Replaces measured numbers and names of hardware, which differ in each run.
 void put_numbers(Driver& d) {
   auto& w = d.workspace();
   d.settle();
@@ -305,7 +306,6 @@ TEST_CASE("pictures_are_as_they_were_when_someone_looked_at_them") {
   for (const auto& p : views) compare(p);
 }
 
-// Reference made with ImGui 1.86; other versions move text.
 TEST_CASE("panels_are_drawn_as_they_were_when_someone_looked_at_them" *
           doctest::test_suite(test::if_present)) {
   if (IMGUI_VERSION_NUM != 18600)

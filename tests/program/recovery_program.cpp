@@ -1,4 +1,4 @@
-// Work that survives kill -9, and work set aside.
+// Unsaved edits survive kill -9 and other ends of the program.
 #include <random>
 
 #include "program/kept_work.h"
@@ -25,7 +25,7 @@ TEST_CASE("unsaved_edits_are_in_a_file_after_each_finished_edit_and_gone_when_sa
     d.press_and_move(from, from + glm::vec2(30, 20));
     d.frame(3);
     CHECK(workspace::has_unsaved_edits(d.workspace()));
-    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // no edit is finished yet
+    CHECK_FALSE(wait_until([&] { return !kept_files(state).empty(); }, 0.2));  // no edit is complete yet
     d.button(0, false);
     d.frame();
     REQUIRE(settled(1));
@@ -77,7 +77,7 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
     d.frame(3);
     d.click("discard_leftovers");
     d.frame(3);
-    d.press_key(workspace::Key::enter);  // Cancel
+    d.press_key(workspace::Key::enter);  // the button Cancel
     d.frame(3);
     CHECK(sessions() == 2);
     d.click("discard_leftovers");
@@ -119,7 +119,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   ask();
   CHECK(d.workspace().question->why.find(recovery.string()) != std::string::npos);
   const auto posed = d.document().pose.positions;
-  d.press_key(workspace::key('Z'), true);  // blocked by the question
+  d.press_key(workspace::key('Z'), true);  // has no effect while the question is open
   d.press_key(workspace::Key::delete_key);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.drag(at, at + glm::vec2(30, 30));
@@ -140,7 +140,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   CHECK(workspace::has_unsaved_edits(d.workspace()));
 
   ask();
-  d.press_key(workspace::Key::enter);  // Save
+  d.press_key(workspace::Key::enter);  // the button Save
   d.frame(3);
   REQUIRE(d.workspace().browser.open);
   d.press_key(workspace::Key::escape);
@@ -158,7 +158,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   CHECK(d.viewer().closed());
 }
 
-// Runs in its own process, see the next test: makes edits and logs the start and end of each.
+// The next test runs this in another process. It makes edits and logs the start and the end of each edit.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);
@@ -182,7 +182,7 @@ TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
     say("about", d.document().pose.positions[v][0]);
     d.button(0, false);
     d.frame();
-    d.viewer().finish_keeping();  // edits are written in the background, and these come without a pause
+    d.viewer().finish_keeping();  // waits until the edit is written
     say("done", d.document().pose.positions[v][0]);
   }
 }
@@ -203,7 +203,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
     }
-    // The edits that the file may contain: the last finished one, and the one in progress.
+    // The recovery file may contain the last complete edit or the edit after it.
     std::vector<double> allowed;
     std::ifstream lines(log);
     std::string what;

@@ -1,4 +1,3 @@
-// viete report: writes a page of figures, run as a program.
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -44,7 +43,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(json["figure"] == "report");
   CHECK(json["deformation"][0]["vertices"] == 258);
   CHECK(json["shapes"].size() == 3);
-  // Overwrites its own page, but not another one.
+  // The command overwrites its own page, but no other file.
   put_file(folder / "index.html", "<html>mine</html>");
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);

@@ -1,4 +1,3 @@
-// The report from the window: measured in the background, cancelled, opened.
 #include <cstdlib>
 #include <filesystem>
 
@@ -23,7 +22,7 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   d.click("show_report");
   d.frame(2);
   REQUIRE(d.workspace().reporting.running);
-  d.click("stop_report");  // a cancelled report shows no message
+  d.click("stop_report");  // this shows no message
   REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
   CHECK(d.workspace().messages.all().empty());
   CHECK(workspace::find_command("show_report")->enabled(d.workspace()));
@@ -39,6 +38,6 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   const std::string page = message.substr(begin.size());
   CHECK(page == (scratch / "state/report/index.html").string());
   CHECK(test::file_bytes(page).ends_with("</html>\n"));
-  const std::string opened = "--version\n" + page + "\n";  // by a detached program
+  const std::string opened = "--version\n" + page + "\n";  // written by another program
   CHECK(d.until([&] { return test::file_bytes(scratch / "opened") == opened; }));
 }

@@ -1,4 +1,3 @@
-// All ways to create a picture give the same picture.
 #include "program/driver.h"
 #include "support/pictures.h"
 #include "support/stage.h"

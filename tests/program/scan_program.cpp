@@ -1,4 +1,3 @@
-// A scan of half a million vertices loads, binds and follows a drag.
 #include "program/desktop.h"
 #include "program/driver.h"
 

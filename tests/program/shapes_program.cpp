@@ -1,5 +1,4 @@
-// Shapes and pins with real events: imported, mixed by sliders, posed by a pin, exported; combined with a
-// cage.
+// Shapes and pins with simulated events: import, sliders, posing by a pin, export, and shapes in a cage.
 #include <algorithm>
 #include <cmath>
 
@@ -17,7 +16,7 @@ using test::Driver;
 
 namespace {
 
-// The dragon and two shapes of it in files: its upper half turned to the left and to the right.
+// Files of the dragon and two shapes, whose upper half is turned to the left and to the right.
 struct ShapeHand : Driver {
   test::TemporaryFolder folder;
   std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
@@ -57,7 +56,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     INFO(cage);
     ShapeHand d(cage);
     CHECK(d.pose(0).name == "left");
-    d.click("pose_weight/1");  // in its center: 50 %
+    d.click("pose_weight/1");  // a click in the center sets 50 %
     if (cage) d.document().changed_pose().positions[d.free_vertex()][1] += 0.4;
     d.settle();
     CHECK(d.pose(1).weight == doctest::Approx(0.5).epsilon(0.03));
@@ -76,7 +75,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
 TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_with_it") {
   ShapeHand d(false);
   const auto& rest = d.document().model.surface->positions;
-  // One at the feet, one on the head.
+  // A pin at the feet and a pin on the head.
   for (const mesh::Point& at : {mesh::Point{0.05, 0.1, 0.2}, mesh::Point{0.75, 1.35, 0}}) {
     d.move(glm::floor(d.on_screen(at)));
     d.press_key('P', false, false, true);
@@ -104,7 +103,6 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK(mesh::norm(shape[foot] - rest[foot]) < 1e-6);
   CHECK(d.drawn_error() < 2e-5);
   const auto posed = d.document().shape;
-  // A cancelled drag changes nothing.
   const auto weight = d.pose(0).weight;
   const glm::vec2 now = glm::floor(d.on_screen(document::probe_center(d.document(), 1)));
   d.press_and_move(now, now + glm::vec2(60, 0));
@@ -119,7 +117,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
 TEST_CASE("a_pin_under_a_rotated_cage_follows_the_cursor") {
   ShapeHand d(true);
   auto& cage = d.document().changed_pose().positions;
-  for (mesh::Point& p : cage) p = {p[0], -p[2], p[1]};  // a quarter turn about x
+  for (mesh::Point& p : cage) p = {p[0], -p[2], p[1]};  // rotates the cage by 90 degrees about x
   d.settle();
   const mesh::Point head{0.75, 0, 1.35};
   d.move(glm::floor(d.on_screen(head)));

@@ -1,4 +1,4 @@
-// Named poses and the timeline with real events: saved, mixed, keyed, played, retimed.
+// Named poses and the timeline with simulated events: save, mix, set keys, play, move keys.
 #include <cmath>
 
 #include "document/edit.h"
@@ -65,7 +65,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   d.keep("pose_flight");
   const auto flight = d.pose();
   REQUIRE(d.document().library.poses.size() == 2);
-  d.press_key('R', true);  // to rest
+  d.press_key('R', true);  // resets the pose
   const auto rest = d.pose();
   REQUIRE(rest == d.document().cage->surface.positions);
 
@@ -95,14 +95,13 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   CHECK(d.document().library.poses[1].name == "Wings");
 }
 
-// As in the README's first minute, with the dragon as it opens.
 TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   Timed d;
   d.open_dragon("", test::bundled_dragon);
   CHECK(d.timeline().empty());
   CHECK(d.document().library.poses.empty());
   d.press_key(workspace::Key::right);
-  CHECK(d.document().frame == 1);  // the timeline is hidden
+  CHECK(d.document().frame == 1);  // because the timeline is hidden
   d.press_key('I');
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));
@@ -122,7 +121,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.viewer().recorder().find("time/track"));
   d.press_key(workspace::Key::space);
   REQUIRE_FALSE(d.workspace().playback.playing);
-  // Sliders show the played pose; a typed weight changes it, and undo brings it back.
+  // Sliders show the played pose. A typed weight changes this pose, and undo restores it.
   d.go_to(110);
   const auto played = d.pose();
   d.type_weight("100");
@@ -143,7 +142,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.key_pose_of("pose_flight", 48);
   REQUIRE(d.timeline().keys.size() == 3);
 
-  // The ruler scrubs; at a key the pose is that key, bit for bit.
+  // A drag on the ruler changes the frame. At a key the pose has the same bits as the key.
   d.drag(d.on_track(30, ruler), d.on_track(24, ruler));
   CHECK(d.document().frame == 24);
   CHECK(d.pose() == alert);
@@ -168,7 +167,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
-  // Delete applies to keys while the pointer is over the timeline.
+  // If the pointer is over the timeline, Delete removes keys.
   d.click(d.on_track(48, keys));
   d.press_key(workspace::Key::delete_key);
   CHECK(d.timeline().keys.size() == 2);

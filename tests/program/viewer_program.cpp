@@ -1,4 +1,4 @@
-// The viewer with real events: drags, methods, deformers, files and the camera.
+// The viewer with simulated events: drags, methods, deformers, files and the camera.
 #include <cmath>
 
 #include "document/edit.h"
@@ -22,7 +22,7 @@ double diagonal(Driver& d) {
   return 2 / d.document().space.scale;
 }
 
-// In double; the displayed floats agree with it.
+// The model in double. The drawn model in float must agree.
 std::vector<mesh::Point> positions(Driver& d) {
   CHECK(d.drawn_error() < 2e-5);
   return d.exact_positions();
@@ -52,7 +52,7 @@ TEST_CASE("settings_made_before_anything_is_open_apply_to_the_next_model") {
   Driver d;
   test::run_command(d.workspace(), "weights_mean_value");
   document::set_radius(d.document(), 0.3);
-  d.frame(3);  // an empty scene
+  d.frame(3);  // the scene is empty
   d.open_dragon();
   CHECK(d.document().scheme.weighting.weights == deform::Weights::mean_value);
   CHECK(d.document().scheme.weighting.radius == 0.3);
@@ -78,7 +78,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK_FALSE(d.workspace().view.hints);
 
-  // Mesh pixels change around the projected positions of the vertex that moved farthest.
+  // Pixels around the vertex that moved farthest have changed.
   const auto after = positions(d);
   std::size_t farthest = 0;
   const auto shift = [&](std::size_t i) { return mesh::norm(after[i] - rest[i]); };
@@ -101,8 +101,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
   const auto reference = positions(d);
-  // Bounds: Diag is exact up to rounding, and Fast has compressed weights; SD loses up to 1e-4 for clustered
-  // eigenvalues, which dominate near rest.
+  // SD has errors up to 1e-4 for close eigenvalues, which are common close to the rest pose.
   const struct {
     const char* widget;
     sym3::Method method;
@@ -158,7 +157,7 @@ TEST_CASE("a_deformer_is_one_choice_with_its_parts_folded") {
   d.choose("blend", "blend_linear");
   d.settle();
   CHECK_FALSE(deform::way_of(scheme));
-  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as in Local
+  CHECK(scheme.weighting.weights == deform::Weights::cut_off);  // as in the deformer Local
 }
 
 TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
@@ -179,7 +178,7 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
   CHECK(is_enabled("method_diag"));
   d.choose("weights", "weights_cutoff");
   d.settle();
-  d.click("radius");  // in its center
+  d.click("radius");  // a click in the center sets the middle value
   d.settle();
   const deform::Weighting& weighting = d.document().scheme.weighting;
   CHECK(weighting.radius > 0.05);
@@ -193,7 +192,7 @@ TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_o
   Driver d;
   d.open_dragon();
   const auto start = d.workspace().camera.pose();
-  d.move({160, 500});  // over a panel
+  d.move({160, 500});  // the pointer is over a panel
   d.wheel(-3);
   d.drag({160, 300}, {160, 340}, 2);
   CHECK(d.workspace().camera.pose() == start);

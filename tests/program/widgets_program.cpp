@@ -1,4 +1,4 @@
-// Widgets with real events: Esc cancels an active widget and closes popups; dialogs, offers and notices.
+// Widgets with simulated events: Esc cancels an active widget and closes popups; dialogs and notices.
 #include <imgui_internal.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Everything a slider can change, without derived data.
+// All data that sliders can change.
 auto state(const workspace::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
                     w.document.pose.turns, w.document.probes, w.handling, w.preferences.layout,
@@ -34,7 +34,7 @@ bool has_tooltip() {
 struct Held : Driver {
   Held() : Driver(default_options({1440, 1000})) {
     open_dragon("pose_alert");
-    workspace().view.model = false;  // drawing it takes long
+    workspace().view.model = false;  // faster without the model
     for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
     workspace().preferences.layout.sections["Model"] = workspace().preferences.layout.sections["Display"] =
         false;
@@ -44,7 +44,7 @@ struct Held : Driver {
     workspace().preferences.layout.timeline = true;
     frame(3);
   }
-  // Checked with something to redo, which must remain.
+  // Drags a widget and presses Esc: nothing may change, also not the list of edits to redo.
   void check_called_off(const std::string& widget, glm::vec2 way) {
     const glm::vec2 at = place_of(widget);
     const auto before = state(workspace());
@@ -88,13 +88,13 @@ TEST_CASE("esc_cancels_any_slider_or_handle") {
 
 TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_range") {
   Held d;
-  d.run("toggle_timeline");  // more room for the columns
+  d.run("toggle_timeline");  // makes the columns higher
   const auto begin = [&](const std::string& slider, bool twice) {
-    d.place_of(slider);  // scrolls to it
+    d.place_of(slider);  // scrolls to the slider
     const auto rect = d.viewer().recorder().find(slider);
     const glm::vec2 at{rect->x0 + 0.9f * (rect->x1 - rect->x0), 0.5f * (rect->y0 + rect->y1)};
     const auto before = state(d.workspace());
-    d.frame(30);  // a separate click
+    d.frame(30);  // so that the next click is not a double click
     if (twice) {
       d.click(at), d.click(at);
     } else {
@@ -128,7 +128,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   auto& w = d.workspace();
   const double diagonal = d.document().space.diagonal();
   const struct {
-    const char* command;  // before it; empty: none
+    const char* command;  // runs first, if not empty
     const char *slider, *text;
     std::function<double()> value;
     double expected;
@@ -154,7 +154,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   type("probe_turn_radius", "21");
   CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
 
-  // Esc keeps the number, and a single click moves the slider as usual.
+  // Esc keeps the number. Then a single click moves the slider.
   const auto before = state(d.workspace());
   begin("turn", true);
   d.type("150");
@@ -209,12 +209,12 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
 TEST_CASE("esc_closes_popups_without_a_change") {
   Held d;
   d.workspace().preferences.layout.sections["Display"] =
-      true;  // below the probes, so that these are scrolled into view
+      true;  // below the probes, so that the column must scroll
   d.run("add_probe");
   for (const char* chooser :
        {"way", "weights", "blend", "pivot", "axes", "mirror", "soft_curve", "soft_distance", "probe_mix",
         "probe_turn", "time/repeat", "time/easing", "menu/File", "menu/View"}) {
-    const bool in_bar = std::string_view(chooser).starts_with("menu/");  // above the scrolled area
+    const bool in_bar = std::string_view(chooser).starts_with("menu/");  // the menu bar does not scroll
     const auto rect = d.viewer().recorder().find(chooser);
     const glm::vec2 place = in_bar ? glm::vec2(rect.value().x0 + 4, rect->y0 + 4) : d.place_of(chooser);
     d.frame(2);
@@ -293,7 +293,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   CHECK(browser.open);
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.viewer().recorder().find("file_replaces"));
-  d.press_key(workspace::Key::enter);  // the first warns, the second confirms
+  d.press_key(workspace::Key::enter);  // the first Enter warns, the second confirms
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == precious);
@@ -321,7 +321,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
       CHECK(recorder.find(widget)->visible);
     }
     CHECK_FALSE(recorder.find("weights"));
-    // Left column: at most twenty controls before anything is unfolded.
+    // If all sections are folded, the left column has at most twenty controls.
     std::size_t controls = 0;
     for (const auto& [name, rect] : recorder.all())
       controls += rect.x1 <= d.workspace().viewport.origin.x && !name.starts_with("menu/");
@@ -339,7 +339,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   for (const auto& links : times.links) CHECK(links.total() > 0);
   for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
   CHECK(times.links[3][deform::Link::fused] > 0);
-  // The weights exist: choosing another method needs no binding.
+  // Another method needs no new binding.
   d.click("method_diag");
   REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
 
@@ -388,7 +388,7 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
   const auto with = d.picture();
   d.workspace().pose_report.torn.clear();
   d.frame();
-  CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks
+  CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks are visible
   document::reset_pose(d.document());
   d.settle();
   CHECK_FALSE(d.viewer().recorder().find("pose_note/0"));
@@ -409,6 +409,6 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
     REQUIRE(rect);
     CHECK(rect->x0 >= tool->x1);
     CHECK(rect->x1 <= w.viewport.origin.x + w.viewport.size.x);
-    CHECK(rect->y1 - rect->y0 < 60);  // two lines
+    CHECK(rect->y1 - rect->y0 < 60);  // at most two lines
   }
 }

@@ -1,5 +1,4 @@
-// The real window on a virtual display, with a real mouse and keyboard: equals the offscreen program to the
-// pixel.
+// The window on a virtual display, with mouse and keyboard, has the same pixels as the offscreen program.
 #include <sstream>
 
 #include "files/session.h"
@@ -22,9 +21,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* f11_keycode = "95";  // as test::f12_keycode
+constexpr const char* f11_keycode = "95";  // see test::f12_keycode
 
-// Columns, bars and the tool strip, whose text differs in font.
+// Makes columns and bars black, because their font differs.
 void cut_panels(render::Image& image) {
   constexpr int left = 384, right = 320, top = 40, bottom = 26;
   for (int y = 0; y < image.height; ++y) {
@@ -35,7 +34,7 @@ void cut_panels(render::Image& image) {
   }
 }
 
-// The dragon as the window opens it, drawn as smoothly as a cached picture at rest.
+// The offscreen program with the dragon, as the window opens and draws it.
 struct Offscreen : Driver {
   Offscreen() : Driver(options(), test::with_pixels) {
     workspace().document.scheme = deform::default_scheme();
@@ -56,7 +55,7 @@ std::string at(glm::vec2 place) {
   return std::to_string(p.x) + ' ' + std::to_string(p.y);
 }
 
-// A ball in a ball-shaped cage, saved as a session and open in a real window.
+// A session with a ball in a larger ball as cage, which is open in a window.
 struct RealSession {
   Desktop desktop;
   fs::path session = desktop.folder / "work.viete";
@@ -75,8 +74,8 @@ struct RealSession {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// The program's current state after all events, which are handled in order. Retries until the window has
-  /// the keyboard focus.
+  /// Saves the session by a key, after all other events, and reads it. Tries again until the window has the
+  /// keyboard focus.
   files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
@@ -177,7 +176,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     }
     desktop.rest(at_work);
     CHECK_FALSE(viewer.finished());
-    desktop.xdotool_seen("key Escape");  // dismisses the question each time
+    desktop.xdotool_seen("key Escape");  // closes the question
     const std::string again_at_work = desktop.screen();
     viewer.terminate();
     desktop.rest(again_at_work);
@@ -186,7 +185,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     desktop.xdotool_seen("key ctrl+q");
     CHECK_FALSE(viewer.finished());
     desktop.xdotool("key Left");
-    desktop.xdotool("key Return");  // close without saving
+    desktop.xdotool("key Return");  // closes without saving
     REQUIRE(wait_until([&] { return viewer.finished(); }));
     CHECK(viewer.exit_code() == 0);
     CHECK(test::file_bytes(log).find("kept") == std::string::npos);

@@ -1,6 +1,5 @@
 #!/bin/sh
-# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: every gallery script must run as in its README, in a separate folder, be short, and print a
-# number; the README's example must write its file.
+# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: runs all scripts of the gallery and the README's example in FOLDER.
 set -eu
 python=$1 source=$2 folder=$3 example=$4
 rm -rf "$folder" && mkdir -p "$folder"
@@ -11,7 +10,7 @@ for script in "$source"/src/python/gallery/*.py; do
   grep -q "$(basename "$script")" "$source/src/python/gallery/README.md" || { echo "its README does not name $script"; exit 1; }
   said=$("$python" "$script")
   echo "$(basename "$script"): $said"
-  echo "$said" | grep -q '[0-9]' || { echo "$script says no number"; exit 1; }
+  echo "$said" | grep -q '[0-9]' || { echo "$script prints no number"; exit 1; }
 done
 for file in alert twisted pulled; do [ -s $file.ply ]; done
 rm alert.ply

@@ -1,7 +1,4 @@
-"""Tests of the deformer of the module `viete`: bit-exact against the command line, and against its contract.
-
-test_deformer.py PROGRAM ASSETS: the program viete, and the folder of the bundled dragon.
-"""
+"""test_deformer.py PROGRAM ASSETS: tests of the deformer of the module `viete`, also against the program viete."""
 
 import concurrent.futures
 import gc
@@ -24,7 +21,7 @@ CUBE_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 
 
 
 def ball(n=12):
-    """A sphere of triangles inside of the cube."""
+    """A sphere of triangles inside the cube."""
     u, v = np.meshgrid(np.linspace(0.2, np.pi - 0.2, n), np.linspace(0, 2 * np.pi, n, endpoint=False), indexing="ij")
     places = 0.8 * np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], axis=-1).reshape(-1, 3)
     at = lambda i, j: i * n + j % n
@@ -386,7 +383,7 @@ class Arrays(WithFolder):
         self.assertLess(frames(9000) - before, 2048)  # kB
 
     def test_import_is_fast(self):
-        """Importing numpy takes most of the time, so it is imported on first use."""
+        """The module imports numpy only when it is needed, because the import is slow."""
         code = "import sys, viete; assert 'numpy' not in sys.modules; viete.exp([[0.0] * 6]); assert 'numpy' in sys.modules"
         subprocess.run([sys.executable, "-c", code], check=True)
 

@@ -17,7 +17,7 @@ def tolerance(dtype):
 
 
 def packed(full):
-    """Converts (..., 3, 3) to (..., 6): the upper triangle by rows."""
+    """Converts (..., 3, 3) to (..., 6)."""
     return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
 
 
@@ -152,7 +152,7 @@ class LogSpace(unittest.TestCase):
 
 
 def derivative_by_eigenvalues(f, slope, s, e):
-    """Reference by divided differences, for well separated or equal eigenvalues."""
+    """The derivative by divided differences, for well separated or equal eigenvalues."""
     x, v = np.linalg.eigh(s.astype(np.float64))
     gap = x[..., :, None] - x[..., None, :]
     near = np.abs(gap) < 1e-6

@@ -1,5 +1,5 @@
 #!/bin/sh
-# types.sh SOURCE: checks the gallery, the tests and the module's help against viete-stubs with mypy.
+# types.sh SOURCE: checks viete-stubs and the gallery with mypy.
 set -eu
 source=$1
 python=/usr/bin/python3

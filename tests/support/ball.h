@@ -1,4 +1,4 @@
-// A workspace with a dense cage: an icosahedron subdivided to a ball of 2,562 vertices, around another one.
+// A workspace with a ball of 2,562 vertices as model, in a larger ball as cage.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// Commands by name, as a key or a button runs them.
+// Runs commands by name, as a key or a button does.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// Runs the command if it is enabled; returns whether it was.
+/// Returns false, without running the command, if it is disabled.
 inline bool run_command(workspace::Workspace& workspace, std::string_view name) {
   const workspace::Command* command = workspace::find_command(name);
   REQUIRE_MESSAGE(command, name);

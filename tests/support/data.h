@@ -1,4 +1,4 @@
-// Real meshes beside the checkout (../shared/data), used if present; a plain clone has none.
+// Folders of the checkout, and optional real meshes in ../shared/data.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,6 @@
 
 namespace viete::test {
 
-/// Folders of this checkout and of the current build.
 std::filesystem::path source_dir();
 std::filesystem::path build_dir();
 
@@ -16,12 +15,12 @@ inline std::filesystem::path assets_dir() {
   return source_dir() / "assets";
 }
 
-/// The folder of real meshes, or an empty path; tests then skip the case.
+/// The folder of real meshes. If it does not exist, skips the test case and returns an empty path.
 inline std::filesystem::path shared_data(const std::string& below = "") {
   for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
     if (std::filesystem::exists(base / below)) return base / below;
   }
-  skip("../shared/data/" + below + " is not here");
+  skip("../shared/data/" + below + " does not exist");
   return {};
 }
 

@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// NaN stays; lists of different sizes are infinitely far apart.
+/// The result is NaN if a number is NaN, and infinite if the sizes differ.
 inline double largest_distance(std::span<const base::Vec3> a, std::span<const base::Vec3> b) {
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -19,7 +19,7 @@ inline double largest_distance(std::span<const base::Vec3> a, std::span<const ba
   return largest;
 }
 
-/// NaN stays; the lists must have the same size.
+/// The result is NaN if a number is NaN. The sizes must be equal.
 inline double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {

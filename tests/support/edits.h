@@ -1,4 +1,4 @@
-// Number of edits that can be undone, without selection changes.
+// Counts the edits that can be undone, without changes of the selection.
 #pragma once
 
 #include "document/history.h"

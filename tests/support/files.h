@@ -1,4 +1,4 @@
-// Cubes as files: a model, a cage around it and a pose; and helpers to open them.
+// Files with a cube as model, a cage around it, and a pose of the cage.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -27,7 +27,7 @@ struct CubeFiles : TemporaryFolder {
     put_file(broken, "v 0 0 0\nf 1 2 3\n");
   }
 
-  // With the center of every face, so that the model has more vertices than the cage.
+  // A cube with a vertex in the center of every triangle, so that it has more vertices than the cage.
   static mesh::Surface subdivided_cube() {
     mesh::Surface surface = cube(1);
     std::vector<mesh::Triangle> triangles;
@@ -43,7 +43,7 @@ struct CubeFiles : TemporaryFolder {
   }
 };
 
-/// A point cache in the format of its extension.
+/// Writes a point cache in the format of the file extension.
 inline void write_cache(const std::filesystem::path& file,
                         const std::vector<std::vector<mesh::Point>>& frames, double rate = 1) {
   formats::PointCacheHead head{*formats::point_cache_format(file), frames.front().size(), frames.size(), 1,
@@ -59,7 +59,7 @@ inline void write_cache(const std::filesystem::path& file,
   });
 }
 
-// A session, or a model with its cage.
+// Opens a session, or a model with a cage.
 inline workspace::Workspace opened(std::vector<std::filesystem::path> files) {
   workspace::Workspace workspace;
   REQUIRE(workspace::open_now(workspace, {files::OpenRequest::What::model, std::move(files)}));

@@ -1,4 +1,4 @@
-// A temporary folder for a test, functions that read and write whole files, and a full disk.
+// A temporary folder, functions that read and write files, and a simulated full disk.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -13,7 +13,7 @@
 
 namespace viete::test {
 
-/// A private folder, removed at the end of the test.
+/// A new folder. The destructor removes it.
 class TemporaryFolder {
 public:
   TemporaryFolder() {
@@ -47,7 +47,7 @@ inline void put_file(const std::filesystem::path& path, const std::string& bytes
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Simulates a full disk by a limit on file sizes, for the current scope.
+/// Simulates a full disk in the current scope, by a limit on file sizes.
 class FullDisk {
 public:
   explicit FullDisk(rlim_t bytes_a_file) {

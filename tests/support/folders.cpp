@@ -1,4 +1,4 @@
-// The only source with absolute folders, so that all others compile the same in any checkout.
+// The only source with absolute paths, so that a compiler cache works for all other sources.
 #include "support/data.h"
 
 namespace viete::test {

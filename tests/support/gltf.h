@@ -1,4 +1,4 @@
-// glTF test files: a textured patch whose seam splits vertices, and edits of it.
+// glTF test files: a textured patch with a texture seam.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace viete::test {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// A JSON document and its buffer, before they are combined.
+/// The JSON document and the buffer of a glTF file.
 struct GltfParts {
   GltfJson json;
   std::string bytes;
@@ -31,7 +31,7 @@ struct GltfParts {
   template <class T>
   std::size_t accessor(const std::vector<T>& values, int component_type, const char* type,
                        std::size_t components) {
-    const std::size_t bytes_of_it = view(values);  // first: it adds members
+    const std::size_t bytes_of_it = view(values);  // must come first, because it changes the JSON
     json["accessors"].push_back({{"bufferView", bytes_of_it},
                                  {"componentType", component_type},
                                  {"count", values.size() / components},
@@ -69,9 +69,8 @@ struct GltfParts {
   }
 };
 
-/// 2 x 1 quads in the plane z = 0, [0, 2] x [0, 1], as four triangles. The texture's seam at x = 1 splits its
-/// two vertices: eight vertices in the file, six places. One node, at no other place than the origin; one
-/// material whose image is in the file.
+/// The rectangle [0, 2] x [0, 1] in the plane z = 0, as four triangles. At x = 1 is a texture seam, so the
+/// file has eight vertices at six places. It has a node at the origin, and a material with an embedded image.
 inline GltfParts patch() {
   GltfParts p;
   p.json["asset"] = {{"version", "2.0"}, {"extras", {{"kept", "as it is"}}}};

@@ -1,4 +1,4 @@
-// Selected cage vertices of a new window, without a mirror.
+// The grip of the selected cage vertices, without mirror and soft selection.
 #pragma once
 
 #include "interact/grip.h"

@@ -1,5 +1,5 @@
-// The main() of every test. Settings are stored in a folder of the test, so that tests and programs started
-// by them never touch the user's.
+// The main() of every test. Tests store settings in a temporary folder, so that the user's settings do not
+// change.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -12,10 +12,10 @@
 
 namespace {
 
-constexpr int skipped_code = 77;  // as in Automake
+constexpr int skipped_code = 77;  // the exit code of skipped tests, as in Automake
 bool skipped = false, none_chosen = false;
 
-// A filter without matching cases is an error.
+// Counts matching cases: if a filter matches no case, the test fails.
 struct CountsCases : doctest::IReporter {
   explicit CountsCases(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}

@@ -1,4 +1,4 @@
-// Opens files synchronously.
+// Opens files and waits until they are open.
 #pragma once
 
 #include "workspace/apply_opened.h"

@@ -1,4 +1,4 @@
-// Pictures read back and compared.
+// Reads and compares pictures.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace viete::test {
 
-/// Fails the case if the file is not a picture.
+/// Fails the test case if the file is not a picture.
 render::Image read_png(const std::filesystem::path& path);
 
-/// The share of pixels (0 to 1) with a channel (r, g, b or a) that differs by more than `tolerance` levels.
-/// Fails the case if the sizes differ.
+/// The fraction of pixels in which a channel differs by more than `tolerance` levels. Fails the test case if
+/// the sizes differ.
 double difference(const render::Image& a, const render::Image& b, int tolerance);
 
 }  // namespace viete::test

@@ -1,4 +1,4 @@
-// Poses of the cube's cage, and a workspace with a few keys.
+// Poses of the cube's cage, and a timeline with three keys.
 #pragma once
 
 #include <cmath>
@@ -11,19 +11,19 @@
 
 namespace viete::test {
 
-/// About z.
+/// Positions rotated about z.
 inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, double degrees) {
   const double angle = degrees / 180 * std::numbers::pi, c = std::cos(angle), s = std::sin(angle);
   for (auto& p : positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
   return positions;
 }
 
-/// The whole cage rotated about z, with whole turns.
+/// The cage rotated about z by any angle, with whole turns.
 inline deform::Pose turned_cube(double degrees) {
   return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }
 
-/// Scaled along x and z.
+/// The cage scaled along x and z.
 inline deform::Pose stretched_cube(double x, double z = 1) {
   deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
   for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
@@ -39,7 +39,7 @@ inline document::PoseKey key(int frame, const deform::Pose& pose,
   return {frame, whole(pose), easing};
 }
 
-/// Rest at 1, a half turn at 11, twice as wide at 31.
+/// Keys: rest at frame 1, a half turn at frame 11, twice as wide at frame 31.
 inline document::Timeline three_keys() {
   document::Timeline timeline;
   timeline.keys = {key(1, turned_cube(0)), key(11, turned_cube(180)), key(31, stretched_cube(2))};
@@ -47,12 +47,12 @@ inline document::Timeline three_keys() {
   return timeline;
 }
 
-/// Named "turned" (90 degrees) and "wide" (twice).
+/// Adds the named poses "turned" (by 90 degrees) and "wide" (twice as wide).
 inline void add_two_poses(document::Document& document) {
   document.library.poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
 }
 
-/// The largest distance between vertices, in cage diagonals.
+/// The largest distance between corresponding vertices, in cage diagonals.
 inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   return largest_distance(a, b) / (3 * std::sqrt(3.0));
 }

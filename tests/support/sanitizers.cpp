@@ -1,5 +1,5 @@
-// Sanitizer settings for graphics drivers, which keep a few bytes per context: libraries stay loaded, so that
-// reports can name them, and their allocations are not reported as leaks.
+// Sanitizer settings. Libraries stay loaded, so that reports contain their names. Graphics drivers keep some
+// memory, which is not reported as a leak.
 extern "C" int dlclose(void*) {
   return 0;
 }
@@ -19,11 +19,10 @@ extern "C" const char* __lsan_default_suppressions() {
 }
 
 extern "C" const char* __tsan_default_options() {
-  return "detect_deadlocks=0";  // LLVM holds more locks at a time than the detector supports
+  return "detect_deadlocks=0";  // LLVM locks more mutexes at once than the detector supports
 }
 
-// Their threads are not compiled with the sanitizer, which cannot see their synchronisation; of locks shared
-// with window-system libraries it sees only one side.
+// These libraries are not compiled with the sanitizer, which does not see how their threads synchronise.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libOSMesa.so\n"
          "called_from_lib:libEGL_mesa.so\n"

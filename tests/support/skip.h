@@ -1,5 +1,5 @@
-// Cases with special requirements (real meshes, a display, much memory), and cases that repeat the same
-// checks with more data: `ctest -L long`.
+// Test cases with special requirements (real meshes, a display, much memory) or longer runs (`ctest -L
+// long`).
 #pragma once
 
 #include <cstdlib>
@@ -7,15 +7,15 @@
 
 namespace viete::test {
 
-/// TEST_CASE("name" * doctest::test_suite(if_present)): such cases get a ctest entry of their own, which is
-/// shown as skipped if one of them is.
+/// TEST_CASE("name" * doctest::test_suite(if_present)) marks cases that may be skipped. They have a separate
+/// ctest entry, which is shown as skipped if a case is.
 inline constexpr const char* if_present = "if_present";
 
-/// Prints the reason; the case must then return. A test that passed with skipped cases exits with 77, which
-/// counts as a failure in the entries of all other cases.
+/// Prints the reason; the case must then return. The test exits with 77, which is a failure in all other
+/// ctest entries.
 void skip(const std::string& why);
 
-/// TEST_CASE("name" * doctest::test_suite(longer)): such cases get an additional ctest entry with more
+/// TEST_CASE("name" * doctest::test_suite(longer)) marks cases that have another ctest entry, with more
 /// rounds.
 inline constexpr const char* longer = "longer";
 

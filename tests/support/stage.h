@@ -1,4 +1,4 @@
-// An offscreen context with a framebuffer and simple shapes, created for each test.
+// An offscreen context with a framebuffer, and simple shapes.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace viete::test {
 
 using render::Point;
 
-/// True if such a context is available; otherwise skips the case.
+/// True if this kind of context is available; otherwise skips the test case.
 inline bool available(platform::OffscreenContext::Kind kind) {
   try {
     platform::OffscreenContext::create(kind);
@@ -39,7 +39,7 @@ struct Stage {
   explicit Stage(platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
       : context(platform::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
     view.size = {320, 200};
-    // Looks along -z from (0, 0, 10); the plane z = 0 is 20 units high on 200 pixels: 10 pixels a unit.
+    // Looks along -z from (0, 0, 10). A unit of length in the plane z = 0 has 10 pixels.
     view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
     view.projection = glm::ortho(-16.0, 16.0, -10.0, 10.0, 0.1, 100.0);
   }
@@ -52,7 +52,7 @@ struct Stage {
     return framebuffer.read();
   }
 
-  /// The pixel (from the top left) of a world point.
+  /// The pixel of a point, from the top left.
   glm::ivec2 pixel_of(const Point& point) const {
     const glm::dvec4 clip = view.projection * view.view * glm::dvec4(point[0], point[1], point[2], 1);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
@@ -71,7 +71,7 @@ struct Ball {
   std::vector<render::Triangle> triangles;
 };
 
-/// A closed ball around `center`: rings of latitude and longitude, counter-clockwise from outside.
+/// A closed ball around `center`, counter-clockwise from outside.
 inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t rings = 48) {
   Ball result;
   const std::uint32_t columns = 2 * rings;
@@ -94,12 +94,12 @@ inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t r
   return result;
 }
 
-/// Sum of the three colour channels, 0 to 765.
+/// The sum of the three colour channels, 0 to 765.
 inline int brightness(const render::Rgba8& c) {
   return c[0] + c[1] + c[2];
 }
 
-/// Sum over all pixels of the brightest channel, 0 to 1 each: an area in pixels for white on black.
+/// The area of a white shape on black, in pixels: the sum of the red channel, 0 to 1 for each pixel.
 inline double lit_area(const render::Image& image) {
   double area = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) area += image.rgba[i] / 255.0;

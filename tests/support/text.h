@@ -10,7 +10,7 @@ inline bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The error message of a step; empty: none.
+/// The message of the exception that step() throws, or an empty text.
 std::string problem_of(const auto& step) {
   try {
     step();

@@ -1,4 +1,4 @@
-// Limits the number of additional threads for the current scope.
+// Limits the number of new threads in the current scope.
 #pragma once
 
 namespace viete::test {

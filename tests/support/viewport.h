@@ -1,4 +1,4 @@
-// The part of the window that the tests look into.
+// The viewport of tests.
 #pragma once
 
 #include "document/camera.h"

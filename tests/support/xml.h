@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// The first XML error in the text (unclosed elements, unescaped characters); empty without errors.
+/// The first XML error in the text, for example an unclosed element, or an empty text.
 inline std::string xml_problem(const std::string& text) {
   static const std::regex tag(R"(^<(/?)([a-zA-Z][\w:-]*)((\s+[\w:-]+="[^"<]*")*)\s*(/?)>)");
   static const std::regex entity(R"(^&(amp|lt|gt|quot);)");
@@ -17,11 +17,11 @@ inline std::string xml_problem(const std::string& text) {
     std::smatch found;
     if (here.starts_with("<!DOCTYPE")) continue;
     if (text[at] == '&') {
-      if (!std::regex_search(text.substr(at, 8), entity)) return "an & that is not written out: " + here;
+      if (!std::regex_search(text.substr(at, 8), entity)) return "unescaped &: " + here;
     } else if (!std::regex_search(here, found, tag)) {
-      return "no tag: " + here;
+      return "not a tag: " + here;
     } else if (found[1].length() && (open.empty() || open.back() != found[2])) {
-      return "closes what is not open: " + here;
+      return "closes an element that is not open: " + here;
     } else if (found[1].length()) {
       open.pop_back();
     } else if (!found[5].length()) {
@@ -31,7 +31,7 @@ inline std::string xml_problem(const std::string& text) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// Links to other sites and scripts in the page; empty if there are none.
+/// The first link to another site or script in the page, or an empty text.
 inline std::string outside_of(const std::string& page) {
   static const std::regex outside(
       R"((\s(src|href|srcset|action|data)="(?!#|data:,)[^"]*")|url\(|@import|<(script|iframe|object|embed|form)\b)");

@@ -1,4 +1,4 @@
-// A terminated child process that has not been waited for and is still listed.
+// A zombie: a child process that has ended, but is still in the list of processes.
 #pragma once
 
 #include <doctest/doctest.h>

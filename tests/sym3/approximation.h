@@ -1,4 +1,4 @@
-// Polynomial approximation in 113 bits: interpolation at Chebyshev points, and minimax by Remez exchange.
+// Polynomial approximation in 113 bits: interpolation at Chebyshev points, and minimax by Remez' algorithm.
 #pragma once
 
 #include <quadmath.h>
@@ -12,7 +12,7 @@ namespace viete::test {
 
 using Quad = __float128;
 using QuadFunction = std::function<Quad(Quad)>;
-using Polynomial = std::vector<Quad>;  ///< c_0 + c_1 x + ...
+using Polynomial = std::vector<Quad>;  ///< the coefficients of 1, x, x^2 ...
 
 inline Quad at(const Polynomial& p, Quad x) {
   Quad sum = 0;
@@ -20,16 +20,16 @@ inline Quad at(const Polynomial& p, Quad x) {
   return sum;
 }
 
-/// The polynomial of `count` coefficients through f at the Chebyshev points of [0, end]. (By its Chebyshev
-/// series, whose coefficients decrease as fast as those of the Chebyshev polynomials grow, which avoids
-/// cancellation.)
+/// The polynomial with `count` coefficients that equals f at the Chebyshev points of [0, end]. Computed by a
+/// Chebyshev series, which avoids cancellation.
 inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   const auto angle = [=](int j) { return M_PIq * (2 * j + 1) / (2 * count); };
   std::vector<Quad> values;
   for (int j = 0; j < count; ++j) values.push_back(f(end * (1 + cosq(angle(j))) / 2));
-  Polynomial sum(count, 0), before(count, 0), last(count, 0);  // T*_(k-1) and T*_k of y = x / end
+  Polynomial sum(count, 0), before(count, 0),
+      last(count, 0);  // shifted Chebyshev polynomials k - 1 and k of y = x / end
   for (int k = 0; k < count; ++k) {
-    Polynomial next(count, 0);  // 1, 2 y - 1, then (4 y - 2) T*_(k-1) - T*_(k-2)
+    Polynomial next(count, 0);  // 1, then 2 y - 1, then (4 y - 2) last - before
     const int factor = k == 1 ? 1 : 2;
     for (int i = 0; i < count && k > 0; ++i) {
       next[i] = factor * ((i > 0 ? 2 * last[i - 1] : 0) - last[i]) - before[i];
@@ -45,8 +45,7 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   return sum;
 }
 
-/// The function to be approximated: values at points of [low, high], denser towards the ends; errors are
-/// multiplied by weights.
+/// A function at points of [low, high], which are closer together at the ends, and weights of errors.
 struct Target {
   std::vector<Quad> points, values, weights;
 
@@ -71,7 +70,7 @@ inline Quad largest(const std::vector<Quad>& errors) {
   return most;
 }
 
-/// The solution of a linear system, rows of coefficients with the right hand side last.
+/// The solution of a linear system. The last number of each row is the right-hand side.
 inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   const std::size_t n = rows.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -92,7 +91,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// The position of the largest value of each run of equal sign, as many as alternate, at most `count`.
+/// For each run of values with the same sign, the position of the largest; at most `count` positions.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -108,13 +107,12 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
   return found;
 }
 
-/// `p` with its coefficients from x^first on replaced to minimise the largest error, by Remez exchange on the
-/// points of the target. If errors stop alternating, because fixed coefficients dominate them, returns the
-/// best so far.
+/// Replaces the coefficients of `p` from x^first on, so that the largest error is smallest (Remez). If the
+/// signs of errors no longer alternate, because of the other coefficients, returns the best polynomial found.
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
-  // The replaced terms share the factor x^first. If `first` is odd, it also changes the sign of errors at 0.
+  // All replaced terms have the factor x^first. If `first` is odd, this factor changes its sign at 0.
   const auto sign = [&](std::size_t i) { return first % 2 && t.points[i] < 0 ? -1 : 1; };
   const auto extremes_of = [&](std::vector<Quad> errors) {
     for (std::size_t i = 0; i < errors.size(); ++i) errors[i] *= sign(i);
@@ -123,7 +121,8 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   Polynomial best = p;
   Quad best_error = largest(t.errors(p));
   auto extremes = extremes_of(t.errors(p));
-  if (extremes.size() <= static_cast<std::size_t>(unknown)) {  // too few to start
+  if (extremes.size() <=
+      static_cast<std::size_t>(unknown)) {  // too few extremes: starts with equally spaced points
     extremes.clear();
     for (int i = 0; i <= unknown; ++i) extremes.push_back((2 * i + 1) * t.points.size() / (2 * unknown + 2));
   }
@@ -157,9 +156,9 @@ Quad rounded(Quad x, Quad unit) {
   return static_cast<T>(x / unit) * unit;
 }
 
-/// The minimax polynomial with coefficients in T times `unit`: `kept` ones are fixed, those up to
-/// `one_by_one` are rounded one after the other with a new fit of the rest, which absorbs the rounding error,
-/// and the rest are rounded directly.
+/// The minimax polynomial whose coefficients are numbers of T times `unit`. Coefficients in `kept` are fixed.
+/// Coefficients before `one_by_one` are rounded one by one, each time with a new fit of the rest. All others
+/// are rounded at once.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {

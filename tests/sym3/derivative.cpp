@@ -1,5 +1,4 @@
-// Derivatives: bounds over gap, spread, condition and scale for every kernel, and equal bits for single and
-// batched matrices, single and several directions, and all layouts.
+// Derivatives of every kernel: error bounds, and equal bits for one or many matrices, directions and layouts.
 #include "sym3/derivative.h"
 
 #include <algorithm>
@@ -34,7 +33,6 @@ void derive(Of f, const sym3::SymView<const T>& s, sym3::Directions<T> direction
   sym3::pow_derivative(s, p, directions, out, count, batch);
 }
 
-/// The result of a single call under this kernel.
 template <class T>
 Sym3<T> derived(Of f, const sym3::Kernel& kernel, const Sym3<T>& s, const Sym3<T>& direction,
                 double p = exponent) {
@@ -57,7 +55,7 @@ Sym3<T> random_direction(Random& random, double size = 1) {
   return e;
 }
 
-/// A direction per matrix: random, with a single entry, along S, or the identity.
+/// A direction: a random matrix, a matrix with a single nonzero number, S, or the identity.
 template <class T>
 Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   if (i % 8 == 6 && s != Sym3<T>{}) return s;
@@ -67,7 +65,7 @@ Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   return e;
 }
 
-/// The quantities that bounds depend on: condition, and norm of the logarithm of S.
+/// The numbers that error bounds depend on: the condition of S and the norm of log S.
 struct OfMatrix {
   const sym3::Kernel& kernel;
   double condition, log_norm;
@@ -80,7 +78,7 @@ OfMatrix of_matrix(const sym3::Kernel& kernel, const std::array<Quad, 3>& values
   return {kernel, static_cast<double>(high / low), std::sqrt(squares)};
 }
 
-/// The largest error of each kernel relative to the bound of the matrix; NaN counts as infinite.
+/// Checks that the errors of all kernels are within the bound of each matrix.
 template <class T, class Allowed>
 void check_derivatives(Of f, const std::string& what, const std::vector<Sym3<T>>& matrices,
                        const Allowed& allowed, double p = exponent) {
@@ -89,7 +87,8 @@ void check_derivatives(Of f, const std::string& what, const std::vector<Sym3<T>>
   for (std::size_t i = 0; i < matrices.size(); ++i) {
     const auto e = some_direction(random, matrices[i], i);
     const auto values = quad_eigen(to_quad(matrices[i])).values;
-    if (f != Of::exp && std::min({values[0], values[1], values[2]}) <= 0) continue;  // by rounding
+    if (f != Of::exp && std::min({values[0], values[1], values[2]}) <= 0)
+      continue;  // rounding made S indefinite
     const auto exact = quad_derivative(f, p, to_quad(matrices[i]), to_quad(e));
     for (std::size_t k = 0; k < worst.size(); ++k) {
       const auto& kernel = sym3::kernels()[k];
@@ -113,13 +112,12 @@ void check_spread_of_derivatives(double spread, double lowest) {
                     [=](const OfMatrix& s) { return s.kernel.fused ? 6 + 2 * spread : 8 + 2.5 * spread; });
 }
 
-/// The bounds of derivative.h for log and the root (p = 0), and for powers.
+/// The bounds of derivative.h: for log and sqrt if p is 0, otherwise for powers.
 double allowed_for_power(double p, const OfMatrix& s) {
   if (p == 0) return 16 + 2 * s.condition;
   return 16 + 4 * ((1 + std::fabs(p)) * s.condition + std::fabs(p) * s.log_norm);
 }
 
-/// Ordinary matrices, some with large spread, and some that require the fallback.
 template <class T>
 std::vector<Sym3<T>> matrices_of_all_kinds(std::size_t count) {
   auto all = with_condition<T>(6, static_cast<int>(count));
@@ -181,7 +179,7 @@ TEST_CASE_TEMPLATE("derivatives_of_log_sqrt_and_pow_keep_their_bounds_at_every_c
                         [](const OfMatrix& s) { return allowed_for_power(0, s); });
     }
     for (const double p : {-100.0, -20.0, -1.7, -0.5, 0.3, 1.0, 2.0, 7.0, 33.0, 80.0}) {
-      if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500)) continue;  // results near overflow
+      if (std::fabs(p) * std::log(1e3 * k) > (sizeof(T) == 4 ? 50 : 500)) continue;  // results could overflow
       check_derivatives(
           Of::pow, what + ", power " + std::to_string(p), with_condition<T>(k, 60),
           [=](const OfMatrix& s) { return allowed_for_power(p, s); }, p);
@@ -266,7 +264,7 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
 
 namespace {
 
-/// Three directions at once, between these layouts; memory after the results must be unchanged.
+/// Checks three directions at once, in any layouts.
 template <class T>
 struct DerivativeCase {
   Of f;

@@ -59,7 +59,6 @@ TEST_CASE_TEMPLATE("nan_and_infinity_give_six_nan_by_every_method", T, double, f
 
 namespace {
 
-/// The largest error of each kernel in u; NaN counts as infinite.
 template <class T>
 std::vector<double> worst_errors(const std::vector<Sym3<T>>& matrices) {
   std::vector<double> worst(sym3::kernels().size(), 0);
@@ -140,7 +139,7 @@ TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bounds", T, double, 
   check_bound("diagonal", diagonals, 18, 23);
 }
 
-// Highway's headers behind it.
+// These headers must come before Highway's.
 #include "sym3/exp_derivative-inl.h"
 //
 #include "sym3/call_kernel.h"
@@ -184,7 +183,7 @@ namespace {
 template <class T>
 constexpr T inf = std::numeric_limits<T>::infinity();
 
-/// exp with each entry rounded separately: infinite above the largest number, with the sign of the exact one.
+/// Checks that each entry alone overflows: to an infinity with the sign of the exact number.
 template <class T>
 void check_overflow(const sym3::Kernel& kernel, const Sym3<T>& s) {
   const auto computed = entries_of(exp_with(kernel, s));

@@ -1,4 +1,3 @@
-// Accuracy of the paper's methods, and their failures.
 #include "sym3/exp_paper.h"
 
 #include <algorithm>

@@ -55,7 +55,7 @@ Mat3<double> any_matrix(double size, Random& random) {
   return m;
 }
 
-// Rotations by slightly less than half a turn, in a plane that is stretched.
+// A rotation by `less` radians less than half a turn, in stretched coordinates.
 Mat3<double> nearly_half_turn(double less, Random& random) {
   const Mat3<double> turn = sym3::cross_matrix({0, 0, half_turn - less});
   const Mat3<double> s = sym3::plus(diagonal_matrix(1, 1, 1), 0.3, any_matrix(1, random));
@@ -66,13 +66,13 @@ Mat3<double> nearly_half_turn(double less, Random& random) {
   return rounded;
 }
 
-// Upper triangular with eigenvalues at this gap, then rotated.
+// A rotated triangular matrix whose eigenvalues differ by a fraction `gap`.
 Mat3<double> nearly_defective(double gap, Random& random) {
   const double a = power_of_ten(random, -1, 1), b = uniform(random, -1, 1), c = uniform(random, -1, 1);
   return in_axes_of({a, 1, b, 0, a * (1 + gap), c, 0, 0, a * (1 + gap * uniform(random, -2, 2))}, random);
 }
 
-// Error in u (1 + k), relative to its size.
+// The relative error in units of u (1 + k), with the condition k.
 template <class F>
 double error_by_condition(const Mat3<double>& computed, const F& f, const QuadMat& m) {
   const QuadMat exact = f(m);
@@ -124,7 +124,7 @@ TEST_CASE("log_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
       const auto m = make(i, random);
       if (!has_log(m)) continue;
       const double error = error_by_condition(log_general(m), quad_log_general, to_quad(m));
-      worst = error <= worst ? worst : error;  // keeps NaN
+      worst = error <= worst ? worst : error;  // false for NaN, which is kept
     }
     CHECK(worst < 32);
   }
@@ -144,7 +144,7 @@ double largest_of(const Mat3<double>& m) {
   return entry_difference(m, {});
 }
 
-// The rotation vector of the branch with `turns` more whole turns.
+// log_polar() with additional whole turns.
 sym3::PolarLog parts_of(const Mat3<double>& m, int turns = 0) {
   sym3::PolarLog parts = sym3::log_polar(m);
   const double angle = sym3::norm(parts.turn);
@@ -191,7 +191,7 @@ TEST_CASE("exp_of_a_long_log_is_as_exact_too") {
   CHECK(entry_difference(m, diagonal_matrix(0, 1, 1)) < 1e-15);
 }
 
-// A regression test: one in 20,000 had no logarithm, as a further step could increase the residual.
+// A further step of Newton's method could increase the residual: one matrix in 20,000 had no logarithm.
 TEST_CASE("every_exponential_has_a_logarithm") {
   CHECK(has_log({1.0686076570091338, 1.4855289131697111, -0.8290871979372267, 0.3883423827946375,
                  1.6512376532597528, -0.9656765334150027, -0.5479660687323898, -1.1674576718875822,
@@ -219,7 +219,7 @@ TEST_CASE("exp_of_a_bounded_log_is_the_matrix_on_every_branch") {
       CHECK(entry_difference(exp_general(l), m) < 1e-12 * largest_of(m));
       const Vector turn{(l[7] - l[5]) / 2, (l[2] - l[6]) / 2, (l[3] - l[1]) / 2};
       const double along = sym3::dot(sym3::plus(turn, -1, parts.turn), parts.turn) / sym3::norm(parts.turn);
-      CHECK(std::abs(along) < half_turn);  // no other branch
+      CHECK(std::abs(along) < half_turn);  // the same branch
       CHECK(entry_difference(sym3::log_near(m, parts.turn), l) < 1e-12);
     }
   }
@@ -248,14 +248,15 @@ TEST_CASE("logs_of_similarities_are_sums_also_at_180_degrees_and_at_rest") {
 }
 
 TEST_CASE("logs_are_bounded_and_continuous_at_matrices_without_logarithm") {
-  // Rotated about z by about 180 degrees, stretched along x: two negative eigenvalues in the middle.
+  // Rotations about z by 150 to 210 degrees with a stretch along x. Near 180 degrees two eigenvalues are
+  // negative.
   Mat3<double> before{};
   int without = 0;
   for (int i = 0; i <= 4000; ++i) {
     const double angle = (150 + 60.0 * i / 4000) * degree, c = std::cos(angle), s = std::sin(angle);
     const Mat3<double> m{1.5 * c, -s, 0, 1.5 * s, c, 0, 0, 0, 1};
     auto parts = parts_of(m);
-    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // continues through 180 degrees
+    if (parts.turn[2] < 0) parts = parts_of(m, -1);  // continues the rotation beyond 180 degrees
     const auto l = sym3::bounded_log(m, parts);
     CHECK(largest_of(l) < 4 * (sym3::norm(parts.turn) + 1));
     if (i > 0) CHECK(entry_difference(l, before) < 0.15);
@@ -277,13 +278,13 @@ TEST_CASE("logs_of_mirrored_and_flat_matrices_are_sums_of_logs_of_rotation_and_s
     CHECK(log_general(m) == sum_of_logs(sym3::log_polar(m)));
     CHECK(largest_of(log_general(m)) < 30);
   }
-  // Eigenvalues of 0, which rounding may make positive or complex.
+  // Matrices with the eigenvalue 0, which rounding may make positive or complex.
   for (const auto& m : {Mat3<double>{0, 1, 0, 0, 0, 0, 0, 0, 1}, Mat3<double>{1, -1, -1, -1, 1, -1, -1, 1, 0},
                         Mat3<double>{0, 0, -1, 1, 1, -1, 0, 0, 0}}) {
     CHECK(!has_log(m));
     CHECK(largest_of(log_general(m)) < 30);
   }
-  const auto about = sym3::log_polar(diagonal_matrix(2, 3, -4));  // the smallest one is mirrored
+  const auto about = sym3::log_polar(diagonal_matrix(2, 3, -4));  // the smallest stretch is negative
   CHECK(about.turn != Vector{0, 0, 0});
   CHECK(about.stretch.xx + about.stretch.yy + about.stretch.zz == doctest::Approx(std::log(24.0)));
 }

@@ -1,5 +1,4 @@
-// log, roots and powers: bounds by condition for every kernel, and equal bits for single matrices and batches
-// in any layout.
+// log, roots and powers of every kernel: error bounds, and equal bits for single matrices and batches.
 #include "sym3/log.h"
 
 #include <algorithm>
@@ -31,7 +30,6 @@ void run(Which which, sym3::SymView<const T> in, sym3::SymView<T> out, std::size
   sym3::pow(in, power, out, count, batch);
 }
 
-/// The result of a single call under this kernel.
 template <class T>
 Sym3<T> one(Which which, const sym3::Kernel& kernel, const Sym3<T>& s) {
   const auto& f = sym3::functions<T>(kernel);
@@ -54,7 +52,7 @@ double pow_bound(double p, double k, double size) {
   return 8 * (std::fabs(p) * k + 1 + std::fabs(p) * size);
 }
 
-/// The bound of log.h for condition k and |log S| = size.
+/// The bound of log.h for the condition k, with size = |log S|.
 double log_bound(Which which, double k, double size) {
   if (which == Which::log) return 6 * std::max(1.0, k / size);
   if (which == Which::sqrt) return 6 * std::sqrt(k);

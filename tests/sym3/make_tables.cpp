@@ -1,6 +1,6 @@
-// Recomputes the coefficients of sym3's *_tables.h in 113 bits, prints them, and fails if the headers differ.
-// Interpolated ones must agree to the last bit. Minimax ones may differ by rounding: those of the header must
-// satisfy the stated error.
+// Computes the coefficients of sym3's *_tables.h in 113 bits, prints them, and fails if the headers differ.
+// Interpolated polynomials must have the same bits. Minimax polynomials may differ, but the error of the
+// header must be as documented.
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -47,12 +47,12 @@ void check_interpolated(const std::string& name, const T (&table)[N], const Quad
   int different = 0;
   for (std::size_t k = 0; k < N; ++k) {
     const Quad ulp = std::nextafter(std::fabs(table[k]), T(2)) - std::fabs(table[k]);
-    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // rounding to nearest, with the error of 113 bits
+    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // 0.5 for rounding, and the error of 113 bits
   }
   report(different == 0, std::to_string(different) + " of " + std::to_string(N) + " differ");
 }
 
-/// `error`: the stated error of the header, in u.
+/// `error` is the documented error of the header, in u.
 template <class T>
 void check_minimax(const std::string& name, const Target& t, const Polynomial& made, const Polynomial& table,
                    double error, Quad unit = 1) {
@@ -68,7 +68,7 @@ Quad one(Quad) {
   return 1;
 }
 
-// f of the square root of x, continued to 0.
+// f(sqrt(x)), with a value at 0.
 QuadFunction of_root(Quad (*f)(Quad), Quad at_zero) {
   return [=](Quad x) { return x > 0 ? f(sqrtq(x)) : at_zero; };
 }
@@ -83,7 +83,6 @@ void spectral() {
   check_interpolated("atanh x / x", C::atanh, of_root([](Quad x) { return atanhq(x) / x; }, 1), 0.0445Q);
 }
 
-/// The errors are stated in rotation_tables.h.
 template <class T>
 void rotations(double cosine_error, double sine_error, double arc_error) {
   using C = RotationTables<T>;
@@ -103,7 +102,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// The number just below x whose product with a number of T comes closest to 1, so that f(0) = 1 is exact.
+/// The number just below x whose product with some number of T is closest to 1, so that f(0) is about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -114,14 +113,13 @@ T divisor_of_one(T x) {
   return best;
 }
 
-/// f for polynomials in a traceless matrix, relative to the norm bound of exp_tables.h.
+/// f for the eigenvalues of A, with weights that make errors relative to the norm (exp_tables.h).
 template <class T>
 Target matrix_target(const QuadFunction& f) {
   const Quad reach = 2 * sqrtq(Quad(ExpTables<T>::p_limit) / 3);
   return {f, [](Quad x) { return 1 / std::max(expq(x), expq(-x / 2)); }, -reach, reach};
 }
 
-/// The errors: exp_tables.h.
 template <class T>
 void exponential(double matrix_error, double scalar_error) {
   using C = ExpTables<T>;
@@ -144,7 +142,7 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// The integral of a minimax polynomial, rounded directly; the errors: exp_tables.h.
+/// The polynomial whose derivative is minimax, with rounded coefficients.
 template <class T>
 void exponential_with_derivative(double error, double derivative_error) {
   using C = ExpDerivativeTables<T>;

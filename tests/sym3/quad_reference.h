@@ -1,4 +1,4 @@
-// Reference values by libquadmath: functions, general matrices, derivatives.
+// Reference values with 113 bits: functions of matrices, and their derivatives.
 #pragma once
 
 #include <quadmath.h>
@@ -8,7 +8,6 @@
 
 #include "sym3/double_double.h"
 #include "sym3/fallback.h"
-#include "sym3/quad_reference.h"
 #include "sym3/rotation.h"
 #include "sym3/sym3.h"
 
@@ -20,24 +19,21 @@ using QuadSym = sym3::Sym3<Quad>;
 inline Quad to_quad(double x) {
   return x;
 }
-inline QuadSym to_quad(const sym3::Sym3<double>& s) {
+template <class T>
+QuadSym to_quad(const sym3::Sym3<T>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
 }
-inline QuadSym to_quad(const sym3::Sym3<float>& s) {
-  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-}
-
 inline Quad to_quad(const sym3::DoubleDouble& x) {
   return Quad(x.hi) + Quad(x.lo);
 }
 
-/// 1 / sqrt x to 112 bits: one Newton step from 64 (sqrtq takes ten times as long).
+/// 1 / sqrt(x) with 112 bits, by a Newton step from 64 bits. (sqrtq takes ten times as long.)
 inline Quad quad_inverse_root(Quad x) {
   const Quad y = 1 / std::sqrt(static_cast<long double>(x));
   return y + y * (1 - x * y * y) / 2;
 }
 
-/// values[k] with the unit vector vectors[.][k].
+/// The eigenvector of values[k] is column k of `vectors`.
 struct QuadEigen {
   std::array<Quad, 3> values;
   std::array<std::array<Quad, 3>, 3> vectors;
@@ -105,23 +101,22 @@ inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
           b * y * z - a * x, b * x * z - a * y, b * y * z + a * x, c + b * z * z};
 }
 
-/// Frobenius norm, computed with 64 bits: enough for a norm, in a tenth of the time.
+/// The Frobenius norm, in long double: accurate enough for a norm, and ten times as fast.
 inline Quad quad_frobenius(const QuadSym& s) {
   const auto square = [](Quad x) { return static_cast<long double>(x) * static_cast<long double>(x); };
   return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) +
                    2 * (square(s.xy) + square(s.xz) + square(s.yz)));
 }
 
-/// |x - y|, Frobenius norm.
 inline Quad quad_distance(const QuadSym& x, const QuadSym& y) {
   return quad_frobenius({x.xx - y.xx, x.xy - y.xy, x.xz - y.xz, x.yy - y.yy, x.yz - y.yz, x.zz - y.zz});
 }
 
-/// u = 2^-53 or 2^-24: half the distance from 1 to the next number.
+/// The unit roundoff u of T: half the distance from 1 to the next number.
 template <class T>
 inline constexpr double unit_roundoff = sizeof(T) == 8 ? 0x1p-53 : 0x1p-24;
 
-/// |computed - exact| / |exact| in units of roundoff of T; NaN if an entry of `computed` is.
+/// |computed - exact| / |exact| in u. NaN if an entry of `computed` is NaN.
 template <class T>
 double error_in_u(const sym3::Sym3<T>& computed, const QuadSym& exact) {
   return static_cast<double>(quad_distance(to_quad(computed), exact) / quad_frobenius(exact)) /
@@ -153,7 +148,6 @@ inline QuadMat quad_combined(const QuadMat& a, const QuadMat& b, Quad of_a, Quad
   return c;
 }
 
-/// The rows are cross products of columns over the determinant.
 inline QuadMat quad_inverse(const QuadMat& m) {
   QuadMat r;
   for (int i = 0; i < 9; ++i) {
@@ -171,7 +165,7 @@ inline Quad quad_norm(const QuadMat& m) {
   return sqrtq(sum);
 }
 
-/// By Denman and Beavers.
+/// The square root, by the iteration of Denman and Beavers.
 inline QuadMat quad_root(const QuadMat& m) {
   QuadMat y = m, z = quad_identity;
   for (int i = 0; i < 100; ++i) {
@@ -184,7 +178,7 @@ inline QuadMat quad_root(const QuadMat& m) {
   return y;
 }
 
-/// 2^n times the log of the root that is near I, by a few terms of the series, for entries about 1.
+/// log(M) = 2^n log(R), where R is the n-th repeated square root of M, close to I. log(R) is a short series.
 inline QuadMat quad_log_general(QuadMat m) {
   int roots = 0;
   const int exponent = ilogbq(quad_norm(m));
@@ -212,13 +206,12 @@ inline QuadMat quad_exp_general(const QuadMat& log) {
   return sum;
 }
 
-/// |computed - exact|, Frobenius norm.
 inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact) {
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// Largest relative change of f per relative change of the matrix, Frobenius norms: the largest singular
-/// value of the difference quotient, by power iteration.
+/// The largest relative change of f per relative change of the matrix: the largest singular value of the
+/// difference quotient, by power iteration.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
@@ -249,7 +242,7 @@ double sensitivity(const F& f, const QuadMat& m) {
   return largest;
 }
 
-/// (f(x) - f(y)) / (x - y), f'(x) where they are equal. p: the exponent of pow.
+/// (f(x) - f(y)) / (x - y), or f'(x) if x = y. p is the exponent of pow.
 inline Quad quad_slope(sym3::Of f, double p, Quad x, Quad y) {
   const Quad d = x - y;
   const auto expm1_over = [](Quad t) { return t != 0 ? expm1q(t) / t : 1; };
@@ -262,7 +255,7 @@ inline Quad quad_slope(sym3::Of f, double p, Quad x, Quad y) {
 
 struct QuadDerivative {
   QuadSym value;
-  Quad norm;  ///< operator norm of the derivative: its largest value for a direction of norm 1
+  Quad norm;  ///< the largest norm of the derivative in a direction of norm 1
 };
 
 inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, const QuadSym& direction) {
@@ -291,7 +284,7 @@ inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, co
   return {{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)}, norm};
 }
 
-/// Error in u of T, relative to the operator norm times the norm of the direction.
+/// The error in u, relative to exact.norm times the norm of the direction.
 template <class T>
 double derivative_error(const sym3::Sym3<T>& computed, const QuadDerivative& exact,
                         const QuadSym& direction) {

@@ -27,7 +27,7 @@ QuadVec vector_to_quad(const Vec3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
-/// A random vector of this length: along an axis, in a coordinate plane, or in general position.
+/// A vector of length `angle`: along an axis, in a coordinate plane, or in a random direction.
 template <class T>
 Vec3<T> vector_of_angle(double angle, int i, Random& random) {
   const auto f = random_rotation(random);
@@ -40,7 +40,6 @@ Vec3<T> vector_of_angle(double angle, int i, Random& random) {
   return {T(f[0][0] * angle), T(f[1][0] * angle), T(f[2][0] * angle)};
 }
 
-/// |R - exact| in u.
 template <class T>
 double exp_error(const Vec3<T>& w) {
   const auto exact = quad_rotation(vector_to_quad(w));
@@ -66,7 +65,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
   return rounded;
 }
 
-/// Distance to w or, near half a turn within rounding, to the equivalent w - 2 pi w / |w|.
+/// The distance from w or, close to half a turn, from the equivalent vector w - 2 pi w / |w|.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
   const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);

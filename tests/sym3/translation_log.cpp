@@ -15,7 +15,7 @@ Vector random_vector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-// The first 120 terms of the series, in long double.
+// phi(M) x by 120 terms of the series, in long double.
 Vector series(const Mat3<double>& m, const Vector& x) {
   std::array<long double, 3> term{x[0], x[1], x[2]}, sum = term;
   for (int n = 2; n <= 120; ++n) {
@@ -58,7 +58,7 @@ TEST_CASE("the_even_part_less_half_the_log_undoes_phi_up_to_300_degrees") {
     auto m = random_matrix(random, 0.4);
     const auto t = sym3::cross_matrix(w);
     for (int i = 0; i < 9; ++i) m[i] += t[i];
-    if (norm(w) > 4) continue;  // the rotation angle of m differs from that of w
+    if (norm(w) > 4) continue;  // m and w have different rotation angles
     const Vector z = phi_times(m, x);
     const Vector back = plus(sym3::product(even_part(m, w), z), -0.5, sym3::product(m, z));
     CHECK(norm(plus(back, -1, x)) < 1e-11);

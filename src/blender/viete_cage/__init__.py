@@ -1,4 +1,4 @@
-"""Deforms objects by cage objects in log space, with the module `viete`."""
+"""Deforms objects by cages, with the module `viete`."""
 
 bl_info = {
     "name": "Viete cages",

@@ -23,7 +23,7 @@ def frames_of(context, obj):
 
 
 def chosen(frames, tolerance):
-    """Indices of frames whose linear interpolation keeps the tolerance; splits recursively at the worst frame."""
+    """The frames that become shape keys: all others are linear interpolations within the tolerance."""
     def between(a, b):
         if b - a < 2:
             return []
@@ -38,7 +38,7 @@ def chosen(frames, tolerance):
 
 
 class VIETE_OT_bake_keys(OnMesh):
-    """Bake the scene's frames to animated shape keys, as few as the tolerance allows, and unbind"""
+    """Bake all frames of the scene to animated shape keys, as few as the tolerance allows, and unbind"""
 
     bl_idname, bl_label = "viete.bake_keys", "Bake to shape keys"
 
@@ -60,11 +60,11 @@ class VIETE_OT_bake_keys(OnMesh):
         for curve in obj.data.shape_keys.animation_data.action.fcurves:
             for point in curve.keyframe_points:
                 point.interpolation = "LINEAR"
-        self.report({"INFO"}, "%d shape keys for %d frames" % (len(kept), len(frames)))
+        self.report({"INFO"}, "Baked %d frames to %d shape keys" % (len(frames), len(kept)))
 
 
 class VIETE_OT_bake_mdd(OnMesh):
-    """Bake the scene's frames to an MDD point cache for the Mesh Cache modifier and other programs"""
+    """Bake all frames of the scene to an MDD file for the Mesh Cache modifier and other programs"""
 
     bl_idname, bl_label = "viete.bake_mdd", "Bake to point cache (MDD)"
     filepath: bpy.props.StringProperty(subtype="FILE_PATH")
@@ -81,7 +81,7 @@ class VIETE_OT_bake_mdd(OnMesh):
         frames = [vertices for _, vertices in frames_of(context, obj)]
         times = np.arange(len(frames)) / rate
         whole = bpy.path.abspath(self.filepath)
-        part = whole + ".part"  # an existing file stays until the new one is complete
+        part = whole + ".part"  # replaces an existing file only when complete
         try:
             with open(part, "wb") as file:
                 file.write(struct.pack(">ii", len(frames), len(obj.data.vertices)))

@@ -1,4 +1,4 @@
-"""Deformers for Blender's meshes, using the module `viete` or, if Python cannot import it, the program."""
+"""Deformers for Blender's meshes. Uses the module `viete` or, if Python cannot import it, the program viete."""
 import pathlib
 import shutil
 import subprocess
@@ -13,17 +13,16 @@ except ImportError:  # built for another Python version, or not installed
 
 
 class Error(ValueError):
-    """The message says what is wrong and what to do, as in the errors of the module."""
+    """An error whose message says what is wrong and what to do."""
 
 
 def how():
-    """The available engine, for the panel. Raises Error if there is none."""
+    """The name of the available engine. Raises Error if neither the module nor the program is installed."""
     if viete:
         return "Viete " + viete.__version__
     if shutil.which("viete"):
-        return "Program viete (slower; Python module not found)"
-    raise Error("Viete was not found; install python3-viete or viete, or "
-                "install the module for Blender's Python with pip")
+        return "Program viete (Python module not found: slower)"
+    raise Error("Viete is not installed; install the package python3-viete or viete, or the module with Blender's pip")
 
 
 def corners_of(mesh):
@@ -46,7 +45,7 @@ def by_module(vertices, faces, cage, cage_faces, way, stitched, mask):
 
 
 class ByProgram:
-    """Runs `viete deform --stream` as a child process: poses and vertices pass through pipes."""
+    """Deforms with the child process `viete deform --stream`, through pipes."""
 
     def __init__(self, vertices, faces, cage, cage_faces, way, stitched, mask):
         self.folder = tempfile.TemporaryDirectory(prefix="viete-")
@@ -61,7 +60,7 @@ class ByProgram:
             words += ["--mask", "mask.txt"]
         self.errors = open(place / "errors.txt", "w+")
         self.program = subprocess.Popen(words, cwd=place, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=self.errors)
-        self.deform(cage, np.empty((len(vertices), 3), np.float32))  # reports errors now
+        self.deform(cage, np.empty((len(vertices), 3), np.float32))  # raises errors of the arguments
 
     def deform(self, pose, out):
         made = b""
@@ -75,7 +74,7 @@ class ByProgram:
             self.close()
             self.errors.seek(0)
             said = [line for line in self.errors.read().splitlines() if not line.startswith("viete: note: ")]
-            raise Error((said[-1] if said else "The program viete has stopped; bind again").removeprefix("viete: "))
+            raise Error((said[-1] if said else "The program viete has ended; bind again").removeprefix("viete: "))
         out[:] = np.frombuffer(made, np.float32).reshape(-1, 3)
 
     def close(self):

@@ -11,11 +11,11 @@ from . import engine
 KEY = "Viete cage"        # shape key with the deformed vertices
 REST, STAMP = "viete_rest", "viete_content"
 
-MOST_KEPT = 16  # unused deformers to keep; each uses memory or a child process
+MOST_KEPT = 16  # deformers kept for later; each uses memory or a child process
 
-deformers = {}  # by hash of model, cage, deformer type and mask
-current = {}    # deformer of each object
-followed = {}   # cage pose last applied to each object
+deformers = {}  # deformers by the hash of model, cage, settings and mask
+current = {}    # the deformer of each object
+followed = {}   # the last pose of the cage of each object
 busy = False
 
 
@@ -29,7 +29,7 @@ def rest_of(obj):
 
 
 def coordinates(cage, depsgraph):
-    """The cage's current vertices: edited, or after shape keys, armatures and modifiers."""
+    """The cage's vertices: in edit mode the edited mesh, otherwise after shape keys, armatures and modifiers."""
     if cage.mode == "EDIT":
         return np.array([v.co for v in bmesh.from_edit_mesh(cage.data).verts], np.float32).reshape(-1, 3)
     mesh = cage.evaluated_get(depsgraph).data
@@ -39,7 +39,7 @@ def coordinates(cage, depsgraph):
 
 
 def pose_of(obj, depsgraph):
-    """The cage's vertices in object space: moving both objects together deforms nothing."""
+    """The cage's vertices in the object's space, so that moving both objects together changes nothing."""
     cage = obj.viete.cage
     places = coordinates(cage, depsgraph)
     to_object = np.array(obj.matrix_world.inverted_safe() @ cage.matrix_world, np.float64)
@@ -51,7 +51,7 @@ def mask_of(obj):
     if not obj.viete.mask:
         return None
     if not group:
-        raise engine.Error("Vertex group %s does not exist; choose another mask" % obj.viete.mask)
+        raise engine.Error("Vertex group %s does not exist; choose another vertex group as mask" % obj.viete.mask)
     shares = np.zeros(len(obj.data.vertices), np.float32)
     for v in obj.data.vertices:
         for g in v.groups:
@@ -65,7 +65,7 @@ def bytes_of(faces):
 
 
 def deformer_of(obj):
-    """The object's deformer, cached until its model or mask may have changed; equal bindings share one."""
+    """The object's deformer. It is cached until the model or the mask may change; equal objects share it."""
     if obj.name in current:
         return current[obj.name]
     settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
@@ -85,10 +85,10 @@ def deformer_of(obj):
 def check(obj):
     """Raises Error if the object cannot be bound."""
     for is_wrong, problem in (
-        (not obj.viete.cage, "Choose a cage first"),
-        (obj.viete.cage == obj, "An object cannot be its own cage; choose another mesh"),
-        (obj.data.users > 1, "Other objects share this mesh; make it a single user first (Object, Relations)"),
-        (obj.mode == "EDIT", "Leave edit mode first"),
+        (not obj.viete.cage, "Choose a cage, then bind"),
+        (obj.viete.cage == obj, "An object cannot be its own cage; choose another object"),
+        (obj.data.users > 1, "Other objects share this mesh; use Object, Relations, Make Single User first"),
+        (obj.mode == "EDIT", "The object is in edit mode; leave edit mode first"),
     ):
         if is_wrong:
             raise engine.Error(problem)
@@ -126,15 +126,15 @@ def deformed(obj, depsgraph):
     pose = pose_of(obj, depsgraph)
     bound = len(obj[REST]) // 24
     if len(pose) != bound:
-        raise engine.Error("The cage has %d vertices, but had %d when bound, because of a modifier or an edit; bind again or "
-                           "remove the modifier" % (len(pose), bound))
+        raise engine.Error("The cage has %d vertices, but had %d when it was bound; bind again or remove its modifiers"
+                           % (len(pose), bound))
     out = np.empty((len(obj.data.vertices), 3), np.float32)
     deformer_of(obj).deform(pose, out)
     return out
 
 
 def write(key, places):
-    """Copies to the key's memory if contiguous, fifty times as fast as foreach_set; otherwise uses foreach_set."""
+    """Sets the vertices of a shape key. Copies to contiguous memory: fifty times as fast as foreach_set."""
     points = key.data
     count = len(points)
     try:
@@ -151,7 +151,7 @@ def update(obj, depsgraph):
     """Writes the shape key if the cage has moved."""
     settings = obj.viete
     key = obj.data.shape_keys and obj.data.shape_keys.key_blocks.get(KEY)
-    if obj.mode != "OBJECT":  # its basis or its mask may change
+    if obj.mode != "OBJECT":  # the model or the mask may change
         let_go(obj)
     if not settings.cage or not key or obj.mode == "EDIT":
         return

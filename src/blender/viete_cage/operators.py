@@ -5,7 +5,7 @@ from . import engine, follow
 
 
 class OnMesh(bpy.types.Operator):
-    """Base of operators on the active mesh; reports errors."""
+    """Base class of operators on the active mesh."""
 
     bl_options = {"REGISTER", "UNDO"}
 
@@ -41,7 +41,7 @@ class VIETE_OT_make_cage(OnMesh):
 
 
 class VIETE_OT_bind(OnMesh):
-    """Bind this object to its cage in their current state"""
+    """Bind this object to the cage at their current positions; the cage then deforms it"""
 
     bl_idname, bl_label = "viete.bind", "Bind"
 
@@ -50,7 +50,7 @@ class VIETE_OT_bind(OnMesh):
 
 
 class VIETE_OT_unbind(OnMesh):
-    """Unbind from the cage and restore the object's shape"""
+    """Unbind this object from the cage and restore its shape"""
 
     bl_idname, bl_label = "viete.unbind", "Unbind"
 

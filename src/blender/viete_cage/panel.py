@@ -35,7 +35,7 @@ class VIETE_PT_cage(bpy.types.Panel):
         if not settings.bound:
             return
         if context.object.modifiers:
-            layout.label(text="Modifiers are applied after the cage", icon="INFO")
+            layout.label(text="Modifiers apply after the cage", icon="INFO")
         box = layout.box()
         box.label(text="Bake")
         box.prop(settings, "tolerance")

@@ -2,12 +2,12 @@
 import bpy
 
 WAYS = [
-    ("smooth", "Smooth", "Weights follow the surface and keep shapes; suits most models"),
+    ("smooth", "Smooth", "Weights follow the surface and keep shapes. Best for most models"),
     ("paper", "As published", "Each cage triangle rotates and stretches the whole model, weighted by distance"),
-    ("mean-value", "Mean value", "Interpolates vertex positions: exact for affine poses, shrinks where parts rotate"),
-    ("rigid", "Rigid", "Rotates without stretching: keeps details and sizes"),
-    ("arap", "As rigid as possible", "Optimises all vertices together: keeps details best, but is slower"),
-    ("local", "Local", "Weights end at a radius: vertices beyond it stay at rest"),
+    ("mean-value", "Mean value", "Interpolates positions. Exact for affine poses, but parts that rotate shrink"),
+    ("rigid", "Rigid", "Rotates without stretching. Keeps details and sizes"),
+    ("arap", "As rigid as possible", "Optimises all vertices together. Keeps details best, but is slower"),
+    ("local", "Local", "Weights end at a radius. Vertices farther away stay at rest"),
 ]
 
 
@@ -18,13 +18,13 @@ def is_mesh(_settings, candidate):
 class VieteSettings(bpy.types.PropertyGroup):
     cage: bpy.props.PointerProperty(name="Cage", type=bpy.types.Object, poll=is_mesh, description="Mesh that deforms this object")
     way: bpy.props.EnumProperty(name="Deformer", items=WAYS, default="smooth", description="How the cage deforms the object")
-    stitched: bpy.props.BoolProperty(name="Stitched", description="Solve for vertices so that triangles keep their shape")
-    mask: bpy.props.StringProperty(name="Mask", description="Vertex group that scales each vertex's motion; empty: full motion")
+    stitched: bpy.props.BoolProperty(name="Stitched", description="Optimise vertices so that triangles keep their shape")
+    mask: bpy.props.StringProperty(name="Mask", description="Vertex group whose weights scale the motion of vertices. Leave empty for full motion")
     triangles: bpy.props.IntProperty(name="Triangles", default=200, min=12, max=20000, description="Approximate number of triangles of a new cage")
     bound: bpy.props.BoolProperty(name="Bound")
     problem: bpy.props.StringProperty(name="Problem")
     tolerance: bpy.props.FloatProperty(name="Tolerance", default=0.1, min=0.001, max=10, subtype="PERCENTAGE",
-                                       description="Maximum error of the shape keys, in percent of the model's diagonal")
+                                       description="Maximum error of baked shape keys, in percent of the model's diagonal")
 
 
 classes = (VieteSettings,)

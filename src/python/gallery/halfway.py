@@ -1,4 +1,4 @@
-"""Interpolates halfway between rest and a shape: log space keeps edge lengths, straight lines do not."""
+"""Interpolates halfway between two shapes: edges keep their lengths in log space, but not along straight lines."""
 import numpy as np
 import viete
 
@@ -13,7 +13,7 @@ def lengths(vertices):
     return np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
 
 
-wanted = np.sqrt(lengths(dragon.vertices) * lengths(coiled))
+expected = np.sqrt(lengths(dragon.vertices) * lengths(coiled))
 for straight in (False, True):
-    off = np.abs(np.log(lengths(space.between(0.5, straight)) / wanted))
-    print("straight lines" if straight else "log space", ": edges are off by a factor of %.3f" % np.exp(np.mean(off)))
+    off = np.abs(np.log(lengths(space.between(0.5, straight)) / expected))
+    print("%s: edge lengths are wrong by a factor of %.3f" % ("straight lines" if straight else "log space", np.exp(np.mean(off))))

@@ -1,4 +1,4 @@
-"""Computes the frames of a session, as `viete animate` writes them."""
+"""Computes frames of a session, as `viete animate` writes them, and follows a vertex."""
 import numpy as np
 import viete
 
@@ -6,4 +6,4 @@ session = viete.Session("assets/dragon/loop.viete")
 first, last = session.range
 snout = int(session.vertices[:, 0].argmax())
 way = np.array([session.frame(frame)[snout] for frame in range(first, last + 1, 5)])
-print("in frames %d to %d the snout goes %.2f along, %.2f up, %.2f across" % (first, last, *np.ptp(way, axis=0)))
+print("from frame %d to %d the snout moves %.2f in x, %.2f in y, %.2f in z" % (first, last, *np.ptp(way, axis=0)))

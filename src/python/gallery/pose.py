@@ -1,4 +1,4 @@
-"""Poses the dragon by its cage; alert.ply equals the result of `viete deform`."""
+"""Poses the dragon by its cage. The file alert.ply has the same bytes as the result of `viete deform`."""
 import numpy as np
 import viete
 
@@ -14,4 +14,4 @@ def volume(vertices):
     return np.einsum("ij,ij->", a, np.cross(b, c)) / 6
 
 
-print("volume: %.4f of what it was" % (volume(alert) / volume(dragon.vertices)))
+print("the volume is %.4f times the volume at rest" % (volume(alert) / volume(dragon.vertices)))

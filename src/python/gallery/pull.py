@@ -1,4 +1,4 @@
-"""Pulls the dragon's snout; the rest follows its example shapes."""
+"""Pulls the dragon's snout; other vertices follow example shapes."""
 import numpy as np
 import viete
 
@@ -11,5 +11,5 @@ snout, tail = int(dragon.vertices[:, 0].argmax()), int(dragon.vertices[:, 0].arg
 wanted = dragon.vertices[[snout, tail]] + [[-0.2, 0.3, 0], [0, 0, 0]]
 pulled, weights = space.pose([snout, tail], wanted)
 viete.write("pulled.ply", dragon, vertices=pulled)
-print("the snout is %.1e from where it was pulled; shapes count %s" % (
+print("distance of the snout from its place: %.1e; weights of the shapes: %s" % (
     np.linalg.norm(pulled[snout] - wanted[0]), np.round(weights, 2)))

@@ -1,4 +1,4 @@
-# Type stubs of the module viete, for editors and type checkers.
+# Types of the module viete, for editors and type checkers.
 import os
 from typing import Any, Literal, Sequence, overload
 

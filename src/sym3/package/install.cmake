@@ -1,5 +1,5 @@
-# Files installed by `cmake --install`: the library, its public headers, and package files for CMake and pkg-config.
-# The library needs nothing else: Eigen and Highway are headers of its own sources only.
+# Installs the library, its public headers, and package files for CMake and pkg-config. Programs that use the library
+# need neither Eigen nor Highway.
 include(CMakePackageConfigHelpers)
 
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/viete)
@@ -20,7 +20,7 @@ write_basic_package_version_file(viete-config-version.cmake COMPATIBILITY SameMi
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viete-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/viete-config-version.cmake
   DESTINATION ${package_dir} COMPONENT library)
 
-# From the .pc file to the prefix, so that an installed tree can be moved.
+# The relative path from the .pc file to the prefix, so that installed files can be moved.
 file(RELATIVE_PATH up_to_prefix /prefix/${pkgconfig_dir} /prefix)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/viete.pc.in viete.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viete.pc DESTINATION ${pkgconfig_dir} COMPONENT library)

@@ -1,4 +1,4 @@
-// The part of libquadmath that tests use, for machines (arm64) whose long double has 113 bits and whose GCC lacks the library.
+// Replaces libquadmath on arm64, where GCC lacks the library but long double has 113 bits.
 #pragma once
 
 #include <cfloat>
