@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 #include "mesh/cavity.h"
 #include "mesh/formats/source.h"
 #include "mesh/normals.h"
@@ -156,9 +157,11 @@ ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh
   ModelShading shading;
   const auto& positions = surface->positions;
   shading.normals.resize(positions.size());
-  const auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
-  mesh::vertex_normals(positions, surface->triangles, around, 0, positions.size(), shading.normals);
-  shading.occlusion = mesh::bake_cavity(positions, shading.normals, surface->triangles);
+  auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
+  base::for_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
+    mesh::vertex_normals(positions, surface->triangles, around, begin, end, shading.normals);
+  });
+  shading.occlusion = mesh::bake_cavity(positions, shading.normals, surface->triangles, std::move(around));
   if (attributes) shading.looks = looks_of(*surface, *attributes, shading.normals);
   shading.surface = std::move(surface);
   return shading;

@@ -40,8 +40,7 @@ struct ModelShading {
   ModelLooks looks;                              ///< empty if the file has no materials
 };
 
-/// attributes may be null. Linear time, a third of a second for a million triangles, plus decoding images.
-/// Thread-safe.
+/// attributes may be null. Linear time, on all processors, plus decoding images. Thread-safe.
 ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes);
 
 class ModelLayer {

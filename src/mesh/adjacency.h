@@ -1,12 +1,15 @@
 // Neighbour lists: neighbours in a graph, triangles around vertices.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
 
+#include "base/worker_pool.h"
 #include "mesh/half_edges.h"
 
 namespace viete::mesh {
@@ -31,6 +34,31 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   lists.items.resize(lists.starts.back());
   std::vector<std::uint32_t> next(lists.starts.begin(), lists.starts.end() - 1);
   for_each([&](std::uint32_t i, std::uint32_t item) { lists.items[next[i]++] = item; });
+  return lists;
+}
+
+/// As make_adjacency() for large arrays, on all processors: for_each(t, add) is called for each t < elements,
+/// and the items of each i are sorted.
+template <class ForEach>
+Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
+  Adjacency lists;
+  lists.starts.assign(count + 1, 0);
+  const auto for_all = [&](const auto& add) {
+    base::for_blocks(elements, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) for_each(static_cast<std::uint32_t>(t), add);
+    });
+  };
+  const auto slot = [&](std::uint32_t i) { return std::atomic_ref(lists.starts[i]); };
+  for_all([&](std::uint32_t i, std::uint32_t) { slot(i).fetch_add(1, std::memory_order_relaxed); });
+  std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
+  lists.items.resize(lists.starts.back());
+  for_all([&](std::uint32_t i, std::uint32_t item) {  // fills each list from its end
+    lists.items[slot(i).fetch_sub(1, std::memory_order_relaxed) - 1] = item;
+  });
+  base::for_blocks(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      std::sort(lists.items.begin() + lists.starts[i], lists.items.begin() + lists.starts[i + 1]);
+  });
   return lists;
 }
 

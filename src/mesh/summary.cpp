@@ -1,8 +1,10 @@
 #include "mesh/summary.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
+#include "base/worker_pool.h"
+#include "mesh/adjacency.h"
 #include "mesh/defects.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
@@ -11,15 +13,32 @@ namespace viete::mesh {
 
 namespace {
 
+// For each vertex the higher vertices of its edges, once per side of a triangle that runs upwards or
+// downwards.
+Adjacency sides(const Surface& surface, bool upwards) {
+  const auto& triangles = surface.triangles;
+  return sorted_adjacency(surface.positions.size(), triangles.size(), [&](std::uint32_t t, const auto& add) {
+    const auto& [a, b, c] = triangles[t];
+    if (repeats_corner(triangles[t])) return;
+    for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
+      if ((from < to) == upwards) add(std::min(from, to), std::max(from, to));
+  });
+}
+
 void find_edges(const Surface& surface, Summary& summary) {
-  const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
-  summary.edges = table.edges.size();
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() == 1) summary.boundary_edges.push_back(table.edges[e]);
-    if (sides.size() == 2 && sides[0].forward == sides[1].forward)
-      summary.misoriented_edges.push_back(table.edges[e]);
-    if (sides.size() > 2) summary.nonmanifold_edges.push_back(table.edges[e]);
+  const Adjacency upwards = sides(surface, true), downwards = sides(surface, false);
+  for (std::uint32_t low = 0; low < surface.positions.size(); ++low) {
+    const auto up = upwards.of(low), down = downwards.of(low);
+    for (std::size_t i = 0, j = 0; i < up.size() || j < down.size(); ++summary.edges) {
+      const std::uint32_t high = std::min(i < up.size() ? up[i] : none, j < down.size() ? down[j] : none);
+      const std::size_t first = i, second = j;
+      while (i < up.size() && up[i] == high) ++i;
+      while (j < down.size() && down[j] == high) ++j;
+      const std::size_t count = i - first + (j - second);
+      if (count == 1) summary.boundary_edges.push_back({low, high});
+      if (count == 2 && i - first != 1) summary.misoriented_edges.push_back({low, high});
+      if (count > 2) summary.nonmanifold_edges.push_back({low, high});
+    }
   }
 }
 
@@ -39,28 +58,38 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
+struct Measures {
+  double area = 0, volume = 0;
+  std::vector<std::uint32_t> degenerate{};
+
+  friend Measures operator+(Measures a, const Measures& b) {
+    a.area += b.area, a.volume += b.volume;
+    a.degenerate.insert(a.degenerate.end(), b.degenerate.begin(), b.degenerate.end());
+    return a;
+  }
+};
+
 // Computes lengths relative to the box, so that squares stay in range. The volume sums tetrahedra from the
 // box's centre, which keeps precision far from the origin.
 void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();
   const double scale = box.diagonal() > 0 ? box.diagonal() : 1;
-  double area = 0, volume = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    std::array<Point, 3> p;
-    for (int i = 0; i < 3; ++i) {
-      p[i] = surface.positions[surface.triangles[t][i]] - center;
-      for (double& x : p[i]) x /= scale;
+  Measures sum = base::sum_of_blocks(surface.triangles.size(), [&](std::size_t begin, std::size_t end) {
+    Measures sum;
+    for (std::size_t t = begin; t < end; ++t) {
+      Corners p = corners_of(surface.positions, surface.triangles[t]);
+      if (!has_area(p[0], p[1], p[2])) sum.degenerate.push_back(static_cast<std::uint32_t>(t));
+      for (Point& q : p) q = (1 / scale) * (q - center);
+      const Point n = cross(p[1] - p[0], p[2] - p[0]);
+      sum.area += 0.5 * stable_norm(n);
+      sum.volume += dot(p[0], n) / 6;
     }
-    const auto& [a, b, c] = surface.triangles[t];
-    if (!has_area(surface.positions[a], surface.positions[b], surface.positions[c]))
-      summary.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
-    const Point n = cross(p[1] - p[0], p[2] - p[0]);
-    area += 0.5 * stable_norm(n);
-    volume += dot(p[0], n) / 6;
-  }
-  summary.area = area * scale * scale;
-  summary.volume = volume * scale * scale * scale;
+    return sum;
+  });
+  summary.area = sum.area * scale * scale;
+  summary.volume = sum.volume * scale * scale * scale;
+  summary.degenerate_triangles = std::move(sum.degenerate);
 }
 
 }  // namespace

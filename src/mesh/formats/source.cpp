@@ -4,8 +4,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <exception>
 #include <fstream>
-#include <new>
 
 #include "base/error.h"
 
@@ -18,15 +18,6 @@ namespace {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
-
-std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
-  try {
-    return std::make_unique_for_overwrite<char[]>(size);
-  } catch (const std::bad_alloc&) {
-    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
-                      "reduce the model or use a larger machine");
-  }
-}
 
 }  // namespace
 
@@ -64,16 +55,23 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
                       "check that it is the right file");
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
-  bytes_ = allocate(path, size);
+  try {
+    bytes_.resize(size);
+  } catch (const std::exception&) {
+    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
+                      "reduce the model or use a larger machine");
+  }
   constexpr std::size_t step = 4 << 20;
-  while (size_ < size) {
-    const std::size_t got = std::fread(bytes_.get() + size_, 1, std::min(step, size - size_), file.get());
+  std::size_t read = 0;
+  while (read < size) {
+    const std::size_t got = std::fread(bytes_.data() + read, 1, std::min(step, size - read), file.get());
     if (std::ferror(file.get()))
       throw base::Error(path.string(), "cannot be read completely", "check the disk");
     if (got == 0) break;
-    size_ += got;
-    if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
+    read += got;
+    if (progress) progress->report(0.2 * static_cast<double>(read) / static_cast<double>(size));
   }
+  bytes_.resize(read);
 }
 
 Beginning::Beginning(const fs::path& file) {
