@@ -156,13 +156,15 @@ ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attrib
 ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes) {
   ModelShading shading;
   const auto& positions = surface->positions;
+  std::vector<mesh::Point> normals(positions.size());
   shading.normals.resize(positions.size());
   auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
   base::for_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
-    mesh::vertex_normals(positions, surface->triangles, around, begin, end, shading.normals);
+    mesh::vertex_normals(positions, surface->triangles, around, begin, end, normals);
+    for (std::size_t v = begin; v < end; ++v) shading.normals[v] = base::pack_normal(normals[v]);
   });
-  shading.occlusion = mesh::bake_cavity(positions, shading.normals, surface->triangles, std::move(around));
-  if (attributes) shading.looks = looks_of(*surface, *attributes, shading.normals);
+  shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
+  if (attributes) shading.looks = looks_of(*surface, *attributes, normals);
   shading.surface = std::move(surface);
   return shading;
 }
@@ -184,15 +186,9 @@ void ModelLayer::set_rest(const scene::Document& document, const ModelShading& s
   shadow_.set_positions(document.model.surface->positions);
 }
 
-// Both rooms define a vertex type of identical layout.
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
-  using From = deform::FrameVertex;
-  using To = render::SurfaceVertex;
-  static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
-                offsetof(From, normal) == offsetof(To, normal));
-  const std::span same(reinterpret_cast<const To*>(vertices.data()), vertices.size());
-  surface_.set_vertices(same, origin);
-  shadow_.set_vertices(same, origin);
+  surface_.set_vertices(vertices, origin);
+  shadow_.set_vertices(vertices, origin);
 }
 
 bool ModelLayer::set_colors(const scene::Workspace& w, lab::Field field, const scene::FieldView& shown) {

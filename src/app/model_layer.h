@@ -35,7 +35,7 @@ ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attrib
 /// Data for drawing a model besides its surface, computed once per model.
 struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model it belongs to; null: none
-  std::vector<mesh::Point> normals;              ///< at rest
+  std::vector<base::PackedNormal> normals;       ///< at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
   ModelLooks looks;                              ///< empty if the file has no materials
 };

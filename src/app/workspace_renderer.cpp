@@ -106,12 +106,17 @@ void WorkspaceRenderer::set_views(std::size_t count, const scene::Document& docu
 void WorkspaceRenderer::set_document(const scene::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_document(document, shading);
   file_has_looks_ = shading.looks.has_looks;
-  set_another_cage(document, shading);
+  ++content_;
+  set_cage_faces(document);
 }
 
 void WorkspaceRenderer::set_another_cage(const scene::Document& document, const ModelShading& shading) {
-  hand_.reset();
   set_rest(document, shading);
+  set_cage_faces(document);
+}
+
+void WorkspaceRenderer::set_cage_faces(const scene::Document& document) {
+  hand_.reset();
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
   cage_faces_.set_triangles(cage.triangles, cage.positions.size());

@@ -131,6 +131,7 @@ private:
   ViewDrawing::Part part(const scene::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
+  void set_cage_faces(const scene::Document& document);
   void set_shown_edges(const scene::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
 

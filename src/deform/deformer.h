@@ -66,7 +66,7 @@ public:
   LinkTimes times() const;
 
   /// Copies of all positions and normals of the last frame. Double precision for the staged engine, and for
-  /// positions of the stitched engine unless probes move them; float precision for the fused engine.
+  /// positions of the stitched engine unless probes move them; rounded as FrameVertex for the fused engine.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices that the last frame exponentiated, for at most `limit` vertices spread evenly over the

@@ -188,30 +188,31 @@ void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<c
   set_positions(positions);
 }
 
-void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
-  require_count("shadow vertices", vertices.size(), vertex_count_);
+template <class At>
+void ShadowLayer::set_points(const At& at, const Point& origin) {
   points_.clear();
   for (const auto& place : spread_) {
     glm::vec3 p(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float* corner = vertices[place.corners[k]].position;
-      p += place.shares[k] * glm::vec3(corner[0], corner[1], corner[2]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) p += place.shares[k] * at(place.corners[k]);
     if (glm::all(glm::lessThan(glm::abs(p), glm::vec3(1e30F)))) points_.push_back(p);
   }
   origin_ = origin;
   moved_ = true;
 }
 
+void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
+  require_count("shadow vertices", vertices.size(), vertex_count_);
+  const auto at = [&](std::uint32_t v) {
+    const float* p = vertices[v].position;
+    return glm::vec3(p[0], p[1], p[2]);
+  };
+  set_points(at, origin);
+}
+
 void ShadowLayer::set_positions(std::span<const Point> positions) {
   require_count("shadow positions", positions.size(), vertex_count_);
   const Point origin = origin_of(positions);
-  std::vector<SurfaceVertex> vertices(positions.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const glm::vec3 p = relative(positions[i], origin);
-    vertices[i] = {{p.x, p.y, p.z}, 0, {0, 0, 1}, 0};
-  }
-  set_vertices(vertices, origin);
+  set_points([&](std::uint32_t v) { return relative(positions[v], origin); }, origin);
 }
 
 // In units of the model's size, so that very large and very small models stay within the range of float.
