@@ -25,21 +25,37 @@ Adjacency sides(const Surface& surface, bool upwards) {
   });
 }
 
-void find_edges(const Surface& surface, Summary& summary) {
+// Adds what blocks of vertices or triangles have found.
+Summary joined(Summary a, const Summary& b) {
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  a.edges += b.edges, a.area += b.area, a.volume += b.volume;
+  append(a.boundary_edges, b.boundary_edges);
+  append(a.nonmanifold_edges, b.nonmanifold_edges);
+  append(a.misoriented_edges, b.misoriented_edges);
+  append(a.degenerate_triangles, b.degenerate_triangles);
+  return a;
+}
+
+Summary edges_of(const Surface& surface) {
   const Adjacency upwards = sides(surface, true), downwards = sides(surface, false);
-  for (std::uint32_t low = 0; low < surface.positions.size(); ++low) {
-    const auto up = upwards.of(low), down = downwards.of(low);
-    for (std::size_t i = 0, j = 0; i < up.size() || j < down.size(); ++summary.edges) {
-      const std::uint32_t high = std::min(i < up.size() ? up[i] : none, j < down.size() ? down[j] : none);
-      const std::size_t first = i, second = j;
-      while (i < up.size() && up[i] == high) ++i;
-      while (j < down.size() && down[j] == high) ++j;
-      const std::size_t count = i - first + (j - second);
-      if (count == 1) summary.boundary_edges.push_back({low, high});
-      if (count == 2 && i - first != 1) summary.misoriented_edges.push_back({low, high});
-      if (count > 2) summary.nonmanifold_edges.push_back({low, high});
+  const auto edges = [&](std::size_t begin, std::size_t end) {
+    Summary summary;
+    for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
+      const auto up = upwards.of(low), down = downwards.of(low);
+      for (std::size_t i = 0, j = 0; i < up.size() || j < down.size(); ++summary.edges) {
+        const std::uint32_t high = std::min(i < up.size() ? up[i] : none, j < down.size() ? down[j] : none);
+        const std::size_t first = i, second = j;
+        while (i < up.size() && up[i] == high) ++i;
+        while (j < down.size() && down[j] == high) ++j;
+        const std::size_t count = i - first + (j - second);
+        if (count == 1) summary.boundary_edges.push_back({low, high});
+        if (count == 2 && i - first != 1) summary.misoriented_edges.push_back({low, high});
+        if (count > 2) summary.nonmanifold_edges.push_back({low, high});
+      }
     }
-  }
+    return summary;
+  };
+  return base::sum_of_blocks(surface.positions.size(), edges, joined);
 }
 
 void find_parts(const Surface& surface, Summary& summary) {
@@ -58,48 +74,36 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
-struct Measures {
-  double area = 0, volume = 0;
-  std::vector<std::uint32_t> degenerate{};
-
-  friend Measures operator+(Measures a, const Measures& b) {
-    a.area += b.area, a.volume += b.volume;
-    a.degenerate.insert(a.degenerate.end(), b.degenerate.begin(), b.degenerate.end());
-    return a;
-  }
-};
-
 // Computes lengths relative to the box, so that squares stay in range. The volume sums tetrahedra from the
 // box's centre, which keeps precision far from the origin.
 void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();
   const double scale = box.diagonal() > 0 ? box.diagonal() : 1;
-  Measures sum = base::sum_of_blocks(surface.triangles.size(), [&](std::size_t begin, std::size_t end) {
-    Measures sum;
+  const auto measures = [&](std::size_t begin, std::size_t end) {
+    Summary sum;
     for (std::size_t t = begin; t < end; ++t) {
       Corners p = corners_of(surface.positions, surface.triangles[t]);
-      if (!has_area(p[0], p[1], p[2])) sum.degenerate.push_back(static_cast<std::uint32_t>(t));
+      if (!has_area(p[0], p[1], p[2])) sum.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
       for (Point& q : p) q = (1 / scale) * (q - center);
       const Point n = cross(p[1] - p[0], p[2] - p[0]);
       sum.area += 0.5 * stable_norm(n);
       sum.volume += dot(p[0], n) / 6;
     }
     return sum;
-  });
-  summary.area = sum.area * scale * scale;
-  summary.volume = sum.volume * scale * scale * scale;
-  summary.degenerate_triangles = std::move(sum.degenerate);
+  };
+  summary = joined(std::move(summary), base::sum_of_blocks(surface.triangles.size(), measures, joined));
+  summary.area *= scale * scale;
+  summary.volume *= scale * scale * scale;
 }
 
 }  // namespace
 
 Summary summarize(const Surface& surface) {
-  Summary summary;
+  Summary summary = edges_of(surface);
   summary.vertices = surface.positions.size();
   summary.polygons = surface.polygon_count();
   summary.triangles = surface.triangles.size();
-  find_edges(surface, summary);
   find_parts(surface, summary);
   measure(surface, summary);
   return summary;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/worker_pool.h"
 #include "render/upload.h"
 
 namespace viete::render {
@@ -114,11 +115,14 @@ void find_squares(GroundShadow& shadow) {
 std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles,
                                        std::span<const Point> positions) {
   std::vector<SpreadPoint> points;
-  double whole = 0;
   const auto area_of = [&](const Triangle& t) {
     return area(positions[t[0]], positions[t[1]], positions[t[2]]);
   };
-  for (const Triangle& t : triangles) whole += area_of(t);
+  const double whole = base::sum_of_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t t = begin; t < end; ++t) sum += area_of(triangles[t]);
+    return sum;
+  });
   if (!(whole > 0) || !std::isfinite(whole)) return points;
   points.reserve(place_count);
   double passed = 0;

@@ -1,13 +1,17 @@
 #include "mesh/formats/source.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <fstream>
+#include <new>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 
 namespace viete::mesh {
 
@@ -18,6 +22,15 @@ namespace {
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
+
+std::unique_ptr<char[]> allocate(const fs::path& path, std::size_t size) {
+  try {
+    return std::make_unique_for_overwrite<char[]>(size);
+  } catch (const std::bad_alloc&) {
+    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
+                      "reduce the model or use a larger machine");
+  }
+}
 
 }  // namespace
 
@@ -55,23 +68,19 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
                       "check that it is the right file");
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
-  try {
-    bytes_.resize(size);
-  } catch (const std::exception&) {
-    throw base::Error(path.string(), std::to_string(size) + " bytes do not fit into memory",
-                      "reduce the model or use a larger machine");
+  bytes_ = allocate(path, size);
+  constexpr std::size_t step = 64 << 20, block = 1 << 20;
+  std::atomic<bool> complete = true;
+  for (; size_ < size; size_ = std::min(size, size_ + step)) {
+    if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
+    const auto read = [&](std::size_t begin, std::size_t end) {
+      const auto got = pread(fileno(file.get()), bytes_.get() + size_ + begin, end - begin,
+                             static_cast<off_t>(size_ + begin));
+      if (got != static_cast<ssize_t>(end - begin)) complete = false;
+    };
+    base::for_blocks(std::min(step, size - size_), read, block);
   }
-  constexpr std::size_t step = 4 << 20;
-  std::size_t read = 0;
-  while (read < size) {
-    const std::size_t got = std::fread(bytes_.data() + read, 1, std::min(step, size - read), file.get());
-    if (std::ferror(file.get()))
-      throw base::Error(path.string(), "cannot be read completely", "check the disk");
-    if (got == 0) break;
-    read += got;
-    if (progress) progress->report(0.2 * static_cast<double>(read) / static_cast<double>(size));
-  }
-  bytes_.resize(read);
+  if (!complete) throw base::Error(path.string(), "cannot be read completely", "check the disk");
 }
 
 Beginning::Beginning(const fs::path& file) {

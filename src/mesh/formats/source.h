@@ -9,7 +9,6 @@
 #include <string>
 #include <string_view>
 
-#include "base/memory.h"
 #include "base/progress.h"
 
 namespace viete::mesh {
@@ -45,10 +44,11 @@ public:
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
-  std::string_view view() const { return {bytes_.data(), bytes_.size()}; }
+  std::string_view view() const { return {bytes_.get(), size_}; }
 
 private:
-  base::AlignedVector<char> bytes_;  // not cleared before reading
+  std::unique_ptr<char[]> bytes_;
+  std::size_t size_ = 0;
 };
 
 /// The beginning of a file, enough to detect its format.
