@@ -35,7 +35,8 @@ scene::OpenRequest without_fins(scene::OpenRequest request, const std::string& c
   return request;
 }
 
-Loaded load(const scene::OpenRequest& request, const scene::Document& current, base::StepProgress& progress) {
+Loaded load(const scene::OpenRequest& request, const scene::Document& current, std::size_t moving,
+            base::StepProgress& progress) {
   Loaded loaded;
   try {
     loaded.opened = scene::open_files(request, current, &progress);
@@ -53,7 +54,7 @@ Loaded load(const scene::OpenRequest& request, const scene::Document& current, b
   const scene::Document& document = *opened.document;
   if (document.model.surface != current.model.surface) {
     progress.section(0.8, 1);
-    loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
+    loaded.shading = shading_of(document.model, moving);
   }
   if (!document.has_cage()) return loaded;
   progress.step(scene::binding_plan(document, document.scheme.weighting));
@@ -64,10 +65,11 @@ Loaded load(const scene::OpenRequest& request, const scene::Document& current, b
 
 }  // namespace
 
-void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current) {
+void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current,
+                   std::size_t moving) {
   const auto& files = request.files;
-  loader.start([request, current = without_history(current)](
-                   base::StepProgress& progress) { return load(request, current, progress); },
+  loader.start([request, current = without_history(current),
+                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
                "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
 

@@ -2,6 +2,7 @@
 // cage.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "app/bound.h"
@@ -21,8 +22,9 @@ struct Loaded {
 };
 using Loader = base::BackgroundJob<Loaded>;
 
-/// Replaces a running request. A document is delivered only together with its binding, so that failures leave
-/// the open document unchanged.
-void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current);
+/// moving: see shading_of(). Replaces a running request. A document is delivered only together with its
+/// binding, so that failures leave the open document unchanged.
+void start_loading(Loader& loader, const scene::OpenRequest& request, const scene::Document& current,
+                   std::size_t moving = std::numeric_limits<std::size_t>::max());
 
 }  // namespace viete::app

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "mesh/cavity.h"
+#include "mesh/clusters.h"
 #include "mesh/formats/source.h"
 #include "mesh/normals.h"
 #include "render/view.h"
@@ -153,8 +154,10 @@ ModelLooks looks_of(const mesh::Surface& surface, const mesh::Attributes& attrib
   return LooksMaker(surface, attributes, normals).make();
 }
 
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes) {
+ModelShading shading_of(const scene::OpenedSurface& model, std::size_t moving) {
+  constexpr std::size_t coarse_triangles = 300'000;
   ModelShading shading;
+  const auto& surface = model.surface;
   const auto& positions = surface->positions;
   std::vector<mesh::Point> normals(positions.size());
   shading.normals.resize(positions.size());
@@ -164,8 +167,11 @@ ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh
     for (std::size_t v = begin; v < end; ++v) shading.normals[v] = base::pack_normal(normals[v]);
   });
   shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
-  if (attributes) shading.looks = looks_of(*surface, *attributes, normals);
-  shading.surface = std::move(surface);
+  if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals);
+  if (surface->triangles.size() > moving)
+    shading.coarse =
+        mesh::clustered_triangles(*surface, model.summary.area, std::min(coarse_triangles, moving));
+  shading.surface = surface;
   return shading;
 }
 
@@ -173,6 +179,7 @@ void ModelLayer::set_document(const scene::Document& document, const ModelShadin
   const mesh::Surface& model = *document.model.surface;
   const ModelLooks& looks = shading.looks;
   surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
+  surface_.set_coarse_triangles(shading.coarse);
   surface_.set_looks(looks.looks);
   surface_.set_occlusion(shading.occlusion);
   shadow_.set_triangles(model.triangles, model.positions);

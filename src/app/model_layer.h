@@ -38,10 +38,12 @@ struct ModelShading {
   std::vector<base::PackedNormal> normals;       ///< at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
   ModelLooks looks;                              ///< empty if the file has no materials
+  std::vector<mesh::Triangle> coarse;            ///< for motion; empty: draw all
 };
 
-/// attributes may be null. Linear time, on all processors, plus decoding images. Thread-safe.
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const mesh::Attributes* attributes);
+/// A model with more than `moving` triangles gets coarse ones. Linear time, on all processors, plus decoding
+/// images. Thread-safe.
+ModelShading shading_of(const scene::OpenedSurface& model, std::size_t moving);
 
 class ModelLayer {
 public:

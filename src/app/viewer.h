@@ -34,6 +34,7 @@ struct ViewerOptions {
   std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
   std::filesystem::path program =
       "/proc/self/exe";  ///< `viete`, for rendering animations and reports in a child process
+  std::size_t moving_triangles = 2'000'000;  ///< most triangles that software rendering draws in motion
 };
 
 /// Needs a current GL context, which must outlive it; use only in that context's thread. Owns ImGui's

@@ -282,6 +282,7 @@ namespace {
 ViewDrawing coarse(ViewDrawing drawing) {
   drawing.size = (drawing.size + 1) / 2;
   drawing.scale /= 2;
+  for (ViewDrawing::Part& part : drawing.parts) part.surface.coarse = true;
   return drawing;
 }
 

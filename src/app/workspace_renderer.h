@@ -158,7 +158,7 @@ private:
   std::vector<render::Segment> shown_edges_;  // the drawn edges
 };
 
-/// Quality of a picture: software rendering draws motion at half the resolution.
+/// Quality of a picture: software rendering draws motion at half the resolution, and large models coarsely.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {

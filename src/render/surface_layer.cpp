@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 #include "render/upload.h"
 
 namespace viete::render {
@@ -49,6 +49,7 @@ SurfaceLayer::SurfaceLayer(const Gl& gl)
     : gl_(gl),
       vertex_array_(gl),
       indices_(gl, GL_R32UI),
+      coarse_(gl, GL_R32UI),
       vertices_(gl, GL_RGBA32UI),
       occlusion_(gl, GL_R16),
       scalars_(gl, GL_R32F),
@@ -67,16 +68,29 @@ void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_
   triangle_count_ = triangles.size();
   vertex_count_ = vertex_count;
   has_vertices_ = false;
+  set_coarse_triangles({});
   set_looks({});
   set_occlusion({});
   set_scalars({});
+}
+
+void SurfaceLayer::set_coarse_triangles(std::span<const Triangle> triangles) {
+  require_indices("coarse triangles", triangles, vertex_count_);
+  coarse_.buffer.upload(triangles.data(), triangles.size_bytes(), GL_STATIC_DRAW);
+  coarse_count_ = triangles.size();
 }
 
 void SurfaceLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
   require_count("surface vertices", vertices.size(), vertex_count_);
   if (vertices.empty()) return;
   origin_ = origin;
-  std::memcpy(vertices_.buffer.map(vertices.size_bytes()), vertices.data(), vertices.size_bytes());
+  auto* mapped = static_cast<SurfaceVertex*>(vertices_.buffer.map(vertices.size_bytes()));
+  base::for_blocks(
+      vertices.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::copy(vertices.begin() + begin, vertices.begin() + end, mapped + begin);
+      },
+      std::size_t{1} << 18);
   vertices_.buffer.unmap();
   has_vertices_ = true;
 }
@@ -168,7 +182,10 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
 
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
-  indices_.bind(0);
+  const bool looks = !style.scalars && takes_looks(style.paint);
+  const bool coarse = style.coarse && coarse_count_ > 0 && !looks;
+  const BufferTexture& indices = coarse ? coarse_ : indices_;
+  indices.bind(0);
   vertices_.bind(1);
   occlusion_.bind(3);
   if (style.scalars) scalars_.bind(7);
@@ -177,10 +194,10 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (style.scalars || !takes_looks(style.paint)) {
+  if (!looks) {
     use(program_for(style), view, theme, style);
-    const auto corners = static_cast<GLsizei>(3 * triangle_count_);
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.buffer.id());
+    const auto corners = static_cast<GLsizei>(3 * (coarse ? coarse_count_ : triangle_count_));
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.buffer.id());
     if (style.wireframe > 0)
       gl_.DrawArrays(GL_TRIANGLES, 0, corners);
     else

@@ -44,6 +44,7 @@ struct SurfaceStyle {
   /// Skips back faces of a closed surface wound outwards, which more than halves the time of this layer on a
   /// software rasteriser. Parts turned inside out by a deformation then appear transparent.
   bool closed = false;
+  bool coarse = false;    ///< draws the triangles of set_coarse_triangles(), if any; not with looks
   float wireframe = 0;    ///< opacity of triangle edges, 0: none; 0.3 is subtle. Fades on tiny triangles
   float occlusion = 1;    ///< strength of the baked darkening, 0 to 1
   bool scalars = false;   ///< colour by set_scalars() through set_palette() instead of theme.model
@@ -64,6 +65,9 @@ public:
   /// New topology: discards positions, occlusion and scalars. Front faces are counter-clockwise; back faces
   /// are lit too.
   void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
+  /// Fewer triangles of the same vertices for SurfaceStyle::coarse; none: draws all. Call after
+  /// set_triangles(), which discards them.
+  void set_coarse_triangles(std::span<const Triangle> triangles);
   /// One per vertex, positions relative to origin; call every frame. Copied unchanged, except that non-finite
   /// vertices move to the origin.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
@@ -93,6 +97,7 @@ private:
   mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;   // 3 vertex indices per triangle
+  BufferTexture coarse_;    // the same for coarse triangles
   BufferTexture vertices_;  // SurfaceVertex, one texel each
   BufferTexture occlusion_, scalars_;
   BufferTexture texture_points_;  // per corner
@@ -102,7 +107,7 @@ private:
   bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;
   Texture palette_;
   float palette_size_ = 2;
-  std::size_t triangle_count_ = 0, vertex_count_ = 0;
+  std::size_t triangle_count_ = 0, coarse_count_ = 0, vertex_count_ = 0;
   Point origin_{0, 0, 0};
   bool has_vertices_ = false;
 };
