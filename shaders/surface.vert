@@ -1,9 +1,13 @@
-// Corners of triangles without index buffer: each knows its place in the triangle, for the wireframe.
+// Corners of triangles without index buffer: each knows its place in the triangle, for the wireframe. Programs that need
+// only the vertex are INDEXED: a vertex is then computed once for several triangles.
 #version 330 core
 
 uniform usamplerBuffer indices;   // 3 vertex numbers per triangle
-uniform samplerBuffer vertices;   // per vertex two: position, normal
-uniform samplerBuffer looks;      // per vertex: occlusion, scalar
+uniform usamplerBuffer vertices;  // bits of the position, and the normal: see base::pack_normal()
+uniform samplerBuffer occlusion;  // per vertex
+#ifdef SCALARS
+uniform samplerBuffer scalars;    // per vertex
+#endif
 uniform mat4 eye_from_model, clip_from_eye;
 #ifdef LOOKS
 uniform samplerBuffer texture_points;  // per corner
@@ -22,18 +26,30 @@ out vec3 eye_position;
 out vec4 normal_and_occlusion;
 out vec3 corner_and_scalar;  // two of the barycentric coordinates, scalar
 
+vec3 unpacked(uint bits) {
+  vec2 at = vec2(int(bits << 16) >> 16, int(bits) >> 16) / 32767.0;
+  float z = 1.0 - abs(at.x) - abs(at.y), fold = max(-z, 0.0);
+  return normalize(vec3(at - mix(vec2(fold), vec2(-fold), lessThan(at, vec2(0.0))), z));
+}
+
 void main() {
+#ifdef INDEXED
+  int vertex = gl_VertexID;
+#else
   int vertex = int(texelFetch(indices, gl_VertexID).r);
-  vec3 position = texelFetch(vertices, 2 * vertex).xyz;
-  vec3 normal = texelFetch(vertices, 2 * vertex + 1).xyz;
-  vec2 look = texelFetch(looks, vertex).xy;
+#endif
+  uvec4 bits = texelFetch(vertices, vertex);
+  vec3 position = uintBitsToFloat(bits.xyz), normal = unpacked(bits.w);
   if (any(isnan(position)) || any(isinf(position))) position = vec3(0.0);
   int place = gl_VertexID % 3;
   mat3 turn = mat3(eye_from_model);  // by the model's scale too large or too small to be squared
   vec3 column = abs(turn[0]);
   turn /= max(column.x, max(column.y, column.z));
-  normal_and_occlusion = vec4(turn * normal, look.x);
-  corner_and_scalar = vec3(place == 0, place == 1, look.y);
+  normal_and_occlusion = vec4(turn * normal, texelFetch(occlusion, vertex).r);
+  corner_and_scalar = vec3(place == 0, place == 1, 0.0);
+#ifdef SCALARS
+  corner_and_scalar.z = texelFetch(scalars, vertex).r;
+#endif
 #ifdef LOOKS
   texture_point = has_texture_points != 0 ? texelFetch(texture_points, gl_VertexID).xy : vec2(0.0);
 #endif

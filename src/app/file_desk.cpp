@@ -48,7 +48,7 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt)) {
     reading_ = request->files.empty() ? fs::path() : request->files.front();
-    start_loading(loader_, *request, w.document);
+    start_loading(loader_, *request, w.document, w.about.moving_triangles);
   }
   if (r.stop_work) loader_.stop();
   if (const auto file = std::exchange(r.save_session, std::nullopt)) save_session(w, *file, false);

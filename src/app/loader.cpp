@@ -35,7 +35,7 @@ files::OpenRequest without_fins(files::OpenRequest request, const std::string& c
   return request;
 }
 
-Loaded load(const files::OpenRequest& request, const document::Document& current,
+Loaded load(const files::OpenRequest& request, const document::Document& current, std::size_t moving,
             base::StepProgress& progress) {
   Loaded loaded;
   try {
@@ -54,7 +54,7 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   const document::Document& document = *opened.document;
   if (document.model.surface != current.model.surface) {
     progress.section(0.8, 1);
-    loaded.shading = shading_of(document.model.surface, document.model.attributes.get());
+    loaded.shading = shading_of(document.model, moving);
   }
   if (!document.has_cage()) return loaded;
   progress.step(document::binding_plan(document, document.scheme.weighting));
@@ -65,10 +65,11 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
 
 }  // namespace
 
-void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current) {
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
+                   std::size_t moving) {
   const auto& files = request.files;
-  loader.start([request, current = without_history(current)](
-                   base::StepProgress& progress) { return load(request, current, progress); },
+  loader.start([request, current = without_history(current),
+                moving](base::StepProgress& progress) { return load(request, current, moving, progress); },
                "Reading " + (files.empty() ? "" : files.front().filename().string()));
 }
 

@@ -1,6 +1,7 @@
 // Reads files and binds the model to its cage in the background, so that the view stays responsive.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "app/bound.h"
@@ -21,7 +22,8 @@ struct Loaded {
 using Loader = base::BackgroundJob<Loaded>;
 
 /// Cancels a running request and starts this one. If reading or binding fails, the open document stays
-/// unchanged.
-void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current);
+/// unchanged. moving: see shading_of().
+void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
+                   std::size_t moving = std::numeric_limits<std::size_t>::max());
 
 }  // namespace viete::app

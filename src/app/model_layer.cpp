@@ -7,8 +7,10 @@
 #include <utility>
 
 #include "base/error.h"
-#include "formats/source.h"
+#include "base/worker_pool.h"
 #include "mesh/cavity.h"
+#include "mesh/clusters.h"
+#include "formats/source.h"
 #include "mesh/normals.h"
 #include "render/view.h"
 
@@ -152,15 +154,24 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
   return LooksMaker(surface, attributes, normals).make();
 }
 
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const formats::Attributes* attributes) {
+ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving) {
+  constexpr std::size_t coarse_triangles = 300'000;
   ModelShading shading;
+  const auto& surface = model.surface;
   const auto& positions = surface->positions;
+  std::vector<mesh::Point> normals(positions.size());
   shading.normals.resize(positions.size());
-  const auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
-  mesh::vertex_normals(positions, surface->triangles, around, 0, positions.size(), shading.normals);
-  shading.occlusion = mesh::bake_cavity(positions, shading.normals, surface->triangles);
-  if (attributes) shading.looks = looks_of(*surface, *attributes, shading.normals);
-  shading.surface = std::move(surface);
+  auto around = mesh::vertex_triangles(positions.size(), surface->triangles);
+  base::for_blocks(positions.size(), [&](std::size_t begin, std::size_t end) {
+    mesh::vertex_normals(positions, surface->triangles, around, begin, end, normals);
+    for (std::size_t v = begin; v < end; ++v) shading.normals[v] = base::pack_normal(normals[v]);
+  });
+  shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
+  if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals);
+  if (surface->triangles.size() > moving)
+    shading.coarse =
+        mesh::clustered_triangles(*surface, model.summary.area, std::min(coarse_triangles, moving));
+  shading.surface = surface;
   return shading;
 }
 
@@ -168,6 +179,7 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   const mesh::Surface& model = *document.model.surface;
   const ModelLooks& looks = shading.looks;
   surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
+  surface_.set_coarse_triangles(shading.coarse);
   surface_.set_looks(looks.looks);
   surface_.set_occlusion(shading.occlusion);
   shadow_.set_triangles(model.triangles, model.positions);
@@ -181,15 +193,9 @@ void ModelLayer::set_rest(const document::Document& document, const ModelShading
   shadow_.set_positions(document.model.surface->positions);
 }
 
-// The vertex types of `deform` and `render` have the same layout.
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
-  using From = deform::FrameVertex;
-  using To = render::SurfaceVertex;
-  static_assert(sizeof(From) == sizeof(To) && offsetof(From, position) == offsetof(To, position) &&
-                offsetof(From, normal) == offsetof(To, normal));
-  const std::span same(reinterpret_cast<const To*>(vertices.data()), vertices.size());
-  surface_.set_vertices(same, origin);
-  shadow_.set_vertices(same, origin);
+  surface_.set_vertices(vertices, origin);
+  shadow_.set_vertices(vertices, origin);
 }
 
 bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field,

@@ -35,14 +35,15 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
 /// Data for drawing a model, computed once per model.
 struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model, or null
-  std::vector<mesh::Point> normals;              ///< vertex normals at rest
+  std::vector<base::PackedNormal> normals;       ///< vertex normals at rest
   std::vector<float> occlusion;                  ///< see mesh/cavity.h
   ModelLooks looks;                              ///< empty if the file has no materials
+  std::vector<mesh::Triangle> coarse;            ///< triangles to draw in motion; empty: draw all triangles
 };
 
-/// attributes may be null. Takes a third of a second for a million triangles, plus the time to decode images.
-/// Thread-safe.
-ModelShading shading_of(std::shared_ptr<const mesh::Surface> surface, const formats::Attributes* attributes);
+/// Adds coarse triangles if the model has more than `moving` triangles. Takes linear time on all processors,
+/// plus the time to decode images. Thread-safe.
+ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving);
 
 class ModelLayer {
 public:

@@ -56,6 +56,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
                                         {render::diverging_palette(33), &field_colors_.diverging}})
     for (const glm::vec3& c : palette) colors->push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
+  if (gl.software && options.may_be_coarse) workspace_.about.moving_triangles = options.moving_triangles;
   try {
     workspace_.example = bundled_model().loop;
   } catch (const std::exception&) {  // then the example is not offered
@@ -229,7 +230,7 @@ void Viewer::follow_document() {
     for (workspace::View& side : workspace_.split.sides()) side.shown = {}, side.stats.clear();
     workspace_.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
-      files_.shading() = shading_of(document.model.surface, document.model.attributes.get());
+      files_.shading() = shading_of(document.model, workspace_.about.moving_triangles);
     for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
       workspace_.messages.warn(warning, {.scope = workspace::Scope::model});
     if (changed.document) renderer_.set_document(document, files_.shading());
@@ -368,15 +369,15 @@ void Viewer::panels(workspace::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Continuous motion may be drawn coarsely. A single step is drawn at full resolution.
+// Continuous motion may be drawn coarsely. A single step of a small model is drawn at full resolution.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (take_screenshot_) return view_.finest();
   if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
   last_change_ = base::wall_seconds();
   if (!moves_) return Fineness::plain;
-  const bool repeated = last_frame_ - last_motion_ < still_seconds;
+  const bool repeated = last_frame_ - last_motion_ < still_seconds || !files_.shading().coarse.empty();
   return options_.may_be_coarse && repeated && workspace::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                     : Fineness::plain;
+                                                                                 : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {

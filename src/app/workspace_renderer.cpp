@@ -107,12 +107,17 @@ void WorkspaceRenderer::set_views(std::size_t count, const document::Document& d
 void WorkspaceRenderer::set_document(const document::Document& document, const ModelShading& shading) {
   for (const auto& model : models_) model->set_document(document, shading);
   file_has_looks_ = shading.looks.has_looks;
-  set_another_cage(document, shading);
+  ++content_;
+  set_cage_faces(document);
 }
 
 void WorkspaceRenderer::set_another_cage(const document::Document& document, const ModelShading& shading) {
-  hand_.reset();
   set_rest(document, shading);
+  set_cage_faces(document);
+}
+
+void WorkspaceRenderer::set_cage_faces(const document::Document& document) {
+  hand_.reset();
   if (!document.has_cage()) return;
   const mesh::Surface& cage = document.cage->surface;
   cage_faces_.set_triangles(cage.triangles, cage.positions.size());
@@ -277,6 +282,7 @@ namespace {
 ViewDrawing coarse(ViewDrawing drawing) {
   drawing.size = (drawing.size + 1) / 2;
   drawing.scale /= 2;
+  for (ViewDrawing::Part& part : drawing.parts) part.surface.coarse = true;
   return drawing;
 }
 

@@ -132,6 +132,7 @@ private:
   ViewDrawing::Part part(const workspace::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
   void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
+  void set_cage_faces(const document::Document& document);
   void set_shown_edges(const document::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
 
@@ -158,7 +159,8 @@ private:
   std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture: half the resolution, full resolution, multisampling.
+/// Quality of a picture: half the resolution (and the coarse triangles of large models), full resolution,
+/// multisampling.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {

@@ -8,6 +8,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "base/drawn_vertex.h"
+
 namespace viete::base {
 
 /// A type of its own, so that argument-dependent lookup finds the operators. It is an array for code that
@@ -73,6 +75,25 @@ inline double largest_abs(const Vec3& a) {
 inline double cosine(const Vec3& a, const Vec3& b) {
   const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
   return lengths > 0 ? dot(a, b) / lengths : -1;
+}
+
+/// A unit vector as octahedral coordinates, to 4e-5 (Meyer et al. 2010, On Floating-Point Normal Vectors).
+/// n must not be 0.
+inline PackedNormal pack_normal(const Vec3& n) {
+  const double scale = 32767 / (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
+  const double fold = std::max(-n[2], 0.0);
+  const auto packed = [&](double x) {
+    return static_cast<std::int16_t>(std::lround(scale * (x + std::copysign(fold, x))));
+  };
+  return {packed(n[0]), packed(n[1])};
+}
+
+inline Vec3 unpack_normal(const PackedNormal& packed) {
+  Vec3 n{packed[0] / 32767.0, packed[1] / 32767.0, 0};
+  n[2] = 1 - std::abs(n[0]) - std::abs(n[1]);
+  const double fold = std::max(-n[2], 0.0);
+  n = n - Vec3{std::copysign(fold, n[0]), std::copysign(fold, n[1]), 0};
+  return (1 / norm(n)) * n;
 }
 
 inline std::vector<Vec3> relative_to(const Vec3& origin, std::vector<Vec3> points) {

@@ -136,4 +136,9 @@ void WorkerPool::for_blocks(std::size_t count, std::size_t block,
   if (s.error) std::rethrow_exception(s.error);
 }
 
+void for_blocks(std::size_t count, const std::function<void(std::size_t, std::size_t)>& body,
+                std::size_t block) {
+  WorkerPool(count > block ? 0 : 1).for_blocks(count, block, body);
+}
+
 }  // namespace viete::base

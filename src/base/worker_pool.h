@@ -7,6 +7,7 @@
 #include <memory>
 #include <thread>
 #include <utility>
+#include <vector>
 
 namespace viete::base {
 
@@ -50,5 +51,23 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
+
+/// Elements per block of loops over large arrays.
+inline constexpr std::size_t large_block = std::size_t{1} << 15;
+
+/// WorkerPool::for_blocks() on threads for this loop alone; on the caller's if there is only one block.
+void for_blocks(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body,
+                std::size_t block = large_block);
+
+/// The sum of body(begin, end) over those blocks, in their order. add(sum, term) adds to a sum.
+template <class Body, class Add = std::plus<>>
+auto sum_of_blocks(std::size_t count, const Body& body, const Add& add = {}) {
+  std::vector<decltype(body(0, 0))> sums((count + large_block - 1) / large_block);
+  for_blocks(count,
+             [&](std::size_t begin, std::size_t end) { sums[begin / large_block] = body(begin, end); });
+  decltype(body(0, 0)) sum{};
+  for (const auto& s : sums) sum = add(std::move(sum), s);
+  return sum;
+}
 
 }  // namespace viete::base

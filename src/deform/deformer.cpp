@@ -139,7 +139,7 @@ std::vector<mesh::Point> Deformer::positions() const {
 std::vector<mesh::Point> Deformer::normals() const {
   if (ran_ == EngineKind::staged) return {staged_->normals().begin(), staged_->normals().end()};
   std::vector<mesh::Point> all;
-  for (const FrameVertex& v : vertices()) all.push_back({v.normal[0], v.normal[1], v.normal[2]});
+  for (const FrameVertex& v : vertices()) all.push_back(base::unpack_normal(v.normal));
   return all;
 }
 

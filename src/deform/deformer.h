@@ -64,7 +64,8 @@ public:
   LinkTimes times() const;
 
   /// Copies of all positions and normals of the last frame, with double precision from the staged engine and
-  /// float precision from others. Positions of the stitched engine are double unless probes move them.
+  /// the precision of FrameVertex from others. Positions of the stitched engine are double unless probes
+  /// move them.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices exponentiated in the last frame, for at most `limit` vertices spread evenly over the model.

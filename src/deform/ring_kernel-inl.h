@@ -17,7 +17,7 @@ namespace viete::deform::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr float smallest = 1e-36f, largest = 1e36f;  // squared areas outside this range count as 0
+constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
 // A point has four lanes x y z x. Rotated left by one lane they are y z x y, as a cross product needs. A
 // register has as many points as fit, each in its own block of lanes.
@@ -57,25 +57,30 @@ static HWY_INLINE Points scaled(OnePoint, const Points& a, float s) {
   return {a.x * s, a.y * s, a.z * s, a.w * s};
 }
 
-static HWY_INLINE void store_vertices(OnePoint d, const Points& position, const Points& normal,
+// Stores vertices with normals of absolute sum 1, see base::pack_normal().
+static HWY_INLINE void store_vertices(OnePoint, const Points& position, const Points& normal,
                                       const std::uint32_t* order, FrameVertex* vertices) {
-  store(d, position, vertices[*order].position), store(d, normal, vertices[*order].normal);
+  const float fold = normal.z < 0 ? -normal.z : 0;
+  const auto packed = [&](float x) {
+    return static_cast<std::int16_t>(__builtin_rintf(32767 * (x + __builtin_copysignf(fold, x))));
+  };
+  vertices[*order] = {{position.x, position.y, position.z}, {packed(normal.x), packed(normal.y)}};
 }
 
-// Returns 1 / length of 4 area vectors with lanes z x y 0, or 0 without area.
-static HWY_INLINE Points inverse_lengths(OnePoint, const Points (&areas)[4]) {
+// Returns 1 / (sum of absolute values) of 4 area vectors with lanes z x y 0, or 0 without area.
+static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   float inverse[4];
   for (int k = 0; k < 4; ++k) {
     const Points& a = areas[k];
-    const float squared = (a.x * a.x + a.z * a.z) + a.y * a.y;
-    inverse[k] = squared > smallest && squared < largest ? 1 / __builtin_sqrtf(squared) : 0.0f;
+    const float sum = __builtin_fabsf(a.x) + __builtin_fabsf(a.z) + __builtin_fabsf(a.y);
+    inverse[k] = sum > smallest && sum < largest ? 1 / sum : 0.0f;
   }
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
 // Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
-static HWY_INLINE void normalise(OnePoint, const Points& inverse_length, Points (&areas)[4]) {
-  const float scale[4] = {inverse_length.x, inverse_length.y, inverse_length.z, inverse_length.w};
+static HWY_INLINE void normalise(OnePoint, const Points& inverse_sum, Points (&areas)[4]) {
+  const float scale[4] = {inverse_sum.x, inverse_sum.y, inverse_sum.z, inverse_sum.w};
   for (int k = 0; k < 4; ++k) {
     const Points a = areas[k];
     areas[k] = scale[k] == 0 ? Points{0, 0, 1, 0} : Points{a.y * scale[k], a.z * scale[k], a.x * scale[k], 0};
@@ -130,27 +135,30 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
   return hn::Mul(a, hn::Set(d, s));
 }
 
-// Stores vertices from pairs of blocks with a position and a normal.
 template <class D, class V = hn::Vec<D> >
-static HWY_INLINE void store_pairs(D d, const V& pairs, const std::uint32_t* order, FrameVertex* vertices) {
-  if constexpr (points(d) == 2) {
-    hn::Store(pairs, d, vertices[order[0]].position);
+static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order, FrameVertex* vertices) {
+  if constexpr (points(d) == 1) {
+    hn::Store(blocks, d, vertices[*order].position);  // and the normal after it
   } else {
     const hn::Half<D> half;
-    hn::Store(hn::LowerHalf(half, pairs), half, vertices[order[0]].position);
-    hn::Store(hn::UpperHalf(half, pairs), half, vertices[order[2]].position);
+    store_blocks(half, hn::LowerHalf(half, blocks), order, vertices);
+    store_blocks(half, hn::UpperHalf(half, blocks), order + points(half), vertices);
   }
 }
 
+// Stores vertices with normals of absolute sum 1, see base::pack_normal().
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals, const std::uint32_t* order,
                                       FrameVertex* vertices) {
-  if constexpr (points(d) == 1) {
-    store(d, positions, vertices[order[0]].position), store(d, normals, vertices[order[0]].normal);
-  } else {
-    store_pairs(d, hn::OddEvenBlocks(hn::SwapAdjacentBlocks(normals), positions), order, vertices);
-    store_pairs(d, hn::OddEvenBlocks(normals, hn::SwapAdjacentBlocks(positions)), order + 1, vertices);
-  }
+  HWY_ALIGN static constexpr std::int32_t last[] = {0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1, 0, 0, 0, -1};
+  const hn::RebindToSigned<D> whole;
+  const V fold = hn::Max(hn::Neg(hn::Broadcast<2>(normals)), hn::Zero(d));
+  const V folded = hn::Add(normals, hn::CopySign(fold, normals));
+  const auto rounded = hn::NearestInt(hn::Mul(folded, hn::Set(d, 32767.0f)));
+  const auto packed = hn::Or(hn::And(hn::Broadcast<0>(rounded), hn::Set(whole, 0xffff)),
+                             hn::ShiftLeft<16>(hn::Broadcast<1>(rounded)));
+  const auto is_last = hn::MaskFromVec(hn::BitCast(d, hn::Load(whole, last)));
+  store_blocks(d, hn::IfThenElse(is_last, hn::BitCast(d, packed), positions), order, vertices);
 }
 
 // Lane k of each block becomes the sum of the lanes of the same block of s[k].
@@ -174,24 +182,22 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / length of area vectors with lanes z x y 0, in lane k of a block for areas[k]; 0 without area.
+// Inverse absolute sums of 4 registers of areas z x y 0: lane k of a block for area k; 0 without area.
 template <class D, class V = hn::Vec<D> >
-static HWY_INLINE V inverse_lengths(D d, const V (&areas)[4]) {
-  const V squares[4] = {hn::Mul(areas[0], areas[0]), hn::Mul(areas[1], areas[1]), hn::Mul(areas[2], areas[2]),
-                        hn::Mul(areas[3], areas[3])};
-  const V squared = block_sums(d, squares);
-  const auto has_area = hn::And(hn::Gt(squared, hn::Set(d, smallest)), hn::Lt(squared, hn::Set(d, largest)));
-  return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), hn::Sqrt(squared)));
+static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
+  const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
+  const auto has_area = hn::And(hn::Gt(sums, hn::Set(d, smallest)), hn::Lt(sums, hn::Set(d, largest)));
+  return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), sums));
 }
 
 // Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
 template <class D, class V = hn::Vec<D> >
-static HWY_INLINE void normalise(D d, V inverse_length, V (&areas)[4]) {
-  const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_length, hn::Zero(d)));
-  scale_one<0>(d, inverse_length, all_have_area, areas[0]);
-  scale_one<1>(d, inverse_length, all_have_area, areas[1]);
-  scale_one<2>(d, inverse_length, all_have_area, areas[2]);
-  scale_one<3>(d, inverse_length, all_have_area, areas[3]);
+static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
+  const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_sum, hn::Zero(d)));
+  scale_one<0>(d, inverse_sum, all_have_area, areas[0]);
+  scale_one<1>(d, inverse_sum, all_have_area, areas[1]);
+  scale_one<2>(d, inverse_sum, all_have_area, areas[2]);
+  scale_one<3>(d, inverse_sum, all_have_area, areas[3]);
 }
 
 #endif
@@ -290,13 +296,13 @@ static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&o
 
 // Stores 4 registers of slots, starting at s, to vertices[order[0]], vertices[order[1]] and so on.
 static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
-                                       const float* inverse_length, const std::uint32_t* order,
+                                       const float* inverse_sum, const std::uint32_t* order,
                                        FrameVertex* vertices) {
   const ManyPoints d;
   decltype(zero(d)) normals[4], positions[4];
   load_four(d, areas, normals);
   load_four(d, run.positions + 4 * (run.first + s), positions);
-  normalise(d, load(d, inverse_length), normals);
+  normalise(d, load(d, inverse_sum), normals);
 #pragma GCC unroll 4
   for (std::size_t k = 0; k < 4; ++k)
     store_vertices(d, scaled(d, positions[k], run.unit), normals[k], order + k * points(d), vertices);
@@ -304,7 +310,8 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// All slots of a block finish each step before the next one, which hides the latency of roots and quotients.
+// All slots of a block, from `begin` on, finish each step before the next, which hides the latency of
+// quotients.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;
@@ -320,7 +327,7 @@ static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const s
   for (std::size_t i = 0; i < slots; i += at_once) {
     decltype(zero(d)) four[4];
     load_four(d, areas + 4 * i, four);
-    store(d, inverse_lengths(d, four), inverse + i);
+    store(d, inverse_sums(d, four), inverse + i);
   }
   std::size_t i = 0;
   for (; i + at_once <= filled; i += at_once)
@@ -346,8 +353,9 @@ static void ring_high_valence(const float* positions, const std::uint32_t* neigh
   const auto self = load(d, positions + 4 * std::size_t(position));
   decltype(zero(d)) areas[4] = {areas_around<false, 1, 4>(d, positions, neighbours, length, self), zero(d),
                                 zero(d), zero(d)};
-  normalise(d, inverse_lengths(d, areas), areas);
-  store(d, areas[0], vertex.normal);
+  normalise(d, inverse_sums(d, areas), areas);
+  const std::uint32_t only = 0;
+  store_vertices(d, load(d, vertex.position), areas[0], &only, &vertex);
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

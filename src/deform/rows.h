@@ -4,6 +4,8 @@
 
 #include <cstddef>
 
+#include "base/drawn_vertex.h"
+
 namespace viete::deform {
 
 /// The contents of a row, and how a weighted sum of rows becomes a position. x is the vertex at rest,
@@ -34,12 +36,6 @@ inline constexpr RowShape moment_shape{15, 3, 0, 12};
 inline constexpr std::size_t most_columns = 15;
 inline constexpr std::size_t row_forms = 6;
 
-/// One vertex of a frame, in the layout for the graphics card.
-struct alignas(32) FrameVertex {
-  float position[3];  ///< relative to the frame's origin
-  float unused0;
-  float normal[3];  ///< unit length; (0, 0, 1) if the adjacent triangles have no area
-  float unused1;
-};
+using FrameVertex = base::DrawnVertex;
 
 }  // namespace viete::deform

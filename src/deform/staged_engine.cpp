@@ -212,8 +212,7 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
     mesh::vertex_normals(positions_, binding_->triangles, binding_->around, begin, end, normals_);
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 p = positions_[i] - rows.origin;
-      const Vec3& n = normals_[i];
-      vertices_[i] = {{float(p[0]), float(p[1]), float(p[2])}, 0, {float(n[0]), float(n[1]), float(n[2])}, 0};
+      vertices_[i] = {{float(p[0]), float(p[1]), float(p[2])}, base::pack_normal(normals_[i])};
     }
   });
 }

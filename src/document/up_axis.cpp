@@ -1,10 +1,8 @@
 #include "document/up_axis.h"
 
-#include <algorithm>
-#include <iterator>
-#include <vector>
-
+#include "base/worker_pool.h"
 #include "formats/format_table.h"
+#include "mesh/triangle.h"
 #include "mesh/vector.h"
 
 namespace viete::document {
@@ -12,15 +10,21 @@ namespace viete::document {
 namespace {
 
 mesh::Point centroid(const mesh::Surface& surface) {
-  mesh::Point sum{0, 0, 0};
-  double areas = 0;
-  for (const auto& t : surface.triangles) {
-    const auto &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
-    const double area = mesh::norm(mesh::cross(b - a, c - a));
-    sum = sum + (area / 3) * (a + b + c);
-    areas += area;
-  }
-  return areas > 0 ? (1 / areas) * sum : sum;
+  struct Sum {
+    mesh::Point moment{0, 0, 0};
+    double area = 0;
+    Sum operator+(const Sum& other) const { return {moment + other.moment, area + other.area}; }
+  };
+  const Sum sum = base::sum_of_blocks(surface.triangles.size(), [&](std::size_t begin, std::size_t end) {
+    Sum sum;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto [a, b, c] = mesh::corners_of(surface.positions, surface.triangles[t]);
+      const double area = mesh::norm(mesh::cross(b - a, c - a));
+      sum = sum + Sum{(area / 3) * (a + b + c), area};
+    }
+    return sum;
+  });
+  return sum.area > 0 ? (1 / sum.area) * sum.moment : sum.moment;
 }
 
 // The area of the box around the model's lowest points, relative to the bounding box seen from above. 0 if
@@ -28,11 +32,11 @@ mesh::Point centroid(const mesh::Surface& surface) {
 double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
                 std::size_t axis) {
   const double lowest = box.low[axis] + 0.02 * (box.high[axis] - box.low[axis]);
-  std::vector<mesh::Point> feet;
-  std::ranges::copy_if(surface.positions, std::back_inserter(feet),
-                       [&](const mesh::Point& p) { return p[axis] <= lowest; });
-  if (feet.size() < 3) return 0;
-  const mesh::Bounds base = mesh::bounds(feet);
+  std::size_t feet = 0;
+  mesh::Bounds base{box.high, box.low};
+  for (const mesh::Point& p : surface.positions)
+    if (p[axis] <= lowest) mesh::extend(base, p), ++feet;
+  if (feet < 3) return 0;
   double share = 1;
   for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3}) {
     if (middle[k] < base.low[k] || middle[k] > base.high[k] || !(box.high[k] > box.low[k])) return 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -10,6 +11,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "base/worker_pool.h"
 #include "formats/file_vectors.h"
 #include "formats/ply_file.h"
 #include "formats/surface_builder.h"
@@ -47,7 +49,8 @@ public:
       if (element.name == "vertex" && builder_.vertex_count() == 0) {
         vertices(element);
       } else if (element.name == "face") {
-        lists(element, record_face_normals(element), [this](std::size_t n) { polygon(n); });
+        if (!read_triangles(element))
+          lists(element, record_face_normals(element), [this](std::size_t n) { polygon(n); });
       } else if (element.name == "tristrips") {
         lists(element, nullptr, [this](std::size_t n) { strips(n); });
       } else {
@@ -175,7 +178,8 @@ private:
     for (const auto& [u, v] :
          {std::array{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
       texture = texture || find(element, {u, v}, texture_.data());
-    mesh::Point point{};
+    if (!normals && !texture && !colors && read_positions(element, axes)) return;
+    Point point{};
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
       if (axis < 3) {
@@ -189,6 +193,63 @@ private:
       if (texture) found_.texture_points.push_back(texture_);
       if (colors) found_.colors.push_back(color());
     });
+  }
+
+  // Reads binary rows of equal length on all processors. False if there are none, or if a value needs an
+  // error message: nothing is read.
+  bool read_positions(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
+    const std::string_view bytes = values_.bytes();
+    const std::size_t row = element.row_bytes();
+    auto& positions = builder_.surface().positions;
+    if (row == 0 || bytes.size() / row < element.count || element.count >= none) return false;
+    positions.resize(element.count);
+    std::atomic<bool> valid = true;
+    base::for_blocks(element.count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const char* from = bytes.data() + begin * row + element.bytes_before(axes[k]);
+        with_type(element.properties[axes[k]].type, [&](auto number) {
+          for (std::size_t i = begin; i < end; ++i, from += row) {
+            positions[i][k] = static_cast<double>(number_of_bytes<decltype(number)>(from, header_.order()));
+            if (!(std::abs(positions[i][k]) <= largest_coordinate)) valid = false;
+          }
+        });
+      }
+    });
+    if (!valid) return positions.clear(), false;
+    values_.skip_bytes(element.count * row);
+    return true;
+  }
+
+  // The same for faces that are only lists of three vertices.
+  bool read_triangles(const PlyElement& element) {
+    Surface& s = builder_.surface();
+    const std::string_view bytes = values_.bytes();
+    if (element.properties.size() != 1 || element.find("vertex_indices", "vertex_index") != 0 ||
+        !element.properties[0].list_size || element.count >= none / 3 || !s.corners.empty())
+      return false;
+    const PlyProperty& list = element.properties[0];
+    const std::size_t first = size_of(*list.list_size), size = size_of(list.type), row = first + 3 * size;
+    if (bytes.size() / row < element.count) return false;
+    s.corners.resize(3 * element.count);
+    s.polygon_starts.resize(element.count + 1);
+    std::atomic<bool> valid = true;
+    base::for_blocks(element.count, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const char* from = bytes.data() + i * row;
+        bool fits = number_of_bytes(from, *list.list_size, header_.order()) == 3;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const double v = number_of_bytes(from + first + k * size, list.type, header_.order());
+          fits = fits && v >= 0 && v < static_cast<double>(vertex_count_) && v == std::floor(v);
+          s.corners[3 * i + k] = fits ? static_cast<std::uint32_t>(v) : 0;
+        }
+        s.polygon_starts[i + 1] = static_cast<std::uint32_t>(3 * (i + 1));
+        if (!fits) valid = false;
+      }
+    });
+    if (!valid) return s.corners.clear(), s.polygon_starts.resize(1), false;
+    values_.skip_bytes(element.count * row);
+    polygons_ = element.count, corners_ = s.corners.size();
+    return true;
   }
 
   template <class ReadList>

@@ -84,6 +84,10 @@ public:
   double value(NumberType type);
   void skip(NumberType type) { next(type); }
 
+  /// The rest of a binary body; empty for text.
+  std::string_view bytes() const { return is_text_ ? std::string_view() : at_; }
+  void skip_bytes(std::size_t count) { at_.remove_prefix(count); }
+
   std::size_t most_values(NumberType type) const {
     return is_text_ ? text_.bytes_left() / 2 + 1 : at_.size() / size_of(type);
   }

@@ -1,6 +1,9 @@
 #include "formats/source.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -8,6 +11,7 @@
 #include <new>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 
 namespace viete::formats {
 
@@ -65,15 +69,18 @@ FileBytes::FileBytes(const fs::path& path, base::Progress* progress, std::size_t
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   if (!file) throw base::Error(path.string(), std::string("cannot be opened: ") + std::strerror(errno));
   bytes_ = allocate(path, size);
-  constexpr std::size_t step = 4 << 20;
-  while (size_ < size) {
-    const std::size_t got = std::fread(bytes_.get() + size_, 1, std::min(step, size - size_), file.get());
-    if (std::ferror(file.get()))
-      throw base::Error(path.string(), "cannot be read completely", "check the disk");
-    if (got == 0) break;
-    size_ += got;
+  constexpr std::size_t step = 64 << 20, block = 1 << 20;
+  std::atomic<bool> complete = true;
+  for (; size_ < size; size_ = std::min(size, size_ + step)) {
     if (progress) progress->report(0.2 * static_cast<double>(size_) / static_cast<double>(size));
+    const auto read = [&](std::size_t begin, std::size_t end) {
+      const auto got = pread(fileno(file.get()), bytes_.get() + size_ + begin, end - begin,
+                             static_cast<off_t>(size_ + begin));
+      if (got != static_cast<ssize_t>(end - begin)) complete = false;
+    };
+    base::for_blocks(std::min(step, size - size_), read, block);
   }
+  if (!complete) throw base::Error(path.string(), "cannot be read completely", "check the disk");
 }
 
 Beginning::Beginning(const fs::path& file) {

@@ -21,9 +21,7 @@ Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> posi
   using Entry = std::tuple<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
   for (const auto v : selected) queue.emplace(distances[v] = 0, v);
-  const auto neighbours = mesh::make_adjacency(positions.size(), [&](const auto& add) {
-    for (const auto& [a, b] : cage.edges) add(a, b), add(b, a);
-  });
+  const auto neighbours = mesh::adjacency(positions.size(), cage.edges);
   while (!queue.empty()) {
     const auto [distance, v] = queue.top();
     queue.pop();

@@ -1,12 +1,15 @@
 // Lists of neighbours.
 #pragma once
 
+#include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
 
+#include "base/worker_pool.h"
 #include "mesh/half_edges.h"
 
 namespace viete::mesh {
@@ -34,7 +37,32 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   return lists;
 }
 
-/// Returns the neighbours of each node of a graph, in the order of the edges.
+/// As make_adjacency() for large arrays, on all processors: for_each(t, add) is called for each t < elements,
+/// and the items of each i are sorted.
+template <class ForEach>
+Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
+  Adjacency lists;
+  lists.starts.assign(count + 1, 0);
+  const auto for_all = [&](const auto& add) {
+    base::for_blocks(elements, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t) for_each(static_cast<std::uint32_t>(t), add);
+    });
+  };
+  const auto slot = [&](std::uint32_t i) { return std::atomic_ref(lists.starts[i]); };
+  for_all([&](std::uint32_t i, std::uint32_t) { slot(i).fetch_add(1, std::memory_order_relaxed); });
+  std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
+  lists.items.resize(lists.starts.back());
+  for_all([&](std::uint32_t i, std::uint32_t item) {  // fills each list from its end
+    lists.items[slot(i).fetch_sub(1, std::memory_order_relaxed) - 1] = item;
+  });
+  base::for_blocks(count, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i)
+      std::sort(lists.items.begin() + lists.starts[i], lists.items.begin() + lists.starts[i + 1]);
+  });
+  return lists;
+}
+
+/// The neighbours of each node of a graph, in the order of its edges.
 inline Adjacency adjacency(std::size_t nodes, std::span<const Edge> edges) {
   return make_adjacency(nodes, [&](const auto& add) {
     for (const auto& [a, b] : edges) add(a, b), add(b, a);

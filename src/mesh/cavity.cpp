@@ -1,20 +1,13 @@
 #include "mesh/cavity.h"
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "mesh/adjacency.h"
+#include "base/worker_pool.h"
 
 namespace viete::mesh {
 
 namespace {
-
-// Lists each end of an inner edge twice.
-Adjacency neighbours(std::span<const Triangle> triangles, std::size_t vertices) {
-  return make_adjacency(vertices, [&](const auto& add) {
-    for (const auto& [a, b, c] : triangles) add(a, b), add(a, c), add(b, c), add(b, a), add(c, a), add(c, b);
-  });
-}
 
 // In float, relative to the first point: the precision of a shade of grey is enough.
 Vec3f rounded(const Point& a) {
@@ -38,36 +31,35 @@ float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::si
   });
 }
 
-/// One step of averaging with the neighbours.
-void smooth(const Adjacency& around, std::vector<float>& values, std::vector<float>& scratch) {
-  scratch = values;
-  for (std::size_t v = 0; v < values.size(); ++v) {
-    if (around.of(v).empty()) continue;
-    const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
-    values[v] = 0.5F * scratch[v] + 0.5F * mean;
-  }
-}
-
-std::vector<Vec3f> relative_points(std::span<const Point> positions) {
-  std::vector<Vec3f> points(positions.size());
-  for (std::size_t v = 0; v < points.size(); ++v) points[v] = rounded(positions[v] - positions[0]);
-  return points;
-}
-
 }  // namespace
 
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
-                               std::span<const Triangle> triangles, int levels) {
-  const Adjacency around = neighbours(triangles, positions.size());
-  const std::vector<Vec3f> points = relative_points(positions);
-
-  std::vector<float> hollow(positions.size()), scratch;
-  for (std::size_t v = 0; v < points.size(); ++v)
-    hollow[v] = hollowness(around, points, v, rounded(normals[v]));
-  std::vector<float> sum(positions.size(), 0.0F);
+                               std::span<const Triangle> triangles, Adjacency around, int levels) {
+  base::WorkerPool pool(positions.size() > base::large_block ? 0 : 1);
+  const auto for_vertices = [&](const auto& use) {
+    pool.for_blocks(positions.size(), base::large_block, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t v = begin; v < end; ++v) use(v);
+    });
+  };
+  std::vector<Vec3f> points(positions.size());
+  for_vertices([&](std::size_t v) {
+    points[v] = rounded(positions[v] - positions[0]);
+    for (std::size_t i = around.starts[v]; i < around.starts[v + 1]; ++i) {
+      const Triangle& t = triangles[around.items[i]];
+      around.items[i] = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+    }
+  });
+  std::vector<float> hollow(positions.size()), scratch(positions.size()), sum(positions.size(), 0.0F);
+  for_vertices([&](std::size_t v) { hollow[v] = hollowness(around, points, v, rounded(normals[v])); });
   for (int level = 0; level < levels; ++level) {
-    for (int step = 0; step < 1 << level; ++step) smooth(around, hollow, scratch);
-    for (std::size_t v = 0; v < sum.size(); ++v) sum[v] += hollow[v];
+    for (int step = 0; step < 1 << level; ++step) {
+      std::swap(hollow, scratch);
+      for_vertices([&](std::size_t v) {  // averages with the neighbours
+        const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
+        hollow[v] = around.of(v).empty() ? scratch[v] : 0.5F * scratch[v] + 0.5F * mean;
+      });
+    }
+    for_vertices([&](std::size_t v) { sum[v] += hollow[v]; });
   }
   for (float& value : sum) value = 1 - std::clamp(2.0F * value, 0.0F, 1.0F);
   return sum;

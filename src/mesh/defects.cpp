@@ -1,10 +1,12 @@
 #include "mesh/defects.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
-#include "mesh/half_edges.h"
+#include "base/worker_pool.h"
+#include "mesh/normals.h"
 #include "mesh/point_index.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
@@ -18,6 +20,14 @@ std::vector<std::uint8_t> used_vertices(const Surface& surface) {
   std::vector<std::uint8_t> used(surface.positions.size(), 0);
   for (const auto v : surface.corners) used[v] = 1;
   return used;
+}
+
+// The numbers of the marked elements.
+std::vector<std::uint32_t> marked(const std::vector<std::uint8_t>& marks) {
+  std::vector<std::uint32_t> numbers;
+  for (std::uint32_t i = 0; i < marks.size(); ++i)
+    if (marks[i]) numbers.push_back(i);
+  return numbers;
 }
 
 }  // namespace
@@ -34,29 +44,29 @@ std::vector<std::uint32_t> duplicate_vertices(const Surface& surface) {
 }
 
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
-  const auto& triangles = surface.triangles;
-  const HalfEdges table = half_edges(surface.positions.size(), triangles);
-  const auto corner = [&](std::uint32_t t, std::uint32_t v) {
-    return 3 * t + static_cast<std::uint32_t>(std::ranges::find(triangles[t], v) - triangles[t].begin());
-  };
-  UnionFind fans(3 * triangles.size());  // corners at one vertex, joined across edges
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto first = table.of(e)[0].triangle;
-    for (const HalfEdge& side : table.of(e)) {
-      for (const auto v : table.edges[e]) fans.join(corner(first, v), corner(side.triangle, v));
+  const Adjacency around = vertex_triangles(surface.positions.size(), surface.triangles);
+  std::vector<std::uint8_t> pinched(surface.positions.size(), 0);
+  base::for_blocks(pinched.size(), [&](std::size_t begin, std::size_t end) {
+    UnionFind joined;  // triangles at one vertex, joined across edges
+    std::vector<std::array<std::uint32_t, 2>>
+        spokes;  // their other corners, and the triangle's place in the list
+    for (std::size_t v = begin; v < end; ++v) {
+      spokes.clear();
+      std::uint32_t count = 0;
+      for (const std::uint32_t t : around.of(v)) {
+        if (repeats_corner(surface.triangles[t])) continue;
+        for (const std::uint32_t corner : surface.triangles[t])
+          if (corner != v) spokes.push_back({corner, count});
+        ++count;
+      }
+      std::ranges::sort(spokes);
+      joined.reset(count);
+      for (std::size_t i = 1; i < spokes.size(); ++i)
+        if (spokes[i][0] == spokes[i - 1][0]) count -= joined.join(spokes[i][1], spokes[i - 1][1]);
+      pinched[v] = count > 1;
     }
-  }
-  std::vector<std::uint32_t> fan_of(surface.positions.size(), none), pinched;
-  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-    if (repeats_corner(triangles[t])) continue;
-    for (const auto v : triangles[t]) {
-      const auto fan = fans.find(corner(t, v)), known = std::exchange(fan_of[v], fan);
-      if (known != none && known != fan) pinched.push_back(v);
-    }
-  }
-  std::ranges::sort(pinched);
-  pinched.erase(std::unique(pinched.begin(), pinched.end()), pinched.end());
-  return pinched;
+  });
+  return marked(pinched);
 }
 
 std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) {
@@ -74,8 +84,7 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
 }
 
 std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface, base::Progress* progress) {
-  std::vector<std::uint32_t> crossing;
-  if (surface.triangles.empty()) return crossing;
+  if (surface.triangles.empty()) return {};
   // Scales by a power of two, which is exact, so that products stay within the range of double.
   const Bounds all = used_bounds(surface);
   const double largest = std::max(largest_abs(all.low), largest_abs(all.high));
@@ -100,10 +109,7 @@ std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface, b
       if (intersect(corners[s], corners[t])) found[s] = found[t] = 1;
     });
   }
-  for (std::uint32_t t = 0; t < found.size(); ++t) {
-    if (found[t]) crossing.push_back(t);
-  }
-  return crossing;
+  return marked(found);
 }
 
 }  // namespace viete::mesh

@@ -184,10 +184,8 @@ std::vector<std::uint32_t> every_vertex(const Surface& surface) {
 }
 
 Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles) {
-  return make_adjacency(vertices, [&](const auto& add) {
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-      for (const std::uint32_t v : triangles[t]) add(v, t);
-    }
+  return sorted_adjacency(vertices, triangles.size(), [&](std::uint32_t t, const auto& add) {
+    for (const std::uint32_t v : triangles[t]) add(v, t);
   });
 }
 

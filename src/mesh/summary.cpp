@@ -1,8 +1,10 @@
 #include "mesh/summary.h"
 
 #include <algorithm>
-#include <array>
+#include <utility>
 
+#include "base/worker_pool.h"
+#include "mesh/adjacency.h"
 #include "mesh/defects.h"
 #include "mesh/triangle.h"
 #include "mesh/union_find.h"
@@ -11,16 +13,49 @@ namespace viete::mesh {
 
 namespace {
 
-void find_edges(const Surface& surface, Summary& summary) {
-  const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
-  summary.edges = table.edges.size();
-  for (std::size_t e = 0; e < table.edges.size(); ++e) {
-    const auto sides = table.of(e);
-    if (sides.size() == 1) summary.boundary_edges.push_back(table.edges[e]);
-    if (sides.size() == 2 && sides[0].forward == sides[1].forward)
-      summary.misoriented_edges.push_back(table.edges[e]);
-    if (sides.size() > 2) summary.nonmanifold_edges.push_back(table.edges[e]);
-  }
+// For each vertex the higher vertices of its edges, once per side of a triangle that runs upwards or
+// downwards.
+Adjacency sides(const Surface& surface, bool upwards) {
+  const auto& triangles = surface.triangles;
+  return sorted_adjacency(surface.positions.size(), triangles.size(), [&](std::uint32_t t, const auto& add) {
+    const auto& [a, b, c] = triangles[t];
+    if (repeats_corner(triangles[t])) return;
+    for (const auto& [from, to] : {Edge{a, b}, Edge{b, c}, Edge{c, a}})
+      if ((from < to) == upwards) add(std::min(from, to), std::max(from, to));
+  });
+}
+
+// Adds what blocks of vertices or triangles have found.
+Summary joined(Summary a, const Summary& b) {
+  const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+  a.edges += b.edges, a.area += b.area, a.volume += b.volume;
+  append(a.boundary_edges, b.boundary_edges);
+  append(a.nonmanifold_edges, b.nonmanifold_edges);
+  append(a.misoriented_edges, b.misoriented_edges);
+  append(a.degenerate_triangles, b.degenerate_triangles);
+  return a;
+}
+
+Summary edges_of(const Surface& surface) {
+  const Adjacency upwards = sides(surface, true), downwards = sides(surface, false);
+  const auto edges = [&](std::size_t begin, std::size_t end) {
+    Summary summary;
+    for (auto low = static_cast<std::uint32_t>(begin); low < end; ++low) {
+      const auto up = upwards.of(low), down = downwards.of(low);
+      for (std::size_t i = 0, j = 0; i < up.size() || j < down.size(); ++summary.edges) {
+        const std::uint32_t high = std::min(i < up.size() ? up[i] : none, j < down.size() ? down[j] : none);
+        const std::size_t first = i, second = j;
+        while (i < up.size() && up[i] == high) ++i;
+        while (j < down.size() && down[j] == high) ++j;
+        const std::size_t count = i - first + (j - second);
+        if (count == 1) summary.boundary_edges.push_back({low, high});
+        if (count == 2 && i - first != 1) summary.misoriented_edges.push_back({low, high});
+        if (count > 2) summary.nonmanifold_edges.push_back({low, high});
+      }
+    }
+    return summary;
+  };
+  return base::sum_of_blocks(surface.positions.size(), edges, joined);
 }
 
 void find_parts(const Surface& surface, Summary& summary) {
@@ -45,32 +80,30 @@ void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();
   const double scale = box.diagonal() > 0 ? box.diagonal() : 1;
-  double area = 0, volume = 0;
-  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    std::array<Point, 3> p;
-    for (int i = 0; i < 3; ++i) {
-      p[i] = surface.positions[surface.triangles[t][i]] - center;
-      for (double& x : p[i]) x /= scale;
+  const auto measures = [&](std::size_t begin, std::size_t end) {
+    Summary sum;
+    for (std::size_t t = begin; t < end; ++t) {
+      Corners p = corners_of(surface.positions, surface.triangles[t]);
+      if (!has_area(p[0], p[1], p[2])) sum.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
+      for (Point& q : p) q = (1 / scale) * (q - center);
+      const Point n = cross(p[1] - p[0], p[2] - p[0]);
+      sum.area += 0.5 * stable_norm(n);
+      sum.volume += dot(p[0], n) / 6;
     }
-    const auto& [a, b, c] = surface.triangles[t];
-    if (!has_area(surface.positions[a], surface.positions[b], surface.positions[c]))
-      summary.degenerate_triangles.push_back(static_cast<std::uint32_t>(t));
-    const Point n = cross(p[1] - p[0], p[2] - p[0]);
-    area += 0.5 * stable_norm(n);
-    volume += dot(p[0], n) / 6;
-  }
-  summary.area = area * scale * scale;
-  summary.volume = volume * scale * scale * scale;
+    return sum;
+  };
+  summary = joined(std::move(summary), base::sum_of_blocks(surface.triangles.size(), measures, joined));
+  summary.area *= scale * scale;
+  summary.volume *= scale * scale * scale;
 }
 
 }  // namespace
 
 Summary summarize(const Surface& surface) {
-  Summary summary;
+  Summary summary = edges_of(surface);
   summary.vertices = surface.positions.size();
   summary.polygons = surface.polygon_count();
   summary.triangles = surface.triangles.size();
-  find_edges(surface, summary);
   find_parts(surface, summary);
   measure(surface, summary);
   return summary;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <queue>
 
+#include "base/worker_pool.h"
 #include "mesh/adjacency.h"
 #include "mesh/triangle.h"
 
@@ -306,10 +307,21 @@ void triangulate(Surface& surface) {
   const std::size_t polygons = surface.polygon_count();
   const std::size_t triangles = surface.corners.size() - std::min(surface.corners.size(), 2 * polygons);
   surface.triangles.clear();
-  surface.triangles.reserve(triangles);
-  surface.triangle_polygon.clear();
-  surface.triangle_polygon.reserve(triangles);
   surface.clipped.clear();
+  surface.triangle_polygon.clear();
+  if (triangles == polygons) {  // each polygon is a triangle
+    surface.triangles.resize(polygons);
+    surface.triangle_polygon.resize(polygons);
+    return base::for_blocks(polygons, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t p = begin; p < end; ++p) {
+        const std::uint32_t* corners = surface.corners.data() + 3 * p;
+        surface.triangles[p] = {corners[0], corners[1], corners[2]};
+        surface.triangle_polygon[p] = static_cast<std::uint32_t>(p);
+      }
+    });
+  }
+  surface.triangles.reserve(triangles);
+  surface.triangle_polygon.reserve(triangles);
   std::vector<Point> places;
   for (std::uint32_t p = 0; p < polygons; ++p) {
     const std::uint32_t begin = surface.polygon_starts[p], end = surface.polygon_starts[p + 1];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/worker_pool.h"
 #include "render/upload.h"
 
 namespace viete::render {
@@ -114,11 +115,14 @@ void find_squares(GroundShadow& shadow) {
 std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles,
                                        std::span<const Point> positions) {
   std::vector<SpreadPoint> points;
-  double whole = 0;
   const auto area_of = [&](const Triangle& t) {
     return area(positions[t[0]], positions[t[1]], positions[t[2]]);
   };
-  for (const Triangle& t : triangles) whole += area_of(t);
+  const double whole = base::sum_of_blocks(triangles.size(), [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t t = begin; t < end; ++t) sum += area_of(triangles[t]);
+    return sum;
+  });
   if (!(whole > 0) || !std::isfinite(whole)) return points;
   points.reserve(place_count);
   double passed = 0;
@@ -188,30 +192,31 @@ void ShadowLayer::set_triangles(std::span<const Triangle> triangles, std::span<c
   set_positions(positions);
 }
 
-void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
-  require_count("shadow vertices", vertices.size(), vertex_count_);
+template <class At>
+void ShadowLayer::set_points(const At& at, const Point& origin) {
   points_.clear();
   for (const auto& place : spread_) {
     glm::vec3 p(0);
-    for (std::size_t k = 0; k < 3; ++k) {
-      const float* corner = vertices[place.corners[k]].position;
-      p += place.shares[k] * glm::vec3(corner[0], corner[1], corner[2]);
-    }
+    for (std::size_t k = 0; k < 3; ++k) p += place.shares[k] * at(place.corners[k]);
     if (glm::all(glm::lessThan(glm::abs(p), glm::vec3(1e30F)))) points_.push_back(p);
   }
   origin_ = origin;
   moved_ = true;
 }
 
+void ShadowLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
+  require_count("shadow vertices", vertices.size(), vertex_count_);
+  const auto at = [&](std::uint32_t v) {
+    const float* p = vertices[v].position;
+    return glm::vec3(p[0], p[1], p[2]);
+  };
+  set_points(at, origin);
+}
+
 void ShadowLayer::set_positions(std::span<const Point> positions) {
   require_count("shadow positions", positions.size(), vertex_count_);
   const Point origin = origin_of(positions);
-  std::vector<SurfaceVertex> vertices(positions.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const glm::vec3 p = relative(positions[i], origin);
-    vertices[i] = {{p.x, p.y, p.z}, 0, {0, 0, 1}, 0};
-  }
-  set_vertices(vertices, origin);
+  set_points([&](std::uint32_t v) { return relative(positions[v], origin); }, origin);
 }
 
 // In units of the model's size, so that very large and very small models stay within the range of float.

@@ -59,6 +59,8 @@ public:
   void draw(const View& view, const Theme& theme, const ShadowStyle& style);
 
 private:
+  template <class At>
+  void set_points(const At& at, const Point& origin);
   void cast(const ShadowStyle& style);
 
   const Gl& gl_;

@@ -1,18 +1,17 @@
 #include "render/surface_layer.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstdint>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/worker_pool.h"
 #include "render/upload.h"
 
 namespace viete::render {
 
 namespace {
-
-static_assert(sizeof(SurfaceVertex) == 8 * sizeof(float));
 
 // Uploads mipmaps, filtered in linear light. Software rasterisers skip the finest filter, which is too slow.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
@@ -50,8 +49,10 @@ SurfaceLayer::SurfaceLayer(const Gl& gl)
     : gl_(gl),
       vertex_array_(gl),
       indices_(gl, GL_R32UI),
-      vertices_(gl, GL_RGBA32F),
-      looks_(gl, GL_RG32F),
+      coarse_(gl, GL_R32UI),
+      vertices_(gl, GL_RGBA32UI),
+      occlusion_(gl, GL_R16),
+      scalars_(gl, GL_R32F),
       texture_points_(gl, GL_RG32F),
       colors_(gl, GL_RGBA8),
       palette_(gl) {
@@ -63,56 +64,66 @@ SurfaceLayer::SurfaceLayer(const Gl& gl)
 void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count) {
   require_indices("surface triangles", triangles, vertex_count);
   require_texels(gl_, "surface triangles", 3 * triangles.size());
-  require_texels(gl_, "surface vertices", 2 * vertex_count);
   indices_.buffer.upload(triangles.data(), triangles.size_bytes(), GL_STATIC_DRAW);
   triangle_count_ = triangles.size();
   vertex_count_ = vertex_count;
-  occlusion_.clear();
-  scalars_.clear();
   has_vertices_ = false;
+  set_coarse_triangles({});
   set_looks({});
-  upload_looks();
+  set_occlusion({});
+  set_scalars({});
+}
+
+void SurfaceLayer::set_coarse_triangles(std::span<const Triangle> triangles) {
+  require_indices("coarse triangles", triangles, vertex_count_);
+  coarse_.buffer.upload(triangles.data(), triangles.size_bytes(), GL_STATIC_DRAW);
+  coarse_count_ = triangles.size();
 }
 
 void SurfaceLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
   require_count("surface vertices", vertices.size(), vertex_count_);
   if (vertices.empty()) return;
   origin_ = origin;
-  std::memcpy(vertices_.buffer.map(vertices.size_bytes()), vertices.data(), vertices.size_bytes());
+  auto* mapped = static_cast<SurfaceVertex*>(vertices_.buffer.map(vertices.size_bytes()));
+  base::for_blocks(
+      vertices.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::copy(vertices.begin() + begin, vertices.begin() + end, mapped + begin);
+      },
+      std::size_t{1} << 18);
   vertices_.buffer.unmap();
   has_vertices_ = true;
 }
 
-void SurfaceLayer::set_positions(std::span<const Point> positions, std::span<const Point> normals) {
+void SurfaceLayer::set_positions(std::span<const Point> positions,
+                                 std::span<const base::PackedNormal> normals) {
   require_count("surface positions", positions.size(), vertex_count_);
   require_count("surface normals", normals.size(), vertex_count_);
-  const Point origin = origin_of(positions);
-  std::vector<SurfaceVertex> vertices(positions.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) {
-    const glm::vec3 p = relative(positions[i], origin), n = relative(normals[i], {0, 0, 0});
-    vertices[i] = {{p.x, p.y, p.z}, 0, {n.x, n.y, n.z}, 0};
+  if (positions.empty()) return;
+  origin_ = origin_of(positions);
+  auto* vertices =
+      static_cast<SurfaceVertex*>(vertices_.buffer.map(positions.size() * sizeof(SurfaceVertex)));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::vec3 p = relative(positions[i], origin_);
+    vertices[i] = {{p.x, p.y, p.z}, normals[i]};
   }
-  set_vertices(vertices, origin);
+  vertices_.buffer.unmap();
+  has_vertices_ = true;
 }
 
 void SurfaceLayer::set_occlusion(std::span<const float> occlusion) {
   if (!occlusion.empty()) require_count("surface occlusion", occlusion.size(), vertex_count_);
-  occlusion_.assign(occlusion.begin(), occlusion.end());
-  upload_looks();
+  if (vertex_count_ == 0) return;
+  auto* values = static_cast<std::uint16_t*>(occlusion_.buffer.map(vertex_count_ * sizeof(std::uint16_t)));
+  for (std::size_t i = 0; i < vertex_count_; ++i)
+    values[i] = static_cast<std::uint16_t>(
+        occlusion.empty() ? 65535 : 65535 * std::clamp(occlusion[i], 0.0F, 1.0F) + 0.5F);
+  occlusion_.buffer.unmap();
 }
 
 void SurfaceLayer::set_scalars(std::span<const float> scalars) {
   if (!scalars.empty()) require_count("surface scalars", scalars.size(), vertex_count_);
-  scalars_.assign(scalars.begin(), scalars.end());
-  upload_looks();
-}
-
-void SurfaceLayer::upload_looks() {
-  if (vertex_count_ == 0) return;
-  auto* looks = static_cast<glm::vec2*>(looks_.buffer.map(vertex_count_ * sizeof(glm::vec2)));
-  for (std::size_t i = 0; i < vertex_count_; ++i)
-    looks[i] = {occlusion_.empty() ? 1.0F : occlusion_[i], scalars_.empty() ? 0.0F : scalars_[i]};
-  looks_.buffer.unmap();
+  scalars_.buffer.upload(scalars.data(), scalars.size_bytes(), GL_STATIC_DRAW);
 }
 
 void SurfaceLayer::set_palette(std::span<const glm::vec3> colors) {
@@ -160,26 +171,37 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
   const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : material_kind(style.paint);
   auto& program = programs_[4 * kind + (colors ? 2 : 0) + (wired ? 1 : 0)];
   if (!program) {
-    program.emplace(
-        gl_, "surface",
-        std::string(kinds[kind]) + (colors ? "#define COLORS\n" : "") + (wired ? "#define WIREFRAME\n" : ""));
+    program.emplace(gl_, "surface",
+                    std::string(kinds[kind]) + (colors ? "#define COLORS\n" : "") +
+                        (wired   ? "#define WIREFRAME\n"
+                         : looks ? ""
+                                 : "#define INDEXED\n"));
   }
   return *program;
 }
 
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
-  indices_.bind(0);
+  const bool looks = !style.scalars && takes_looks(style.paint);
+  const bool coarse = style.coarse && coarse_count_ > 0 && !looks;
+  const BufferTexture& indices = coarse ? coarse_ : indices_;
+  indices.bind(0);
   vertices_.bind(1);
-  looks_.bind(3);
+  occlusion_.bind(3);
+  if (style.scalars) scalars_.bind(7);
   bind_texture(gl_, 2, palette_);
   gl_.Enable(GL_DEPTH_TEST);
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (style.scalars || !takes_looks(style.paint)) {
+  if (!looks) {
     use(program_for(style), view, theme, style);
-    gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(3 * triangle_count_));
+    const auto corners = static_cast<GLsizei>(3 * (coarse ? coarse_count_ : triangle_count_));
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.buffer.id());
+    if (style.wireframe > 0)
+      gl_.DrawArrays(GL_TRIANGLES, 0, corners);
+    else
+      gl_.DrawElements(GL_TRIANGLES, corners, GL_UNSIGNED_INT, nullptr);
   } else {
     draw_runs(view, theme, style);
   }
@@ -217,7 +239,8 @@ void SurfaceLayer::use(const Program& program, const View& view, const Theme& th
   program.set("indices", 0);
   program.set("vertices", 1);
   program.set("palette", 2);
-  program.set("looks", 3);
+  program.set("occlusion", 3);
+  program.set("scalars", 7);
   set_camera(program, view, origin_);
   program.set("eye_ray", eye_ray(view));
   program.set("model_color", theme.model);

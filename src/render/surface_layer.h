@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/choice.h"
+#include "base/drawn_vertex.h"
 #include "render/gl.h"
 #include "render/image.h"
 #include "render/program.h"
@@ -43,6 +44,7 @@ struct SurfaceStyle {
   /// Skips back faces of a closed surface wound outwards, which more than halves the time of this layer on a
   /// software rasteriser. Parts turned inside out by a deformation then appear transparent.
   bool closed = false;
+  bool coarse = false;    ///< draws the triangles of set_coarse_triangles(), if any; not with looks
   float wireframe = 0;    ///< opacity of triangle edges, 0: none; 0.3 is subtle. Fades on tiny triangles
   float occlusion = 1;    ///< strength of the baked darkening, 0 to 1
   bool scalars = false;   ///< colour by set_scalars() through set_palette() instead of theme.model
@@ -52,11 +54,7 @@ struct SurfaceStyle {
   friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;
 };
 
-/// A vertex in GPU layout.
-struct SurfaceVertex {
-  float position[3], unused0 = 0;
-  float normal[3], unused1 = 0;  ///< unit length
-};
+using SurfaceVertex = base::DrawnVertex;
 
 /// Not thread-safe. Copies all spans. Throws base::Error if a size does not match the vertex count, or if a
 /// triangle uses an invalid vertex index.
@@ -67,11 +65,14 @@ public:
   /// New topology: discards positions, occlusion and scalars. Front faces are counter-clockwise; back faces
   /// are lit too.
   void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
+  /// Fewer triangles of the same vertices for SurfaceStyle::coarse; none: draws all. Call after
+  /// set_triangles(), which discards them.
+  void set_coarse_triangles(std::span<const Triangle> triangles);
   /// One per vertex, positions relative to origin; call every frame. Copied unchanged, except that non-finite
   /// vertices move to the origin.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
-  /// Takes world positions and unit normals; stores them relative to the first finite position.
-  void set_positions(std::span<const Point> positions, std::span<const Point> normals);
+  /// Takes world positions and normals; stores them relative to the first finite position.
+  void set_positions(std::span<const Point> positions, std::span<const base::PackedNormal> normals);
   /// Per vertex 0 (dark) to 1 (open), see mesh/cavity.h. An empty span removes it.
   void set_occlusion(std::span<const float> occlusion);
   /// One value per vertex, any range (see SurfaceStyle). An empty span removes them.
@@ -86,7 +87,6 @@ public:
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
 private:
-  void upload_looks();
   const Program& program_for(const SurfaceStyle& style, bool flat = false) const;
   void use(const Program& program, const View& view, const Theme& theme, const SurfaceStyle& style) const;
   void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
@@ -96,9 +96,10 @@ private:
   // not, and plain colour, scalars, looks, flat looks, a material, or a depth pass.
   mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
-  BufferTexture indices_;         // 3 vertex indices per triangle
-  BufferTexture vertices_;        // SurfaceVertex, two texels each
-  BufferTexture looks_;           // occlusion and scalar of each vertex
+  BufferTexture indices_;   // 3 vertex indices per triangle
+  BufferTexture coarse_;    // the same for coarse triangles
+  BufferTexture vertices_;  // SurfaceVertex, one texel each
+  BufferTexture occlusion_, scalars_;
   BufferTexture texture_points_;  // per corner
   BufferTexture colors_;          // per vertex or corner
   std::vector<Texture> images_;
@@ -106,8 +107,7 @@ private:
   bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;
   Texture palette_;
   float palette_size_ = 2;
-  std::vector<float> occlusion_, scalars_;
-  std::size_t triangle_count_ = 0, vertex_count_ = 0;
+  std::size_t triangle_count_ = 0, coarse_count_ = 0, vertex_count_ = 0;
   Point origin_{0, 0, 0};
   bool has_vertices_ = false;
 };

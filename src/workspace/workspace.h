@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -137,6 +138,8 @@ struct About {
   std::string kernel;     ///< kernel of the matrix exponential
   std::string renderer;   ///< OpenGL renderer
   bool software = false;  ///< software rendering on the CPU
+  /// A model with more triangles is drawn with fewer in motion.
+  std::size_t moving_triangles = std::numeric_limits<std::size_t>::max();
 };
 
 /// The command palette: search among all commands.

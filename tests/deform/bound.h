@@ -79,7 +79,7 @@ struct FusedFrame {
   }
   std::vector<mesh::Point> normals() const {
     std::vector<mesh::Point> result;
-    for (const auto& v : engine.vertices()) result.push_back({v.normal[0], v.normal[1], v.normal[2]});
+    for (const auto& v : engine.vertices()) result.push_back(viete::base::unpack_normal(v.normal));
     return result;
   }
 

@@ -329,7 +329,7 @@ TEST_CASE("without_a_cage_a_model_stays_at_rest_and_follows_probes") {
   // The normals belong to the displayed surface.
   const auto normals = deformer.normals();
   std::vector<Vec3> expected;
-  for (const auto& v : deformer.vertices()) expected.push_back({v.normal[0], v.normal[1], v.normal[2]});
+  for (const auto& v : deformer.vertices()) expected.push_back(viete::base::unpack_normal(v.normal));
   CHECK(largest_distance(normals, expected) == 0);
   for (const Vec3& n : normals) CHECK(norm(n) == doctest::Approx(1).epsilon(1e-5));
 }

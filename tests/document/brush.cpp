@@ -106,7 +106,7 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   // If the model moves by 5 along x, the ray must move by 5 too.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : d.model.surface->positions)
-    posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
+    posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, {}});
   CHECK_FALSE(pick_model(d, {posed, {0, 0, 0}}, ray));
   const Ray aside{view({c[0] + 5, c[1] + 0.02, box.high[2] + 10}), {0, 0, -1}};
   CHECK(pick_model(d, {posed, {0, 0, 0}}, aside));

@@ -65,7 +65,7 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   // On a posed model, the probe is added at the corresponding rest point.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : p.document().model.surface->positions)
-    posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, 0, {0, 0, 1}, 0});
+    posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, {}});
   REQUIRE(add_probe(p.document(), {posed, {0, 0, 0}}, at + mesh::Point{7, 0, 0}));
   CHECK(deform::norm(p.probe(1).place - at) < 1e-6);
   undo(p.document());

@@ -81,6 +81,41 @@ TEST_CASE("ply_binary_reads_every_type_in_both_byte_orders_among_other_elements_
   }
 }
 
+TEST_CASE("ply_binary_triangles_are_the_same_read_at_once_or_row_by_row") {
+  constexpr int count = 70'000;
+  const auto read = [](bool by_rows, int last_corners, int last_vertex) {
+    Bytes b;
+    for (int i = 0; i < count; ++i) {
+      for (const float x : {float(i), 0.1F * float(i % 7), -1.0F}) b.put(x);
+      if (by_rows) b.put(std::uint8_t{0});
+    }
+    for (int i = 2; i < count; ++i) {
+      const int corners = i + 1 < count ? 3 : last_corners;
+      b.put(static_cast<std::uint8_t>(corners)).put(i - 2).put(i - 1).put(i + 1 < count ? i : last_vertex);
+      if (corners == 4) b.put(0);
+      if (by_rows) b.put(std::uint8_t{9});
+    }
+    const std::string n = std::to_string(count), faces = std::to_string(count - 2);
+    const std::string vertices = "element vertex " + n +
+                                 "\nproperty float x\nproperty float y\nproperty float z\n" +
+                                 (by_rows ? "property list uchar uchar extra\n" : "");
+    return binary(vertices + "element face " + faces + "\nproperty list uchar int vertex_indices\n" +
+                      (by_rows ? "property uchar flag\n" : ""),
+                  b);
+  };
+  for (const int corners : {3, 4}) {
+    const Surface at_once = test::read_text(read(false, corners, 5), "ply").surface;
+    const Surface by_rows = test::read_text(read(true, corners, 5), "ply").surface;
+    test::check_invariants(at_once);
+    CHECK(at_once.positions == by_rows.positions);
+    CHECK(at_once.corners == by_rows.corners);
+    CHECK(at_once.polygon_starts == by_rows.polygon_starts);
+    CHECK(at_once.triangles == by_rows.triangles);
+    CHECK(at_once.triangle_polygon == by_rows.triangle_polygon);
+  }
+  CHECK(holds(test::refusal(read(false, 3, count), "ply"), "face refers to vertex 70000 (from 0)"));
+}
+
 TEST_CASE("ply_triangle_strips_alternate_and_restart") {
   const std::string strips = "element tristrips 1\nproperty list int int vertex_indices\n";
   const ReadResult r = test::read_text(ascii(vertices4 + strips, rows4 + "9 0 1 3 2 -1 0 1 2 2\n"), "ply");

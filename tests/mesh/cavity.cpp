@@ -1,5 +1,6 @@
 #include "mesh/cavity.h"
 
+#include "mesh/normals.h"
 #include "support/shapes.h"
 
 using namespace viete;
@@ -11,7 +12,8 @@ std::vector<float> cavity_of(const test::Surface& ball, double side) {
   std::vector<test::Point> normals;
   for (const test::Point& p : test::sphere(3).positions) normals.push_back(side * p);
   normals.resize(ball.positions.size(), {0, 0, 1});
-  return mesh::bake_cavity(ball.positions, normals, ball.triangles);
+  return mesh::bake_cavity(ball.positions, normals, ball.triangles,
+                           mesh::vertex_triangles(ball.positions.size(), ball.triangles));
 }
 
 }  // namespace
@@ -22,7 +24,8 @@ TEST_CASE("hollows_are_darker_than_planes_and_bulges_are_not") {
   test::Surface flat = test::sphere(3);
   for (test::Point& p : flat.positions) p[2] = 0;
   const std::vector<test::Point> up(flat.positions.size(), {0, 0, 1});
-  for (const float x : mesh::bake_cavity(flat.positions, up, flat.triangles)) CHECK(x == 1);
+  const auto around = mesh::vertex_triangles(flat.positions.size(), flat.triangles);
+  for (const float x : mesh::bake_cavity(flat.positions, up, flat.triangles, around)) CHECK(x == 1);
 }
 
 TEST_CASE("cavity_ignores_stray_vertices_and_does_not_depend_on_units") {

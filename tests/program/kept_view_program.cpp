@@ -121,6 +121,37 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
   CHECK(d.viewer().has_drawn());
 }
 
+TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
+  const auto pictures = [](std::size_t moving_triangles) {
+    auto options = small_options();
+    options.may_be_coarse = true;
+    options.moving_triangles = moving_triangles;
+    SmallScene scene(options, test::with_pixels);
+    Driver& d = scene.d;
+    d.workspace().preferences.coarse_motion = true;
+    d.workspace().view.panels = false;
+    std::vector<render::Image> pictures;
+    for (int step = 0; step < 3; ++step) {
+      auto pose = d.workspace().camera.pose();
+      pose.yaw += 0.1F;
+      d.workspace().camera.set_pose(pose);
+      d.frame();
+    }
+    CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
+    pictures.push_back(d.picture());
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    d.frame(2);
+    CHECK(d.viewer().view_fineness() == app::Fineness::plain);
+    pictures.push_back(d.picture());
+    return pictures;
+  };
+  const auto few = pictures(500), all = pictures(2'000'000);
+  if (SmallScene(small_options()).d.workspace().about.software)
+    CHECK(test::difference(few[0], all[0], 8) > 0.0005);
+  CHECK(test::difference(few[0], all[0], 60) < 0.1);
+  CHECK(test::difference(few[1], all[1], 0) == 0);
+}
+
 TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
   auto options = small_options();
   options.may_be_coarse = true;

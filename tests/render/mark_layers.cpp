@@ -22,8 +22,9 @@ int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int 
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
-    surface.set_triangles(std::vector<render::Triangle>{{0, 1, 2}, {0, 2, 3}}, 4);
-    surface.set_positions(corners, std::vector<Point>(4, Point{0, 0, 1}));
+    const std::vector<render::Triangle> triangles{{0, 1, 2}, {0, 2, 3}};
+    surface.set_triangles(triangles, 4);
+    surface.set_positions(corners, std::vector<base::PackedNormal>(4));
   }
   void draw(const render::View& view) const {
     render::Theme black = render::dark_theme();

@@ -47,7 +47,7 @@ TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
   CHECK(lower_right > 40);  // no part is black
   test::Ball inside_out = test::ball(7);
   for (auto& t : inside_out.triangles) std::swap(t[1], t[2]);
-  for (auto& n : inside_out.normals) n = {-n[0], -n[1], -n[2]};
+  for (auto& n : inside_out.normals) n = base::pack_normal(-1 * base::unpack_normal(n));
   const int back = test::brightness(Scene(inside_out).picture().pixel(140, 80));
   CHECK(back > test::brightness(image.pixel(140, 80)) / 2);
 }
@@ -115,6 +115,21 @@ TEST_CASE("non_finite_vertices_do_not_spread_and_an_empty_surface_is_not_drawn")
         doctest::Approx(M_PI * 4900).epsilon(0.02));
 }
 
+TEST_CASE("coarse_triangles_replace_the_others_only_if_the_style_wants_them") {
+  const test::Ball ball = test::ball(7);
+  Scene scene(ball);
+  const render::Image whole = scene.picture();
+  scene.surface.set_coarse_triangles(std::span(ball.triangles).first(900));
+  for (const float wireframe : {0.0F, 0.3F}) {
+    const auto drawn = test::count_not_black(scene.picture({.coarse = true, .wireframe = wireframe}));
+    CHECK(drawn > 100);
+    CHECK(3 * drawn < test::count_not_black(whole));
+  }
+  CHECK(test::difference(whole, scene.picture(), 0) == 0);
+  scene.surface.set_coarse_triangles({});
+  CHECK(test::difference(whole, scene.picture({.coarse = true}), 0) == 0);
+}
+
 TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   test::Stage stage;
   stage.gl.max_texels = 8;
@@ -125,8 +140,9 @@ TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   CHECK_THROWS_WITH_AS(surface.set_triangles(std::span(triangles).first(2), 3),
                        "surface triangles: element 1: refers to vertex 3, the mesh has 3", base::Error);
   const std::vector<Point> three(3), four(4);
-  CHECK_THROWS_AS(surface.set_positions(three, three), base::Error);
-  CHECK_THROWS_AS(surface.set_positions(four, three), base::Error);
+  const std::vector<base::PackedNormal> normals(3);
+  CHECK_THROWS_AS(surface.set_positions(three, normals), base::Error);
+  CHECK_THROWS_AS(surface.set_positions(four, normals), base::Error);
   CHECK_THROWS_AS(surface.set_occlusion(std::vector<float>(3)), base::Error);
   CHECK_THROWS_AS(surface.set_scalars(std::vector<float>(5)), base::Error);
   CHECK_THROWS_AS(surface.set_palette(std::vector<glm::vec3>(1)), base::Error);
@@ -143,8 +159,9 @@ namespace {
 // Two triangles, 16 units wide and high, with a texture of a red, a green, a blue and a transparent quarter.
 struct Card : Scene {
   Card()
-      : Scene(
-            {{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}}, {4, Point{0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}}}) {
+      : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
+               std::vector<base::PackedNormal>(4),
+               {{0, 1, 2}, {0, 2, 3}}}) {
     looks.texture_points = {{0, 1}, {1, 1}, {1, 0}, {0, 1}, {1, 0}, {0, 0}};
     render::Image image{64, 64, {}};
     for (int y = 0; y < 64; ++y) {

@@ -67,7 +67,8 @@ struct Stage {
 };
 
 struct Ball {
-  std::vector<Point> positions, normals;
+  std::vector<Point> positions;
+  std::vector<base::PackedNormal> normals;
   std::vector<render::Triangle> triangles;
 };
 
@@ -79,7 +80,7 @@ inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t r
     for (std::uint32_t j = 0; j < columns; ++j) {
       const double polar = M_PI * i / rings, turn = 2 * M_PI * j / columns;
       const Point n{std::sin(polar) * std::sin(turn), std::cos(polar), std::sin(polar) * std::cos(turn)};
-      result.normals.push_back(n);
+      result.normals.push_back(base::pack_normal(n));
       result.positions.push_back(
           {center[0] + radius * n[0], center[1] + radius * n[1], center[2] + radius * n[2]});
     }
