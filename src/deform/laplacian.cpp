@@ -94,6 +94,8 @@ public:
     for (std::size_t e = 0; e < table.edges.size(); ++e) sew(table, e, triangles);
     set_lengths(positions);
     lengthen();
+    area_.resize(next_.size());
+    for (std::uint32_t h = 0; h < next_.size(); h += 3) set_area(h);
   }
 
   // Flips edges until no weight is negative.
@@ -135,7 +137,7 @@ public:
     std::vector<double> result(vertices, 0);
     double sum = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h) {
-      const double whole = area(h);
+      const double whole = area_[h];
       result[tail_[h]] += whole;
       sum += whole;
     }
@@ -208,11 +210,14 @@ private:
   }
 
   std::uint32_t previous(std::uint32_t h) const { return next_[next_[h]]; }
-  double area(std::uint32_t h) const { return area_of(length_[h], length_[next_[h]], length_[previous(h)]); }
+  void set_area(std::uint32_t h) {
+    area_[h] = area_[next_[h]] = area_[previous(h)] =
+        area_of(length_[h], length_[next_[h]], length_[previous(h)]);
+  }
   // Cotangent of the opposite angle.
   double cotangent(std::uint32_t h) const {
     const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
-    return ((b - a) * (b + a) + c * c) / (4 * area(h));
+    return ((b - a) * (b + a) + c * c) / (4 * area_[h]);
   }
   double weight(std::uint32_t h) const { return 0.5 * (cotangent(h) + cotangent(twin_[h])); }
 
@@ -224,7 +229,7 @@ private:
   // Position of the third corner in coordinates along h from its tail.
   std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
     const double l = length_[h];
-    return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area(h) / l};
+    return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area_[h] / l};
   }
 
   // Replaces edge ab of triangles abc and bad by cd, of cdb and dca.
@@ -237,11 +242,12 @@ private:
     next_[h] = db, next_[db] = bc, next_[bc] = h;
     next_[g] = ca, next_[ca] = ad, next_[ad] = g;
     length_[h] = length_[g] = length;
+    set_area(h), set_area(g);
   }
 
   std::uint32_t sides_ = 1;
   std::vector<std::uint32_t> next_, tail_, twin_;
-  std::vector<double> length_;
+  std::vector<double> length_, area_;  // area_: of the half-edge's triangle
 };
 
 }  // namespace

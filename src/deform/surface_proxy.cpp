@@ -367,16 +367,21 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
   system.solve(store, pool, progress, done / 2, done);
 }
 
-void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
+void ProxyWeights::interpolate(std::uint32_t vertex, std::span<float> row) const {
   thread_local std::vector<SurfaceProxy::Term> terms;
-  thread_local std::vector<float> sums;
   proxy_.terms(vertex, terms);
-  sums.assign(handles_, 0);
+  std::ranges::fill(row, 0.0f);
   for (const auto& [cluster, factor] : terms) {
     const float* from = weights_.data() + cluster * handles_;
     const auto f = static_cast<float>(factor);
-    for (std::size_t j = 0; j < handles_; ++j) sums[j] += f * from[j];
+    for (std::size_t j = 0; j < handles_; ++j) row[j] += f * from[j];
   }
+}
+
+void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
+  thread_local std::vector<float> sums;
+  sums.resize(handles_);
+  interpolate(vertex, sums);
   std::ranges::copy(sums, row.begin());
   normalise(row, true);
 }

@@ -72,6 +72,9 @@ public:
   /// Weights of a vertex of the model, at least 0, sum 1. row.size() == number of handles. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;
 
+  /// The same before normalisation.
+  void interpolate(std::uint32_t vertex, std::span<float> row) const;
+
 private:
   SurfaceProxy proxy_;
   std::size_t handles_;

@@ -171,11 +171,6 @@ static void solve_backward(const TriangularFactor& f, double* block) {
   for (std::size_t s = f.count; s-- > 0;) solve_backward<N>(f, f.supernodes[s], block);
 }
 
-template <std::size_t N>
-static void solve_block(const TriangularFactor& f, double* block) {
-  solve_forward<N>(f, block), solve_backward<N>(f, block);
-}
-
 }  // namespace viete::deform::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
