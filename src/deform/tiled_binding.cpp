@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
@@ -132,8 +133,6 @@ private:
     constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
     if (n > most_solved_vertices) return solve_on_proxy();
-    base::require_memory(binding_memory(
-        surface_system_bytes(n) + 4.0 * static_cast<double>(n) * static_cast<double>(k), n, k));
     const auto sampled = spread_vertices(n, error_sample);
     b_.sample.resize(sampled.size() * k);
     surface_weights_.resize((k + solved_columns - 1) / solved_columns * solved_columns * n);
@@ -463,6 +462,11 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
                         std::optional<Storage> storage) {
+  const std::size_t n = model.positions.size(), k = handle_count(cage, weighting.elements);
+  if (entry(weighting.weights).on_surface) {
+    const auto bytes = static_cast<double>(binding_bytes(n, k, EngineKind::fused, weighting));
+    base::require_memory(binding_memory(bytes, n, k));
+  }
   return Binder(model, cage, weighting, pool, progress).bind(tolerance, storage);
 }
 
