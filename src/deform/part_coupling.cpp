@@ -38,17 +38,14 @@ public:
         origin_(positions[some[0]]),
         next_(positions.size(), none),
         first_(std::bit_ceil(2 * some.size()), none) {
-    for (const auto v : some) next_[v] = std::exchange(first_[bucket(cell(positions[v], 0.0))], v);
+    for (const auto v : some) next_[v] = std::exchange(first_[bucket(positions[v], 0, 0)], v);
   }
 
   /// Calls visit(v) at least once for every vertex within the radius of p.
   template <class Visit>
   void for_within(const mesh::Point& p, const Visit& visit) const {
-    const auto low = cell(p, radius_);
-    for (int k = 0; k < 8; ++k) {
-      auto at = low;
-      for (int i = 0; i < 3; ++i) at[i] += k >> i & 1;
-      for (auto v = first_[bucket(at)]; v != none; v = next_[v])
+    for (unsigned k = 0; k < 8; ++k) {
+      for (auto v = first_[bucket(p, radius_, k)]; v != none; v = next_[v])
         if (squared_norm(positions_[v] - p) <= radius_ * radius_) visit(v);
     }
   }
@@ -56,16 +53,14 @@ public:
 private:
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 
-  // Slightly wider than twice the radius: the ball around a point meets no more than two along each axis.
-  std::array<double, 3> cell(const mesh::Point& p, double below) const {
-    std::array<double, 3> cell;
-    for (std::size_t i = 0; i < 3; ++i) cell[i] = std::floor((p[i] - origin_[i] - below) / (2.001 * radius_));
-    return cell;
-  }
-  std::size_t bucket(const std::array<double, 3>& cell) const {
+  // Cells are slightly wider than a ball: it meets the cell of its lowest corner and the next along each
+  // axis.
+  std::size_t bucket(const mesh::Point& p, double below, unsigned next) const {
     std::uint64_t h = 0;
-    for (const double i : cell)
-      h = (h ^ std::bit_cast<std::uint64_t>(i + 0.0)) * 0xbf58476d1ce4e5b9u, h ^= h >> 31;
+    for (std::size_t i = 0; i < 3; ++i, next /= 2) {
+      const double cell = std::floor((p[i] - origin_[i] - below) / (2.001 * radius_)) + (next & 1);
+      h = (h ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0xbf58476d1ce4e5b9u, h ^= h >> 31;
+    }
     return h & (first_.size() - 1);
   }
 

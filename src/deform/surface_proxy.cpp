@@ -77,9 +77,7 @@ std::vector<std::uint32_t> owned_by_handles(const mesh::Surface& model,
     if (n == none) n = static_cast<std::uint32_t>(parts.shares.size()), parts.shares.push_back(0);
     parts.of_vertex.push_back(n);
   }
-  double total = 0;
-  for (const auto& t : triangles) total += area(model, t);
-  for (const auto& t : triangles) parts.shares[parts.of_vertex[t[0]]] += area(model, t) / total;
+  for (const auto part : parts.of_vertex) parts.shares[part] += 1.0 / static_cast<double>(place.size());
   if (parts.shares.size() > 1) own_in_bodies(owned, model, parts, cage, elements, pool);
   std::vector<std::uint32_t> all = owned.of_handle;
   for (const auto& some : owned.elsewhere) all.insert(all.end(), some.begin(), some.end());

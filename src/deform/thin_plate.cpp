@@ -26,16 +26,12 @@ std::vector<bool> free_vertices(const HeldParts& parts) {
   return free;
 }
 
-// The share of each vertex in the mass of its part.
-std::vector<double> shares_of_parts(const HeldParts& parts, std::vector<double> masses) {
+std::vector<double> masses_of_parts(const HeldParts& parts, const std::vector<double>& masses) {
   std::vector<double> sums(parts.grounds.size(), 0);
   for (std::uint32_t v = 0; v < masses.size(); ++v) {
     if (parts.holds(v)) sums[parts.of_vertex[v]] += masses[v];
   }
-  for (std::uint32_t v = 0; v < masses.size(); ++v) {
-    if (parts.holds(v)) masses[v] /= sums[parts.of_vertex[v]];
-  }
-  return masses;
+  return sums;
 }
 
 }  // namespace
@@ -60,7 +56,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
                      std::vector<Load> loads, base::WorkerPool& pool, base::Progress* progress, double done)
     : masses_(laplacian.masses),
       parts_(parts),
-      shares_(shares_of_parts(parts, masses_)),
+      part_masses_(masses_of_parts(parts, masses_)),
       strengths_(std::move(springs)),
       loads_(std::move(loads)),
       solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored * done)) {
@@ -90,15 +86,11 @@ void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
   std::vector<Columns> means(parts_.grounds.size(), Columns{});
-  const auto last = static_cast<std::uint32_t>(masses_.size() - 1);
-  constexpr std::uint32_t ahead = 12;
   for (std::uint32_t v = 0; v < masses_.size(); ++v) {
-    __builtin_prefetch(block.data() + solver_.place(std::min(v + ahead, last)));
-    __builtin_prefetch(block.data() + solver_.place(std::min(v + ahead, last)) + 8);
     if (!parts_.holds(v)) continue;
-    Columns& mean = means[parts_.of_vertex[v]];
-    const double share = shares_[v], *y = block.data() + solver_.place(v);
-    for (std::size_t c = 0; c < solved_columns; ++c) mean[c] += share * y[c];
+    const auto part = parts_.of_vertex[v];
+    const double share = masses_[v] / part_masses_[part], *y = block.data() + solver_.place(v);
+    for (std::size_t c = 0; c < solved_columns; ++c) means[part][c] += share * y[c];
   }
   for_rows(block, [&](std::uint32_t v, double* y) {
     const Columns mean = means[parts_.of_vertex[v]];

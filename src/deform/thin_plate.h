@@ -69,7 +69,7 @@ private:
 
   const std::vector<double> masses_;
   HeldParts parts_;
-  std::vector<double> shares_;     // of each vertex in the mass of its part
+  std::vector<double> part_masses_;
   std::vector<double> strengths_;  // s of each vertex
   std::vector<Load> loads_;
   BlockSolver solver_;

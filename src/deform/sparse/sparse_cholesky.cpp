@@ -241,13 +241,13 @@ private:
 
 }  // namespace
 
-std::vector<Supernode> SparseFactor::part_above(std::span<const std::uint32_t> places) const {
+std::vector<Supernode> SparseFactor::part_above(std::span<const std::uint32_t> unknowns,
+                                                std::span<const std::uint32_t> places) const {
   std::vector<bool> seen(supernodes.size());
-  for (const auto place : places) {
-    const auto above = std::ranges::upper_bound(supernodes, place, {}, &Supernode::first);
-    for (auto s = static_cast<std::uint32_t>(above - supernodes.begin() - 1); s != no_parent && !seen[s];
-         s = parents[s])
-      seen[s] = true;
+  for (const auto u : unknowns) {
+    const auto above = std::ranges::upper_bound(supernodes, places[u], {}, &Supernode::first);
+    auto s = static_cast<std::uint32_t>(above - supernodes.begin() - 1);
+    for (; s != no_parent && !seen[s]; s = parents[s]) seen[s] = true;
   }
   std::vector<Supernode> part;
   for (std::size_t s = 0; s < seen.size(); ++s) {
@@ -297,13 +297,6 @@ double diagonal(const SparseMatrix& matrix, std::uint32_t row) {
   return sum;
 }
 
-std::vector<std::uint32_t> places_of(std::span<const std::uint32_t> unknowns,
-                                     const std::vector<std::uint32_t>& places) {
-  std::vector<std::uint32_t> result;
-  for (const auto u : unknowns) result.push_back(places[u]);
-  return result;
-}
-
 void put(const mesh::Vec3& from, double* to) {
   to[0] = from[0], to[1] = from[1], to[2] = from[2], to[3] = 0;
 }
@@ -346,7 +339,7 @@ void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Ve
   const SparseKernel& kernel = sparse_kernel(sym3::kernel());
   read(b, work);
   kernel.forward_four(factor_.view(), work.rows.data());
-  const auto nodes = factor_.part_above(places_of(some, places_));
+  const auto nodes = factor_.part_above(some, places_);
   work.part.resize(4 * size());
   const TriangularFactor part = factor_.view(nodes);
   const auto for_part = [&](const auto& visit) {
@@ -384,7 +377,7 @@ void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel,
 }
 
 std::vector<Supernode> BlockSolver::part_with(std::span<const std::uint32_t> unknowns) const {
-  return factor_.part_above(places_of(unknowns, places_));
+  return factor_.part_above(unknowns, places_);
 }
 
 }  // namespace viete::deform

@@ -29,8 +29,9 @@ struct SparseFactor : SymbolicFactor {
   TriangularFactor view(std::span<const Supernode> part) const {
     return {part.data(), part.size(), rows.data(), values.data(), inverse.data()};
   }
-  /// The supernodes of the unknowns at these positions of the order, and their ancestors.
-  std::vector<Supernode> part_above(std::span<const std::uint32_t> places) const;
+  /// The supernodes of some unknowns and their ancestors; places: the order inverted.
+  std::vector<Supernode> part_above(std::span<const std::uint32_t> unknowns,
+                                    std::span<const std::uint32_t> places) const;
 };
 
 /// Maps progress of a factorisation to [from, to] of `progress`, which may be null.
