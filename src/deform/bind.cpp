@@ -1,6 +1,7 @@
 #include "deform/bind.h"
 
 #include <atomic>
+#include <cmath>
 #include <new>
 #include <stdexcept>
 
@@ -61,9 +62,12 @@ void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding
   constexpr double factored = 0.3;  // the progress after factorization, which takes about 30 % of the time
   if (b.vertices > most_solved_vertices) {
     const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
+    std::atomic<std::size_t> done{0};
     return pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
         proxy.row(static_cast<std::uint32_t>(v), std::span(b.weights).subspan(v * b.handles, b.handles));
+      const auto count = static_cast<double>(done += end - begin);
+      if (progress) progress->report(std::lerp(factored, 1.0, count / static_cast<double>(b.vertices)));
     });
   }
   const SurfaceSystem system(model, cage, b.weighting, pool, progress, factored);

@@ -93,6 +93,8 @@ public:
     for (std::size_t e = 0; e < table.edges.size(); ++e) sew(table, e, triangles);
     set_lengths(positions);
     lengthen();
+    area_.resize(next_.size());
+    for (std::uint32_t h = 0; h < next_.size(); h += 3) set_area(h);
   }
 
   // Flips edges until no weight is negative.
@@ -134,7 +136,7 @@ public:
     std::vector<double> result(vertices, 0);
     double sum = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h) {
-      const double whole = area(h);
+      const double whole = area_[h];
       result[tail_[h]] += whole;
       sum += whole;
     }
@@ -207,11 +209,14 @@ private:
   }
 
   std::uint32_t previous(std::uint32_t h) const { return next_[next_[h]]; }
-  double area(std::uint32_t h) const { return area_of(length_[h], length_[next_[h]], length_[previous(h)]); }
+  void set_area(std::uint32_t h) {
+    area_[h] = area_[next_[h]] = area_[previous(h)] =
+        area_of(length_[h], length_[next_[h]], length_[previous(h)]);
+  }
   // Cotangent of the angle opposite to h.
   double cotangent(std::uint32_t h) const {
     const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
-    return ((b - a) * (b + a) + c * c) / (4 * area(h));
+    return ((b - a) * (b + a) + c * c) / (4 * area_[h]);
   }
   double weight(std::uint32_t h) const { return 0.5 * (cotangent(h) + cotangent(twin_[h])); }
 
@@ -223,7 +228,7 @@ private:
   // The third corner of a triangle in 2D coordinates: the tail of h is the origin, h is the x axis.
   std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
     const double l = length_[h];
-    return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area(h) / l};
+    return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area_[h] / l};
   }
 
   // Replaces the triangles abc and bad with the common edge ab by the triangles cdb and dca with the edge cd.
@@ -236,11 +241,12 @@ private:
     next_[h] = db, next_[db] = bc, next_[bc] = h;
     next_[g] = ca, next_[ca] = ad, next_[ad] = g;
     length_[h] = length_[g] = length;
+    set_area(h), set_area(g);
   }
 
   std::uint32_t sides_ = 1;
   std::vector<std::uint32_t> next_, tail_, twin_;
-  std::vector<double> length_;
+  std::vector<double> length_, area_;  // area_: of the half-edge's triangle
 };
 
 }  // namespace

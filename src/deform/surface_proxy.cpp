@@ -63,6 +63,30 @@ void sort_unique(std::vector<T>& all) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
+/// The vertices that handles own in the model or in one of its parts.
+std::vector<std::uint32_t> owned_by_handles(const mesh::Surface& model,
+                                            std::span<const mesh::Triangle> triangles,
+                                            std::span<const std::uint32_t> place, const Cage& cage,
+                                            Elements elements, base::WorkerPool& pool) {
+  auto owned = owned_vertices(model, cage, elements, pool);
+  auto sets = mesh::parts_by_triangles(place.size(), triangles);
+  std::vector<std::uint32_t> number(place.size(), none);
+  Bodies parts;
+  for (const auto v : place) {
+    auto& n = number[sets.find(v)];
+    if (n == none) n = static_cast<std::uint32_t>(parts.shares.size()), parts.shares.push_back(0);
+    parts.of_vertex.push_back(n);
+  }
+  for (const auto part : parts.of_vertex) parts.shares[part] += 1.0 / static_cast<double>(place.size());
+  if (parts.shares.size() > 1) own_in_bodies(owned, model, parts, cage, elements, pool);
+  std::vector<std::uint32_t> all = owned.of_handle;
+  for (const auto& some : owned.elsewhere) all.insert(all.end(), some.begin(), some.end());
+  std::erase(all, none);
+  for (auto& v : all) v = place[v];
+  sort_unique(all);
+  return all;
+}
+
 /// Assigns vertices to connected pieces of grid cells.
 class Clusters {
 public:
@@ -93,9 +117,9 @@ public:
     return join_small();
   }
 
-  /// Halves the cells of clusters that share an edge but no corner with a neighbour or have no triangle.
-  /// Returns false if there are no such clusters.
-  bool refine() {
+  /// Halves the cells of clusters that share an edge but no corner with a neighbour, have no triangle or hold
+  /// several of the vertices `apart`. Returns false if there are no such clusters.
+  bool refine(std::span<const std::uint32_t> apart) {
     std::vector<std::uint64_t> met, cornered;
     std::vector<bool> has_triangle(level_.size(), false);
     for (const auto& t : triangles_) {
@@ -112,6 +136,12 @@ public:
     std::ranges::set_difference(met, cornered, std::back_inserter(loose));
     std::vector<bool> coarse(level_.size(), false);
     for (const auto pair : loose) coarse[pair >> 32] = coarse[pair & 0xffffffff] = true;
+    std::vector<std::uint32_t> held(level_.size(), none);
+    for (const auto v : apart) {
+      auto& first = held[sets_.find(v)];
+      if (first != none && first != v) coarse[sets_.find(v)] = true;
+      first = v;
+    }
     bool any = false;
     for (std::uint32_t v = 0; v < level_.size(); ++v) {
       const auto set = sets_.find(v);
@@ -175,22 +205,27 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
     for (auto& v : t) v = place[v];
     if (!mesh::repeats_corner(t)) triangles_.push_back(t);
   }
-  cluster(target, place, progress);
+  if (progress) progress->report(0);
+  const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
+  cluster(target, place, owned, progress);
   place_clusters();
-  find_neighbours();
-  move_to_handles(cage, elements, pool);
+  if (progress) progress->report(0);
+  move_to(owned);
   find_neighbours();
   adopt_loose_vertices();
 }
 
 void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
-                           base::Progress* progress) {
+                           std::span<const std::uint32_t> apart, base::Progress* progress) {
   Clusters clusters(model_, triangles_);
   double cell = std::sqrt(1.3 * clusters.total_area() / static_cast<double>(target));
   for (int tries = 0; tries < 6; ++tries) {
     if (progress) progress->report(0);
     std::size_t count = clusters.divide(cell);
-    while (count <= target && clusters.refine()) count = clusters.divide(cell);
+    while (count <= target && clusters.refine(apart)) {
+      if (progress) progress->report(0);
+      count = clusters.divide(cell);
+    }
     if (count <= target) break;
     cell *= 1.03 * std::sqrt(static_cast<double>(count) / static_cast<double>(target));
   }
@@ -267,32 +302,16 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// The plate's springs must be at the model's vertex nearest to each handle, as without a proxy.
-void SurfaceProxy::move_to_handles(const Cage& cage, Elements elements, base::WorkerPool& pool) {
-  const std::size_t n = surface_.positions.size();
-  std::vector<std::uint32_t> starts(n + 1, 0), members(of_vertex_.size());
-  for (const auto c : of_vertex_)
-    if (c != none) ++starts[c + 1];
-  std::partial_sum(starts.begin(), starts.end(), starts.begin());
-  auto end = starts;
-  for (std::uint32_t v = 0; v < of_vertex_.size(); ++v)
-    if (of_vertex_[v] != none) members[end[of_vertex_[v]]++] = v;
-  const auto& x = cage.surface.positions;
-  const OwnedVertices owned = owned_vertices(surface_, cage, elements, pool);
-  for (std::size_t h = 0; h < owned.of_handle.size(); ++h) {
-    const auto own = owned.of_handle[h];
-    if (own == OwnedVertices::none) continue;
-    const auto [a, b, c] = handle_shape(cage, elements, h).corners;
-    double least = std::numeric_limits<double>::infinity();
-    std::uint32_t nearest = none;
-    for (std::size_t i = starts_[own]; i < starts_[own + 1]; ++i) {
-      for (std::size_t m = starts[nearby_[i]]; m < starts[nearby_[i] + 1]; ++m) {
-        const auto closest = mesh::closest_on_triangle(model_.positions[members[m]], x[a], x[b], x[c]);
-        if (closest.squared_distance < least) least = closest.squared_distance, nearest = members[m];
-      }
-    }
-    surface_.positions[of_vertex_[nearest]] = model_.positions[nearest];
+// The plate's springs must be at the same points as without a proxy.
+void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
+  std::vector<bool> used(surface_.positions.size(), false);
+  for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;
+  for (const auto v : owned) {
+    if (!used[of_vertex_[v]]) continue;
+    owned_.push_back(of_vertex_[v]);
+    surface_.positions[of_vertex_[v]] = model_.positions[v];
   }
+  sort_unique(owned_);
 }
 
 // Vertices without a triangle belong to the nearest cluster.
@@ -353,7 +372,7 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
                            std::size_t clusters)
     : proxy_(model, cage, weighting.elements, clusters, pool, progress),
       handles_(handle_count(cage, weighting.elements)) {
-  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, done / 2);
+  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, done / 2, proxy_.owned());
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);
   const auto store = [&](const SurfaceSystem::Solved& solved) {
@@ -367,16 +386,21 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
   system.solve(store, pool, progress, done / 2, done);
 }
 
-void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
+void ProxyWeights::interpolate(std::uint32_t vertex, std::span<float> row) const {
   thread_local std::vector<SurfaceProxy::Term> terms;
-  thread_local std::vector<float> sums;
   proxy_.terms(vertex, terms);
-  sums.assign(handles_, 0);
+  std::ranges::fill(row, 0.0f);
   for (const auto& [cluster, factor] : terms) {
     const float* from = weights_.data() + cluster * handles_;
     const auto f = static_cast<float>(factor);
-    for (std::size_t j = 0; j < handles_; ++j) sums[j] += f * from[j];
+    for (std::size_t j = 0; j < handles_; ++j) row[j] += f * from[j];
   }
+}
+
+void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
+  thread_local std::vector<float> sums;
+  sums.resize(handles_);
+  interpolate(vertex, sums);
   std::ranges::copy(sums, row.begin());
   normalise(row, true);
 }

@@ -37,15 +37,15 @@ struct OwnedVertices {
 };
 
 /// Distances are exact: to the triangle or the vertex. Throws base::Error if the model has no triangles. O(k
-/// log n).
+/// log n). candidates: the vertices to choose from, corners of triangles; empty: all of these.
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
-                             base::WorkerPool& pool);
+                             base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
 /// Adds the vertex nearest to each handle in every body near the handle: bodies where no other handle is less
 /// than two thirds as far away. Layers and their contents thus follow the cage alike, and adding a body takes
 /// no vertices from others. Bodies of less than a tenth of a handle's share of the area get none.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
-                   Elements elements, base::WorkerPool& pool);
+                   Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
 /// Solves for the weights of sixteen handles at a time; the caller decides which of them to store, and how.
 ///
@@ -74,9 +74,11 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 class SurfaceSystem {
 public:
   /// Factors the matrix. Reports progress up to `done`. Throws base::Cancelled; base::Error if the model has
-  /// no triangles, memory is short, or the system has no solution in double precision.
+  /// no triangles, memory is short, or the system has no solution in double precision. Handles own vertices
+  /// among the candidates, as in owned_vertices().
   SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                base::WorkerPool& pool, base::Progress* progress = nullptr, double done = 1);
+                base::WorkerPool& pool, base::Progress* progress = nullptr, double done = 1,
+                std::span<const std::uint32_t> candidates = {});
 
   std::size_t vertices() const { return offsets_.size(); }
   std::size_t handles() const { return owned_.of_handle.size(); }
@@ -95,9 +97,11 @@ public:
 
 private:
   SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
-                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done);
+                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done,
+                std::span<const std::uint32_t> candidates);
   void couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
-                    std::vector<double>& springs, base::WorkerPool& pool);
+                    std::span<const std::uint32_t> candidates, std::vector<double>& springs,
+                    base::WorkerPool& pool);
   const BlockSolver& solver() const;
   std::vector<ThinPlate::Load> loads() const;
   void set_right_hand_side(std::size_t handle, std::size_t column, std::span<double> block) const;

@@ -70,9 +70,19 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   find_forces(stiffness_of_springs(pool, progress, factored * done, done));
 }
 
+// Calls change(vertex, row) for the vertices of parts with springs, in the order of their rows.
+template <class Change>
+void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
+  double* row = block.data();
+  for (const auto v : solver_.order()) {
+    if (parts_.holds(v)) change(v, row);
+    row += solved_columns;
+  }
+}
+
 // Replaces forces that sum to 0 over each part, including its ground, by the plate's displacement, which is 0
-// at the grounds.
-void ThinPlate::bend(std::span<double> block) const {
+// at the grounds; with a part, only there.
+void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
   std::vector<Columns> means(parts_.grounds.size(), Columns{});
@@ -82,14 +92,13 @@ void ThinPlate::bend(std::span<double> block) const {
     const double share = masses_[v] / part_masses_[part], *y = block.data() + solver_.place(v);
     for (std::size_t c = 0; c < solved_columns; ++c) means[part][c] += share * y[c];
   }
-  for (std::uint32_t v = 0; v < masses_.size(); ++v) {
-    if (!parts_.holds(v)) continue;
-    const Columns& mean = means[parts_.of_vertex[v]];
-    double* y = block.data() + solver_.place(v);
-    for (std::size_t c = 0; c < solved_columns; ++c) y[c] = masses_[v] * (y[c] - mean[c]);
-  }
+  for_rows(block, [&](std::uint32_t v, double* y) {
+    const Columns mean = means[parts_.of_vertex[v]];
+    const double mass = masses_[v];
+    for (std::size_t c = 0; c < solved_columns; ++c) y[c] = mass * (y[c] - mean[c]);
+  });
   for (const auto v : parts_.grounds) std::fill_n(block.data() + solver_.place(v), solved_columns, 0.0);
-  solver_.solve(block, kernel);
+  solver_.solve(block, kernel, part);
 }
 
 // K, column-major.
@@ -97,11 +106,12 @@ std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base
                                                     double from, double to) const {
   const std::size_t count = springs_.size();
   std::vector<double> stiffness(count * count);
+  const auto part = solver_.part_with(springs_);
   std::atomic<std::size_t> solved{0};
   pool.for_blocks(count, solved_columns, [&](std::size_t begin, std::size_t end) {
     base::AlignedVector<double> block(solver_.unknowns() * solved_columns, 0.0);
     for (std::size_t i = begin; i < end; ++i) block[solver_.place(springs_[i]) + i - begin] = 1;
-    bend(block);
+    bend(block, &part);
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t j = 0; j < count; ++j)
         stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
@@ -157,11 +167,10 @@ void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> bloc
       if (parts_.grounds[part] == vertex) at_ground[part][l - begin] += value;
     }
   }
-  for (std::uint32_t v = 0; v < masses_.size(); ++v) {
-    if (!parts_.holds(v)) continue;
-    double* w = block.data() + solver_.place(v);
-    for (std::size_t c = 0; c < solved_columns; ++c) w[c] += at_ground[parts_.of_vertex[v]][c];
-  }
+  for_rows(block, [&](std::uint32_t v, double* w) {
+    const Columns b = at_ground[parts_.of_vertex[v]];
+    for (std::size_t c = 0; c < solved_columns; ++c) w[c] += b[c];
+  });
 }
 
 }  // namespace viete::deform

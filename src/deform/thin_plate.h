@@ -60,7 +60,9 @@ public:
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
 
 private:
-  void bend(std::span<double> block) const;
+  template <class Change>
+  void for_rows(std::span<double> block, const Change& change) const;
+  void bend(std::span<double> block, const std::vector<Supernode>* part = nullptr) const;
   std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress, double from,
                                            double to) const;
   void find_forces(std::vector<double> stiffness);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
@@ -33,11 +34,22 @@ void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& v
   for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
 }
 
-/// Scratch of one leaf during binding.
+// normalise() with clamp, of weights [handle][lane].
+void normalise_lanes(std::span<double> weights) {
+  std::array<double, bind_lanes> sums{};
+  for (std::size_t j = 0; j < weights.size(); j += bind_lanes) {
+    for (std::size_t l = 0; l < bind_lanes; ++l) sums[l] += weights[j + l] = std::max(weights[j + l], 0.0);
+  }
+  for (std::size_t j = 0; j < weights.size(); j += bind_lanes) {
+    for (std::size_t l = 0; l < bind_lanes; ++l) weights[j + l] /= sums[l];
+  }
+}
+
+/// Scratch of one thread for one leaf at a time.
 struct LeafWeights {
-  base::AlignedVector<float> rows;  // [tile][handle][lane]
-  std::vector<Vec3> sums;           // sums of weight times handle position, per slot
-  std::vector<float> shares;        // per slot
+  base::AlignedVector<float> rows, left;  // [tile][handle][lane]
+  std::vector<Vec3> sums;                 // sums of weight times handle position, per slot
+  std::vector<float> shares;              // per slot
 };
 
 struct LeafResult {
@@ -105,12 +117,14 @@ private:
 
   template <class Body>
   void for_leaves(const Body& body) {
-    std::atomic<std::size_t> done{0};
-    pool_.for_blocks(b_.leaves.count(), 1, [&](std::size_t leaf, std::size_t) {
-      body(leaf);
-      const auto count = static_cast<double>(++done);
-      if (progress_)
-        progress_->report(solved_ + (1 - solved_) * count / static_cast<double>(b_.leaves.count()));
+    std::atomic<std::size_t> next{0}, done{0};
+    const auto count = static_cast<double>(b_.leaves.count());
+    pool_.for_blocks(static_cast<std::size_t>(pool_.threads()), 1, [&](std::size_t, std::size_t) {
+      LeafWeights w;
+      for (std::size_t leaf; (leaf = next++) < b_.leaves.count();) {
+        body(leaf, w);
+        if (progress_) progress_->report(std::lerp(solved_, 1.0, static_cast<double>(++done) / count));
+      }
     });
   }
 
@@ -119,8 +133,6 @@ private:
     constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
     if (n > most_solved_vertices) return solve_on_proxy();
-    base::require_memory(binding_memory(
-        surface_system_bytes(n) + 4.0 * static_cast<double>(n) * static_cast<double>(k), n, k));
     const auto sampled = spread_vertices(n, error_sample);
     b_.sample.resize(sampled.size() * k);
     surface_weights_.resize((k + solved_columns - 1) / solved_columns * solved_columns * n);
@@ -152,20 +164,18 @@ private:
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
     const std::size_t n = b_.leaves.vertices, begin = b_.leaves.begin(leaf);
-    std::vector<double> weights(b_.handles * bind_lanes), row(b_.handles);
+    std::vector<double> weights(b_.handles * bind_lanes);
+    std::vector<float> row(b_.handles);
     for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
       for (std::size_t l = 0; l < bind_lanes; ++l) {
         const auto vertex = b_.leaves.order[begin + s + l];
-        if (proxy_) {
-          proxy_->row(vertex, row);
-        } else {
-          const float* from = surface_weights_.data() + vertex * solved_columns;
-          for (std::size_t j = 0; j < b_.handles; ++j)
-            row[j] = from[j / solved_columns * solved_columns * n + j % solved_columns];
-          if (b_.weighting.clamped()) normalise(row, true);
-        }
+        if (proxy_) proxy_->interpolate(vertex, row);
+        for (std::size_t j = 0; j < b_.handles && !proxy_; j += solved_columns)
+          std::copy_n(surface_weights_.data() + j * n + vertex * solved_columns,
+                      std::min(solved_columns, b_.handles - j), row.data() + j);
         for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
+      if (proxy_ || b_.weighting.clamped()) normalise_lanes(weights);
       double sum[3][lanes];
       kernel.to_rows(weights.data(), {reinterpret_cast<const double(*)[3]>(handles.data()), b_.handles,
                                       rows + s / lanes * lanes * b_.handles + s % lanes, sum[0]});
@@ -202,9 +212,8 @@ private:
   void bind_dense() {
     b_.weights.resize(b_.leaves.slot_count() * b_.handles);
     std::atomic<std::size_t> failed{0};
-    for_leaves([&](std::size_t leaf) {
+    for_leaves([&](std::size_t leaf, LeafWeights& w) {
       const std::size_t begin = b_.leaves.begin(leaf);
-      LeafWeights w;
       failed += weigh(leaf, b_.weights.data() + begin * b_.handles, w);
       for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(begin + s, w.sums[s]);
       keep_shares(leaf, w);
@@ -222,11 +231,11 @@ private:
     const auto& kernel = bind_kernel(sym3::kernel());
     w.rows.resize(slots(leaf) * b_.handles);
     weigh(leaf, w.rows.data(), w);
-    base::AlignedVector<float> left = w.rows;
+    w.left = w.rows;
     LeafResult result;
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
-    result.factors =
-        factor_rows({left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance, most, kernel);
+    result.factors = factor_rows({w.left.data(), slots(leaf) / lanes, b_.handles}, vertices(leaf), tolerance,
+                                 most, kernel);
     for (const auto p : result.factors.pivots) {
       const float* row = w.rows.data() + p / lanes * lanes * b_.handles + p % lanes;
       for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(row[j * lanes]);
@@ -287,8 +296,7 @@ private:
 
   void bind_lists() {
     std::vector<LeafList> lists(b_.leaves.count());
-    for_leaves([&](std::size_t leaf) {
-      LeafWeights w;
+    for_leaves([&](std::size_t leaf, LeafWeights& w) {
       lists[leaf] = list_leaf(leaf, w);
       for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(b_.leaves.begin(leaf) + s, w.sums[s]);
       keep_shares(leaf, w);
@@ -307,8 +315,7 @@ private:
   void bind_factors(double tolerance) {
     std::vector<LeafResult> results(b_.leaves.count());
     b_.factored.resize(b_.leaves.count());
-    for_leaves([&](std::size_t leaf) {
-      LeafWeights w;
+    for_leaves([&](std::size_t leaf, LeafWeights& w) {
       results[leaf] = factor(leaf, tolerance, w);
       auto& f = b_.factored[leaf];
       f.dense = results[leaf].factors.pivots.empty();
@@ -455,6 +462,11 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
                         std::optional<Storage> storage) {
+  const std::size_t n = model.positions.size(), k = handle_count(cage, weighting.elements);
+  if (entry(weighting.weights).on_surface) {
+    const auto bytes = static_cast<double>(binding_bytes(n, k, EngineKind::fused, weighting));
+    base::require_memory(binding_memory(bytes, n, k));
+  }
   return Binder(model, cage, weighting, pool, progress).bind(tolerance, storage);
 }
 

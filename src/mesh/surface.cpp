@@ -88,10 +88,12 @@ double used_size(const Surface& surface) {
   const Bounds box = used_bounds(surface);
   const double unit = box.diagonal();
   if (!(unit > 0)) return 0;
-  std::vector<std::uint32_t> used = surface.corners;
-  if (used.empty()) used.resize(surface.positions.size()), std::iota(used.begin(), used.end(), 0u);
-  std::ranges::sort(used);
-  used.erase(std::unique(used.begin(), used.end()), used.end());
+  std::vector<bool> is_used(surface.positions.size(), surface.corners.empty());
+  for (const auto v : surface.corners) is_used[v] = true;
+  std::vector<std::uint32_t> used;
+  for (std::uint32_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v]) used.push_back(v);
+  }
   const Point center = area_center(surface, mean_of(surface.positions, used, box.center()), unit);
   double farthest = 0;
   for (const auto v : used) farthest = std::max(farthest, norm(surface.positions[v] - center));

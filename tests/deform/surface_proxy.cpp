@@ -103,3 +103,44 @@ TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy") {
     CHECK(*std::ranges::min_element(row) > -1e-3);
   }
 }
+
+TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
+  base::WorkerPool pool(1);
+  const mesh::Surface one = ring(20'000);
+  mesh::Surface inner = one;
+  for (auto& p : inner.positions) p = 0.97 * p;
+  for (const mesh::Surface& model : {one, test::both(one, inner)}) {
+    const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+    const auto whole = deform::owned_vertices(model, box_cage(), deform::Elements::face, pool);
+    const auto coarse =
+        deform::owned_vertices(proxy.surface(), box_cage(), deform::Elements::face, pool, proxy.owned());
+    for (std::size_t h = 0; h < whole.of_handle.size(); ++h)
+      CHECK(proxy.surface().positions[coarse.of_handle[h]] == model.positions[whole.of_handle[h]]);
+  }
+}
+
+TEST_CASE("binding_by_a_proxy_reports_its_progress_and_can_be_cancelled") {
+  base::WorkerPool pool;
+  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  base::Progress progress;
+  deform::bind(model, box_cage(), biharmonic, pool, &progress);
+  CHECK(progress.done() == 1);
+  deform::bind_tiles(model, box_cage(), biharmonic, pool, deform::usual_tolerance, &progress);
+  CHECK(progress.done() == 1);
+  progress.cancel();
+  CHECK_THROWS_AS(deform::bind(model, box_cage(), biharmonic, pool, &progress), base::Cancelled);
+  CHECK_THROWS_AS(deform::bind_tiles(model, box_cage(), biharmonic, pool, deform::usual_tolerance, &progress),
+                  base::Cancelled);
+}
+
+TEST_CASE("a_model_too_large_for_memory_is_refused_before_its_weights_are_solved") {
+  if (!base::free_memory()) return;
+  base::WorkerPool pool(1);
+  mesh::Surface model = test::torus(60, 20);
+  model.positions.resize(4'000'000, model.positions[0]);
+  const deform::Cage cage = deform::make_cage(test::torus(300, 100));
+  base::Progress progress;
+  CHECK_THROWS_WITH_AS(deform::bind_tiles(model, cage, biharmonic, pool, deform::usual_tolerance, &progress),
+                       doctest::Contains("GB of memory, of which"), base::Error);
+  CHECK(progress.done() == 0);
+}

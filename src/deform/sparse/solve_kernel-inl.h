@@ -42,6 +42,12 @@ struct SolvedRow {
   HWY_INLINE void add(const SolvedRow& b) {
     for (std::size_t c = 0; c < vectors; ++c) v[c] = hn::Add(v[c], b.v[c]);
   }
+  static HWY_INLINE bool all_zero(const SolvedRow* rows, std::size_t count) {
+    auto any = hn::Ne(rows[0].v[0], hn::Zero(Tag()));
+    for (std::size_t k = 0; k < count; ++k)
+      for (const auto& part : rows[k].v) any = hn::Or(any, hn::Ne(part, hn::Zero(Tag())));
+    return hn::AllFalse(Tag(), any);
+  }
   HWY_INLINE void scale(double factor) {
     for (std::size_t c = 0; c < vectors; ++c) v[c] = hn::Mul(hn::Set(Tag(), factor), v[c]);
   }
@@ -68,6 +74,7 @@ static HWY_INLINE const double* solve_forward(const Supernode& node, const std::
     for (std::size_t l = 0; l < k; ++l) known[k].subtract(*values++, known[l]);
     known[k].store(own + (c + k) * N);
   }
+  if (SolvedRow<N>::all_zero(known, K)) return values + K * (node.columns - c - K + node.below);
   for (std::size_t r = c + K; r < node.columns; ++r, values += K)
     subtract_known<N, K>(values, known, own + r * N);
   for (std::size_t i = 0; i < node.below; ++i, values += K)
@@ -162,11 +169,6 @@ static void solve_forward(const TriangularFactor& f, double* block) {
 template <std::size_t N>
 static void solve_backward(const TriangularFactor& f, double* block) {
   for (std::size_t s = f.count; s-- > 0;) solve_backward<N>(f, f.supernodes[s], block);
-}
-
-template <std::size_t N>
-static void solve_block(const TriangularFactor& f, double* block) {
-  solve_forward<N>(f, block), solve_backward<N>(f, block);
 }
 
 }  // namespace viete::deform::HWY_NAMESPACE

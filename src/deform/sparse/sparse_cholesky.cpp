@@ -241,6 +241,21 @@ private:
 
 }  // namespace
 
+std::vector<Supernode> SparseFactor::part_above(std::span<const std::uint32_t> unknowns,
+                                                std::span<const std::uint32_t> places) const {
+  std::vector<bool> seen(supernodes.size());
+  for (const auto u : unknowns) {
+    const auto above = std::ranges::upper_bound(supernodes, places[u], {}, &Supernode::first);
+    auto s = static_cast<std::uint32_t>(above - supernodes.begin() - 1);
+    for (; s != no_parent && !seen[s]; s = parents[s]) seen[s] = true;
+  }
+  std::vector<Supernode> part;
+  for (std::size_t s = 0; s < seen.size(); ++s) {
+    if (seen[s]) part.push_back(supernodes[s]);
+  }
+  return part;
+}
+
 FactorReport told(base::Progress* progress, double from, double to) {
   if (!progress) return {};
   return [=](double done) { progress->report(std::lerp(from, to, done)); };
@@ -292,11 +307,7 @@ mesh::Vec3 vec(const double* from) {
 }  // namespace
 
 SparseCholesky::SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report)
-    : factor_(factor(matrix, pool, report)), places_(inverted(factor_.order)), nodes_(size()) {
-  for (std::uint32_t s = 0; s < factor_.supernodes.size(); ++s) {
-    const Supernode& node = factor_.supernodes[s];
-    for (auto i = node.first; i < node.first + node.columns; ++i) nodes_[factor_.order[i]] = s;
-  }
+    : factor_(factor(matrix, pool, report)), places_(inverted(factor_.order)) {
   for (std::size_t i = 0; i < size(); ++i) {
     const double pivot = factor_.pivots[i];
     const std::uint32_t row = factor_.order[i];
@@ -321,15 +332,6 @@ void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> 
   write(work, x);
 }
 
-// The supernodes of some unknowns and all their ancestors.
-void SparseCholesky::find_part(std::span<const std::uint32_t> some, Workspace& work) const {
-  work.seen.assign(factor_.supernodes.size(), 0), work.nodes.clear();
-  for (const auto u : some)
-    for (auto s = nodes_[u]; s != no_parent && !work.seen[s]; s = factor_.parents[s]) work.seen[s] = 1;
-  for (std::size_t s = 0; s < work.seen.size(); ++s)
-    if (work.seen[s]) work.nodes.push_back(factor_.supernodes[s]);
-}
-
 // L^-1 (b + c) = L^-1 b + L^-1 c, and the last term is 0 outside the part.
 void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x,
                                      std::span<const std::uint32_t> some,
@@ -337,12 +339,11 @@ void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Ve
   const SparseKernel& kernel = sparse_kernel(sym3::kernel());
   read(b, work);
   kernel.forward_four(factor_.view(), work.rows.data());
-  find_part(some, work);
+  const auto nodes = factor_.part_above(some, places_);
   work.part.resize(4 * size());
-  TriangularFactor part = factor_.view();
-  part.supernodes = work.nodes.data(), part.count = work.nodes.size();
+  const TriangularFactor part = factor_.view(nodes);
   const auto for_part = [&](const auto& visit) {
-    for (const Supernode& node : work.nodes)
+    for (const Supernode& node : nodes)
       for (std::size_t i = 4 * node.first; i < 4 * (node.first + node.columns); ++i) visit(i);
   };
   for_part([&](std::size_t i) { work.part[i] = work.rows[i]; });
@@ -369,8 +370,14 @@ BlockSolver::BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, con
   }
 }
 
-void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel) const {
-  kernel.solve_columns(factor_.view(), block.data());
+void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel,
+                        const std::vector<Supernode>* part) const {
+  kernel.forward_columns(factor_.view(), block.data());
+  kernel.backward_columns(part ? factor_.view(*part) : factor_.view(), block.data());
+}
+
+std::vector<Supernode> BlockSolver::part_with(std::span<const std::uint32_t> unknowns) const {
+  return factor_.part_above(unknowns, places_);
 }
 
 }  // namespace viete::deform

@@ -24,10 +24,14 @@ struct SparseFactor : SymbolicFactor {
   std::vector<double> pivots, inverse;  // D, and 1 / D
 
   std::size_t size() const { return order.size(); }
-  /// The factor in the form that the kernels take.
-  TriangularFactor view() const {
-    return {supernodes.data(), supernodes.size(), rows.data(), values.data(), inverse.data()};
+  /// The factor, or a part of it, in the form that the kernels take.
+  TriangularFactor view() const { return view(supernodes); }
+  TriangularFactor view(std::span<const Supernode> part) const {
+    return {part.data(), part.size(), rows.data(), values.data(), inverse.data()};
   }
+  /// The supernodes of some unknowns and their ancestors; places: the order inverted.
+  std::vector<Supernode> part_above(std::span<const std::uint32_t> unknowns,
+                                    std::span<const std::uint32_t> places) const;
 };
 
 /// Maps progress of a factorisation to [from, to] of `progress`, which may be null.
@@ -49,8 +53,6 @@ class SparseCholesky {
 public:
   struct Workspace {
     base::AlignedVector<double> rows, part;  // four numbers per unknown
-    std::vector<Supernode> nodes;            // supernodes of the part
-    std::vector<std::uint8_t> seen;          // per supernode
   };
 
   /// Reads only the lower triangle of a symmetric matrix. Throws base::Error with the row if the matrix is
@@ -71,10 +73,9 @@ public:
 private:
   void read(std::span<const mesh::Vec3> b, Workspace& work) const;
   void write(const Workspace& work, std::span<mesh::Vec3> x) const;
-  void find_part(std::span<const std::uint32_t> some, Workspace& work) const;
 
   SparseFactor factor_;
-  std::vector<std::uint32_t> places_, nodes_;  // per unknown: position in the order, and supernode
+  std::vector<std::uint32_t> places_;  // of the unknowns, in the order
 };
 
 /// Throws base::Error: the equations have no solution in double precision.
@@ -88,11 +89,14 @@ public:
   explicit BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 
   std::size_t unknowns() const { return factor_.size(); }
+  const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< of the rows of a block
   /// Offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
   /// Replaces right-hand sides by solutions: block has solved_columns numbers per unknown, from place() on,
-  /// aligned to a cache line. Thread-safe.
-  void solve(std::span<double> block, const SparseKernel& kernel) const;
+  /// aligned to a cache line. With a part, solves only for the unknowns of part_with(). Thread-safe.
+  void solve(std::span<double> block, const SparseKernel& kernel,
+             const std::vector<Supernode>* part = nullptr) const;
+  std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;
 
 private:
   SparseFactor factor_;

@@ -14,8 +14,12 @@ namespace viete::deform::HWY_NAMESPACE {
 
 // Sparse factors, compiled once per instruction set.
 
-static const SparseKernel sparse = {solve_block<solved_columns>, solve_forward<4>, solve_backward<4>,
-                                    eliminate, subtract_product};
+static const SparseKernel sparse = {solve_forward<solved_columns>,
+                                    solve_backward<solved_columns>,
+                                    solve_forward<4>,
+                                    solve_backward<4>,
+                                    eliminate,
+                                    subtract_product};
 
 }  // namespace viete::deform::HWY_NAMESPACE
 

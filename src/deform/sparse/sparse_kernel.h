@@ -10,10 +10,11 @@
 namespace viete::deform {
 
 struct SparseKernel {
-  /// block [row][solved_columns], aligned; replaces right-hand sides by solutions.
-  void (*solve_columns)(const TriangularFactor& factor, double* block);
-  /// The two halves of a solve, for [row][4]: forward by L, then backward by D and L^T. For a subset of the
-  /// supernodes that is closed under parents, they solve for the rows of the subset.
+  /// The two halves of a solve, for [row][solved_columns] or [row][4], aligned: forward by L, then backward
+  /// by D and L^T. For a subset of the supernodes that is closed under parents, they solve for the rows of
+  /// the subset.
+  void (*forward_columns)(const TriangularFactor& factor, double* block);
+  void (*backward_columns)(const TriangularFactor& factor, double* block);
   void (*forward_four)(const TriangularFactor& factor, double* block);
   void (*backward_four)(const TriangularFactor& factor, double* block);
   /// Turns columns [begin, end) into those of L, and writes their pivots D. The updates by columns before

@@ -48,15 +48,18 @@ mesh::UnionFind connected(const SparseMatrix& matrix) {
 }
 
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free) {
-  std::vector<MatrixEntry> lower;
+  SparseMatrix lower;
+  const auto add = [&](std::uint32_t row, double value) {
+    lower.rows.push_back(static_cast<std::int32_t>(row)), lower.values.push_back(value);
+  };
   for (std::uint32_t v = 0; v < free.size(); ++v) {
-    if (!free[v]) lower.push_back({v, v, 1});
-    if (!free[v]) continue;
+    if (!free[v]) add(v, 1);
     for_column(matrix, v, [&](std::uint32_t row, double value) {
-      if (row >= v && free[row]) lower.push_back({row, v, value});
+      if (free[v] && row >= v && free[row]) add(row, value);
     });
+    lower.starts.push_back(static_cast<std::int32_t>(lower.rows.size()));
   }
-  return sparse_matrix(free.size(), lower);
+  return lower;
 }
 
 }  // namespace viete::deform
