@@ -8,9 +8,9 @@
 
 #include "base/error.h"
 #include "base/worker_pool.h"
+#include "formats/source.h"
 #include "mesh/cavity.h"
 #include "mesh/clusters.h"
-#include "formats/source.h"
 #include "mesh/normals.h"
 #include "render/view.h"
 

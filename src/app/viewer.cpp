@@ -377,7 +377,7 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (!moves_) return Fineness::plain;
   const bool repeated = last_frame_ - last_motion_ < still_seconds || !files_.shading().coarse.empty();
   return options_.may_be_coarse && repeated && workspace::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                 : Fineness::plain;
+                                                                                     : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {

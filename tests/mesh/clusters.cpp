@@ -1,7 +1,7 @@
 #include "mesh/clusters.h"
 
-#include "support/shapes.h"
 #include "mesh/summary.h"
+#include "support/shapes.h"
 
 using namespace viete;
 
