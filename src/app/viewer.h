@@ -34,18 +34,6 @@ struct ViewerOptions {
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
   std::size_t moving_triangles = 2'000'000;  ///< most triangles that software rendering draws in motion
-};                                           ///< logical pixels
-float scale = 1;                             ///< device pixels per logical pixel
-int samples = 0;                             ///< multisampling; 0 none
-int still_samples = 0;          ///< samples of a refined picture after a quarter of a second at rest; 0 none
-bool may_be_coarse = false;     ///< draw motion at half the resolution if the workspace says so
-bool transparent = false;       ///< pictures without background
-bool builtin_font = false;      ///< identical text on every machine, for picture tests
-bool probe = true;              ///< measure the methods in the background
-std::filesystem::path state{};  ///< folder for preferences and recovery, see FileDesk; empty: none
-std::filesystem::path program =
-    "/proc/self/exe";  ///< `viete`, for rendering animations and reports in a child process
-std::size_t moving_triangles = 2'000'000;  ///< most triangles that software rendering draws in motion
 };
 
 /// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.

@@ -179,7 +179,7 @@ private:
          {std::array{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}})
       texture = texture || find(element, {u, v}, texture_.data());
     if (!normals && !texture && !colors && read_positions(element, axes)) return;
-    Point point{};
+    mesh::Point point{};
     rows(element, [&](const PlyProperty& property, std::size_t p) {
       const auto axis = static_cast<std::size_t>(std::find(axes.begin(), axes.end(), p) - axes.begin());
       if (axis < 3) {
@@ -201,7 +201,7 @@ private:
     const std::string_view bytes = values_.bytes();
     const std::size_t row = element.row_bytes();
     auto& positions = builder_.surface().positions;
-    if (row == 0 || bytes.size() / row < element.count || element.count >= none) return false;
+    if (row == 0 || bytes.size() / row < element.count || element.count >= mesh::none) return false;
     positions.resize(element.count);
     std::atomic<bool> valid = true;
     base::for_blocks(element.count, [&](std::size_t begin, std::size_t end) {
@@ -210,7 +210,7 @@ private:
         with_type(element.properties[axes[k]].type, [&](auto number) {
           for (std::size_t i = begin; i < end; ++i, from += row) {
             positions[i][k] = static_cast<double>(number_of_bytes<decltype(number)>(from, header_.order()));
-            if (!(std::abs(positions[i][k]) <= largest_coordinate)) valid = false;
+            if (!(std::abs(positions[i][k]) <= mesh::largest_coordinate)) valid = false;
           }
         });
       }
@@ -222,10 +222,10 @@ private:
 
   // The same for faces that are only lists of three vertices.
   bool read_triangles(const PlyElement& element) {
-    Surface& s = builder_.surface();
+    mesh::Surface& s = builder_.surface();
     const std::string_view bytes = values_.bytes();
     if (element.properties.size() != 1 || element.find("vertex_indices", "vertex_index") != 0 ||
-        !element.properties[0].list_size || element.count >= none / 3 || !s.corners.empty())
+        !element.properties[0].list_size || element.count >= mesh::none / 3 || !s.corners.empty())
       return false;
     const PlyProperty& list = element.properties[0];
     const std::size_t first = size_of(*list.list_size), size = size_of(list.type), row = first + 3 * size;
