@@ -43,7 +43,8 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 
 /// Adds the vertex nearest to each handle in every body near the handle: bodies where no other handle is less
 /// than two thirds as far away. Layers and their contents thus follow the cage alike, and adding a body takes
-/// no vertices from others. Bodies of less than a tenth of a handle's share of the area get none.
+/// no vertices from others. Bodies of less than a tenth of a handle's share of the area get none. In bodies
+/// without candidates all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
