@@ -61,7 +61,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
           },
           "First and last frame")
       ->option_text("A-B")
-      ->default_str("as in the session");
+      ->default_str("the session's frames");
 }
 
 // Called with the named files before anything is opened, and again with all files read.
@@ -162,17 +162,18 @@ void add_animate_command(CLI::App& app, Action& action) {
   add_output_options(
       *command, o->output,
       "File to write: .pc2, .mdd, .glb, .gltf, or numbered meshes or pictures (frame_####.obj, .png)");
-  add_file_option(*command, "--keys", o->keys, "Keys: numbered cages, point cache or animated glTF");
+  add_file_option(*command, "--keys", o->keys,
+                  "File with the keys: numbered cages, point cache or animated glTF");
   add_frames_option(*command, o->frames);
-  auto* step = command->add_option("--step", o->step, "Frame step");
+  auto* step = command->add_option("--step", o->step, "Step from one written frame to the next");
   whole_in_range(step, 1, 1'000'000)->default_str("1");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)
-      ->default_str("the session's");
+      ->default_str("the session's rate");
   auto* tolerance =
-      command->add_option("--tolerance", o->tolerance, "Morph targets: maximum error in model diagonals");
+      command->add_option("--tolerance", o->tolerance, "glTF: maximum error, in diagonals of the model");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
-  command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
+  command->add_flag("--no-normals", o->no_normals, "glTF: omit normals, which halves the file size");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);

@@ -104,7 +104,7 @@ bool Autosave::set_aside(workspace::Workspace& workspace) {
 }
 
 std::string Autosave::problem() const {
-  if (folder_.empty()) return "There is no home folder to save them in.";
+  if (folder_.empty()) return "There is no home folder, so unsaved edits cannot be saved.";
   if (writing_.valid()) return file_.string() + ": still being written";
   return problem_;
 }

@@ -56,7 +56,7 @@ Way open_way(const BetweenOptions& options, const files::FrameSteps* frames = nu
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && formats::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
-                      "give its model with --rest");
+                      "name the mesh file of the rest shape with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
   Way way{open_shapes(model, shapes, options.output, frames), {}};
@@ -65,7 +65,7 @@ Way open_way(const BetweenOptions& options, const files::FrameSteps* frames = nu
     for (const document::NamedShape& shape : of_file) way.shapes.push_back(shape.shape);
   if (way.shapes.size() < 2)
     throw base::Error(options.files.front().string(), "a single shape cannot be interpolated",
-                      "give another shape");
+                      "add another shape");
   if (options.loop) way.shapes.push_back(way.shapes.front());
   return way;
 }
@@ -116,7 +116,7 @@ int write_motion(const BetweenOptions& options) {
   if (static_cast<std::size_t>(options.frames) < way.shapes.size())
     throw base::Error(options.output.file.string(),
                       std::to_string(options.frames) + " frames are fewer than the shapes",
-                      "ask for " + std::to_string(way.shapes.size()) + " or more");
+                      "use --frames " + std::to_string(way.shapes.size()) + " or more");
   files::AnimationExport what = files::animation_export_of(*way.opened.model.document, options.output.file);
   what.timeline = timeline_of(options, way, 1, options.frames);
   what.last = options.frames;
@@ -150,12 +150,12 @@ void add_between_command(CLI::App& app, Action& action) {
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
       "--at", [o](double at) { o->at = at; },
-      "Single time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
+      "Write a single shape, at this time: 0 is the first shape, 1 the second, 1.5 halfway to the third");
   in_range(at, 0, most_frames)->excludes(frames);
   add_file_option(*command, "--rest", o->rest, "Rest shape")->default_str("the first shape");
   command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");
-  command->add_flag("--linear", o->linear, "Linear instead of smooth interpolation in log space");
-  command->add_flag("--straight", o->straight, "Interpolate vertex positions instead of maps");
+  command->add_flag("--linear", o->linear, "Interpolate linearly instead of smoothly in log space");
+  command->add_flag("--straight", o->straight, "Interpolate vertex positions, not in log space");
   auto* rate = command->add_option("--rate", o->rate, "Frames per second of .mdd and glTF");
   in_range(rate, document::Timeline::least_rate, document::Timeline::largest_rate)->default_str("24");
   add_examples(*command, {"between rest.obj smile.obj --frames 25 -o motion.pc2",

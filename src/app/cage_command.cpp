@@ -37,8 +37,8 @@ std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cell
   const bool in_range = found == 3 && static_cast<std::size_t>(end) == text.size() &&
                         std::ranges::all_of(read, [](auto n) { return n >= 1 && n <= cages::most_cells; });
   if (!in_range)
-    return "needs three whole numbers from 1 to " + std::to_string(cages::most_cells) + ", as 2x3x2, not " +
-           text;
+    return "needs three whole numbers from 1 to " + std::to_string(cages::most_cells) +
+           ", such as 2x3x2, not " + text;
   cells = read;
   return {};
 }
@@ -63,7 +63,7 @@ void check_rounded(const std::filesystem::path& file, mesh::Surface cage, const 
     }
   }
   if (fits && cages::soundness(cage, model, pool).sound()) return;
-  throw base::Error(file.string(), "glTF's 7 digits are too few for the cage's vertices",
+  throw base::Error(file.string(), "positions in glTF have 7 digits, which is too inexact for this cage",
                     "write it as " + formats::format_extensions(formats::keeps_order));
 }
 
@@ -129,7 +129,8 @@ void add_cage_command(CLI::App& app, Action& action) {
   add_percent("--margin", "Distance to the mesh in % of its diagonal", wish.margin, cages::least_margin,
               cages::most_margin)
       ->default_str("0.15");
-  add_percent("--gap", "Half the width of gaps to close, in % of the diagonal", wish.gap, 0, cages::most_gap)
+  add_percent("--gap", "Close gaps narrower than twice this distance, in % of the diagonal", wish.gap, 0,
+              cages::most_gap)
       ->default_str("0.5");
   add_choice(*command, "--symmetry", "Plane of symmetry: auto, none, x, y or z", cages::all_symmetries(),
              wish.symmetry)

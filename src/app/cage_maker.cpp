@@ -103,7 +103,7 @@ void CageMaker::take(workspace::Workspace& w, Made&& made) {
 void CageMaker::close(workspace::Workspace& w) {
   if (is_preview_ && document::shows_generated(w.document, w.making))
     w.messages.warn(
-        "The preview of the cage was kept. It encloses the model, in places closer than the margin.",
+        "The preview is now the cage. It encloses the model, but in places it is closer than the margin.",
         {.scope = workspace::Scope::cage});
   w.making = {.wish = w.making.wish};
 }

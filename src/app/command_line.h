@@ -35,7 +35,7 @@ void add_info_command(CLI::App& app, Action& action);
 
 /// Descriptions of `viete bench` and `viete report`, used by both.
 inline constexpr const char* bench_text = "Measure speed and accuracy on this machine";
-inline constexpr const char* report_text = "Write a report of figures measured on this machine";
+inline constexpr const char* report_text = "Measure speed and accuracy and write a report with figures";
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);

@@ -36,7 +36,7 @@ FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::p
   try {
     workspace.preferences = workspace::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
-    workspace.messages.warn(std::string(error.what()) + "; starting without this file");
+    workspace.messages.warn(std::string(error.what()) + "; Viete starts without this file");
   }
   workspace.view.hints = workspace.preferences.hints;
   workspace.view.dark = workspace.preferences.dark;

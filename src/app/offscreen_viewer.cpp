@@ -104,8 +104,9 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
 // Warns about requested items that are not in the picture.
 void print_missing(const workspace::Workspace& w) {
   if (workspace::shown_field(w) != w.view.field)
-    print_notes({"no map of " + std::string(base::entry_of(w.view.field).word) +
-                 " here: some maps need a cage and a blend in log space, others a model that can move"});
+    print_notes({"the map " + std::string(base::entry_of(w.view.field).word) +
+                 " is not available here: some maps need a cage and a blend in log space, others a cage, "
+                 "probes or shapes"});
   for (const workspace::View& view : w.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
@@ -145,11 +146,12 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   add_size_option(command, options.size);
   auto* scale = command.add_option("--scale", options.viewer.scale, "Device pixels per logical pixel");
   in_range(scale, 0.5, 4)->default_str("1");
-  auto* look = command.add_option("--look", options.look, "home, front, back, left, right, top or bottom");
+  auto* look =
+      command.add_option("--look", options.look, "View: home, front, back, left, right, top or bottom");
   one_of(look, {"home", "front", "back", "left", "right", "top", "bottom"})->default_str("home");
-  add_file_option(command, "--camera", options.camera, "Camera of this session");
+  add_file_option(command, "--camera", options.camera, "Session whose camera is used");
   auto* shading = command.add_option("--shading", options.shading,
-                                     "clay, porcelain, jade, file, checker, normals or zebra");
+                                     "Shading: clay, porcelain, jade, file, checker, normals or zebra");
   one_of(shading, {"clay", "porcelain", "jade", "file", "checker", "normals", "zebra"})->default_str("file");
   command.add_flag("--show-cage", options.cage, "Draw the cage");
   command.add_flag("--panels", options.panels, "Draw the panels of the window");
@@ -164,7 +166,7 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
   auto* compare = command.add_option("--compare", options.compare,
-                                     "Compare 2 to 4 deformers or methods, or log,straight");
+                                     "Compare 2 to 4 deformers, 2 to 4 methods, or log,straight");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }

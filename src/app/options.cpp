@@ -69,7 +69,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Allow overwriting inputs and files of other kinds");
+  app.add_flag("--force", force, "Overwrite input files and files of other kinds too");
 }
 
 files::Force force_of(bool given) {
@@ -91,7 +91,7 @@ void add_choice_options(CLI::App& app, deform::PartialChoice& choice) {
 }
 
 std::string deformers_help() {
-  std::string text = "Choices of the options of viete\n";
+  std::string text = "Words for the options of viete\n";
   const auto list = [&text](const char* title, const auto& table) {
     text += std::string("\n") + title + ":\n";
     for (const auto& e : table) text += help_line(std::string(e.name), std::string(e.sentence));
@@ -126,7 +126,7 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "As-rigid-as-possible solve over the whole mesh");
+      "Solve for the whole mesh, as rigidly as possible");
   auto* number = app.add_option_function<int>(
       "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);

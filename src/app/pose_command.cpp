@@ -132,10 +132,12 @@ int write_pose(const PoseOptions& options) {
   std::vector<std::string> notes = write_shape(what, "the pose", &work->progress());
   work.reset();  // removes the progress line before output
   if (result.steps == most_steps)
-    notes.push_back("not converged after " + std::to_string(most_steps) + " steps; this is the last step");
+    notes.push_back("not converged after " + std::to_string(most_steps) +
+                    " steps; the result of the last step was written");
   print_notes(notes);
-  print_summary(options.output, base::counted(std::size_t(result.steps), "step") + ", pins off by " +
-                                    base::few_digits(100 * result.farthest) + " % of the diagonal at most");
+  print_summary(options.output, base::counted(std::size_t(result.steps), "step") +
+                                    ", maximum error of the pins " + base::few_digits(100 * result.farthest) +
+                                    " % of the diagonal");
   for (std::size_t e = 0; e < examples.size(); ++e)
     std::printf("%8.3f  %s\n", result.weights[e], base::printable(examples[e].name).c_str());
   return exit_ok;

@@ -18,22 +18,25 @@ constexpr FalloffEntry falloffs[] = {
     {{"linear", "Linear", "Linear falloff to the radius"}, Falloff::linear},
     {{"sharp", "Sharp", "Sharp falloff, strong only close to the probe"}, Falloff::sharp},
     {{"even", "Even", "Constant up to the radius, zero beyond"}, Falloff::even},
-    {{"endless", "Endless", "Unlimited falloff, one half at the radius"}, Falloff::endless},
+    {{"endless", "Endless", "Falloff without a limit: one half at the radius"}, Falloff::endless},
     {{"none", "Off", "No influence"}, Falloff::none},
 };
 
 constexpr ProbeMixEntry mixes[] = {
     {{"added", "Added",
-      "Adds the effects of all probes. Unmoved probes have no effect; two moved together count twice"},
+      "Adds the effects of all probes. Unmoved probes have no effect. Two probes moved together have twice "
+      "the effect"},
      ProbeMix::added},
     {{"partial", "Divided",
-      "Normalises weights where their sum exceeds 1, so two probes moved together act like one"},
+      "Divides the weights by their sum if the sum is above 1. Two probes moved together then act like one "
+      "probe"},
      ProbeMix::partial},
     {{"whole", "Whole",
-      "Normalises weights to one within reach of any probe. Unmoved probes keep their neighbourhood at rest"},
+      "Divides the weights by their sum within the radius of any probe. Unmoved probes keep vertices near "
+      "them at rest"},
      ProbeMix::whole},
     {{"softmax", "Nearest",
-      "Takes the softmax of the weights within reach of any probe. The nearest probe dominates"},
+      "Applies softmax to the weights within the radius of any probe. The nearest probe has most influence"},
      ProbeMix::softmax},
 };
 

@@ -13,25 +13,25 @@ namespace viete::deform {
 namespace {
 
 constexpr std::array weights_table = {
-    WeightsEntry{{"inverse", "Inverse distance", "1/d^2 with d the distance to the element"},
+    WeightsEntry{{"inverse", "Inverse distance", "1/d^2, where d is the distance to the cage element"},
                  Weights::inverse},
-    WeightsEntry{{"cutoff", "Cut-off", "(1 - d/radius)^2 within the radius, 0 beyond it"}, Weights::cut_off},
+    WeightsEntry{{"cutoff", "Cut-off",
+                  "(1 - d/radius)^2 within the radius, 0 beyond; d is the distance to the cage element"},
+                 Weights::cut_off},
     WeightsEntry{{"harmonic", "Harmonic",
-                  "harmonic along the model's surface, 1 at the vertex nearest to the element"},
+                  "harmonic on the model's surface, 1 at the vertex nearest to the cage element"},
                  Weights::harmonic,
                  true},
-    WeightsEntry{
-        {"biharmonic", "Biharmonic",
-         "biharmonic along the model's surface, smoother than harmonic; negative values are set to 0"},
-        Weights::biharmonic,
-        true},
+    WeightsEntry{{"biharmonic", "Biharmonic",
+                  "biharmonic on the model's surface, smoother than harmonic; negative values become 0"},
+                 Weights::biharmonic,
+                 true},
     WeightsEntry{{"mean-value", "Mean value (MVC)", "mean value coordinates of the cage's vertices"},
                  Weights::mean_value},
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{{"srl", "Log space", "sums logarithms of rotation and stretch about the blended centre"},
-               Blend::srl},
+    BlendEntry{{"srl", "Log space", "weighted sum of the logarithms of rotation and stretch"}, Blend::srl},
     BlendEntry{
         {"mls-affine", "Least squares (MLS)", "affine map fitted by least squares"}, Blend::mls_affine, true},
     BlendEntry{
@@ -72,9 +72,9 @@ const BlendEntry& entry(Blend blend) {
 
 std::optional<std::string_view> conflict(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value && scheme.blend != Blend::linear)
-    return "mean value coordinates move points and need the blend linear";
+    return "mean value coordinates are weights of cage vertices and need the blend linear";
   if (scheme.stitched() && !scheme.has_maps())
-    return "cage vertices give no maps that triangles could follow, so stitching is not possible";
+    return "stitching needs maps of the cage's faces, but this deformer uses only the cage's vertices";
   return std::nullopt;
 }
 
@@ -114,14 +114,15 @@ constexpr std::array ways_table = {
               "mean value coordinates: exact for affine poses, loses volume where parts rotate"},
              Way::mean_value,
              Scheme{.weighting = {Elements::point, Weights::mean_value}, .blend = Blend::linear}},
-    WayEntry{{"rigid", "Rigid", "rigid least squares: rotates without stretching, keeps sizes of details"},
-             Way::rigid,
-             Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
+    WayEntry{
+        {"rigid", "Rigid", "rigid least squares: rotates without stretching, so details keep their size"},
+        Way::rigid,
+        Scheme{.weighting = {Elements::point, Weights::biharmonic}, .blend = Blend::mls_rigid}},
     WayEntry{{"arap", "As rigid as possible",
-              "global as-rigid-as-possible solve: preserves details best, slower frames"},
+              "solves for the whole mesh, as rigidly as possible: preserves details best, but is slower"},
              Way::arap,
              Scheme{.weighting = {Elements::face, Weights::biharmonic}, .iterations = 1}},
-    WayEntry{{"local", "Local", "weights end at a radius: vertices out of reach stay at rest"},
+    WayEntry{{"local", "Local", "weights end at a radius: vertices beyond the radius stay at rest"},
              Way::local,
              Scheme{.weighting = {Elements::face, Weights::cut_off}}},
 };
@@ -173,39 +174,41 @@ namespace {
 
 using Need = NumberEntry::Need;
 constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
-                          "these weights have no radius", "omit it, or choose weights cutoff"},
+                          "these weights have no radius", "omit it, or choose the weights cutoff"},
     has_maps{[](const Scheme&s) { return s.has_maps(); },
              "this deformer does not use rotation or stretch of the cage",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it needs a stitched model",
-                "omit it, or stitch the model"};
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it has an effect only with stitching",
+                "omit it, or turn stitching on"};
 
 constexpr std::array numbers_table = {
-    NumberEntry{{"radius", "Radius", "Distance where weights end, in percent of the cage's size"},
+    NumberEntry{{"radius", "Radius", "Distance at which weights become 0, in percent of the cage's size"},
                 [](Scheme& s) -> double& { return s.weighting.radius; },
                 &AskedScheme::radius,
                 has_radius,
                 0.001,
                 10},
-    NumberEntry{{"turn", "Rotation", "Scale the blended rotation: 0 % ignores it, 100 % is normal"},
-                [](Scheme& s) -> double& { return s.amounts.turn; },
-                &AskedScheme::turn,
-                has_maps,
-                0,
-                2},
+    NumberEntry{
+        {"turn", "Rotation", "Scale the blended rotation: 0 % ignores the cage's rotation, 100 % is normal"},
+        [](Scheme& s) -> double& { return s.amounts.turn; },
+        &AskedScheme::turn,
+        has_maps,
+        0,
+        2},
     NumberEntry{{"stretch", "Stretch",
-                 "Scale the logarithm of the blended stretch: 0 % ignores the stretch, 100 % is normal"},
+                 "Scale the blended stretch in log space: 0 % ignores the cage's stretch, 100 % is normal"},
                 [](Scheme& s) -> double& { return s.amounts.stretch; },
                 &AskedScheme::stretch,
                 has_maps,
                 0,
                 2},
     NumberEntry{{"pins", "Pins",
-                 "Stitching: attach vertices within this distance of the cage, in percent of its size"},
+                 "Stitching: distance within which vertices are attached to the cage's faces, in percent of "
+                 "the cage's size"},
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,
                 is_stitched},
-    NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its unstitched position"},
+    NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its position without stitching"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
                 is_stitched},

@@ -145,7 +145,7 @@ void remove_selected(Document& document) {
   const Selection& selection = document.selection;
   const auto put = [&](cages::Edited edited, const char* label) {
     require(edited.surface.corners != cage.corners, "the selection cannot be removed",
-            "it is not enclosed by a single loop; remove faces instead");
+            "no single loop of edges encloses it; remove faces instead");
     put_edited(document, std::move(edited), label);
   };
   if (selection.kind() == ElementKind::vertex)
@@ -165,8 +165,8 @@ void extrude_selected(Document& document) {
 
 void subdivide_cage(Document& document) {
   constexpr std::size_t most_vertices = 20000;
-  require(document.cage->surface.positions.size() < most_vertices / 4, "the cage would be too fine to pose",
-          "a cage has at most 20,000 vertices");
+  require(document.cage->surface.positions.size() < most_vertices / 4,
+          "the cage would have more than 20,000 vertices", "subdivide a coarser cage");
   put_edited(document, cages::subdivide(document.cage->surface), "subdivide the cage");
 }
 

@@ -66,38 +66,38 @@ const Words& words_of(Defect defect) {
   // In the order of Defect.
   static constexpr Words all[] = {
       {"vertex outside the cage", "vertices outside the cage", "",
-       "Log space deformers handle these vertices normally. Mean value weights can be negative "
-       "there and move them against the drag."},
+       "Log space deformers are not affected. Mean value weights can be negative outside the cage and move "
+       "these vertices against the drag."},
       {"self-intersecting face", "self-intersecting faces",
-       "The cage intersects itself. Nearby, the model follows both sheets at once.", ""},
+       "The cage intersects itself. Near the intersection, the model follows both faces.", ""},
       {"open edge", "open edges",
-       "The cage has a hole. Log space needs no closed cage; with mean value coordinates the model follows "
+       "The cage has a hole. Log space is not affected. With mean value coordinates, the model follows "
        "rotation and stretch only approximately.",
        "The model has holes. The deformation is not affected."},
       {"edge with more than two faces", "edges with more than two faces",
-       "More than two faces share this edge. Each acts as usual; if they rotate far apart, the result nearby "
-       "is ambiguous.",
+       "More than two faces share this edge. If these faces rotate very differently, the result near the "
+       "edge is ambiguous.",
        "The deformation is not affected; shading can be uneven there."},
       {"vertex shared by separate parts", "vertices shared by separate parts",
        "Parts of the cage share only this vertex. Dragging it moves all of them.",
        "The deformation is not affected; shading can be uneven there."},
       {"edge between faces of opposite orientation", "edges between faces of opposite orientation",
        "Face orientations disagree. Log space is not affected; mean value coordinates become wrong. Orient "
-       "all "
-       "faces outward.",
+       "all faces outward.",
        "Face orientations disagree. Shading is wrong there; the deformation is not affected."},
       {"face pointing inward", "faces, all pointing inward",
        "All faces point inward. Viete is not affected; other programs may be.",
        "All faces point inward. The deformation is not affected; programs that open the export may be."},
       {"face without area", "faces without area",
-       "The face has no area and therefore no influence; its neighbours act in its place.",
+       "The face has no area and no influence. The neighbouring faces deform the model there.",
        "The face is invisible. The deformation is not affected."},
       {"very thin face", "very thin faces",
        "The face is so thin that small moves of its vertices rotate or stretch the model strongly.", ""},
       {"duplicate vertex", "duplicate vertices",
-       "Two unmerged vertices coincide. Merge them, or select both before dragging; otherwise the cage "
+       "Two vertices have the same position. Merge them, or select both before dragging; otherwise the cage "
        "tears.",
-       "Vertices coincide, for example along seams. They stay together; shading shows an edge there."},
+       "Vertices have the same position, for example along seams. They stay together; shading shows an edge "
+       "there."},
       {"vertex without a face", "vertices without a face",
        "The vertex belongs to no face. Dragging it has no effect.",
        "The vertex belongs to no face. It is deformed and exported but invisible."}};
@@ -226,7 +226,7 @@ std::string inside_out_note(std::size_t count, std::size_t parts) {
                                 : std::to_string(count) + " of " + std::to_string(parts) +
                                       (count == 1 ? " parts of the cage is" : " parts of the cage are");
   return which +
-         " mirrored in this pose, which log space cannot represent: the model folds; use mean value "
+         " mirrored in this pose. Log space cannot represent this, so the model folds; use mean value "
          "coordinates";
 }
 
@@ -236,11 +236,10 @@ std::vector<std::string> pose_notes(const deform::LogReport& report, const defor
                                     const deform::Pose& pose) {
   std::vector<std::string> notes;
   if (!report.collapsed.empty()) {
-    notes.push_back(
-        std::to_string(report.collapsed.size()) + std::string(" of the cage's faces") +
-        (report.collapsed.size() == 1 ? " has" : " have") +
-        " collapsed (first: " + std::to_string(report.collapsed.front()) +
-        (report.collapsed.size() == 1 ? "); a minimum stretch is used" : "); minimum stretches are used"));
+    notes.push_back(std::to_string(report.collapsed.size()) +
+                    (report.collapsed.size() == 1 ? " cage face has" : " cage faces have") +
+                    " collapsed (first: face " + std::to_string(report.collapsed.front()) +
+                    "); a minimum stretch is used");
   }
   if (report.torn.empty()) return notes;
   const std::size_t inside_out = parts_inside_out(cage, pose);

@@ -10,7 +10,7 @@ std::span<const Choice> choices(Pivot) {
   static constexpr Choice all[] = {
       {"median", "Median", "Rotate and scale about the mean of the selection."},
       {"active", "Active", "Rotate and scale about the element clicked last."},
-      {"joint", "Joint", "Rotate and scale about the boundary to the unselected part, like an elbow."},
+      {"joint", "Joint", "Rotate and scale about the border of the selected part, like an elbow."},
       {"point", "Placed point", "Rotate and scale about a point that you place."}};
   return all;
 }
@@ -26,9 +26,9 @@ std::span<const Choice> choices(Axes) {
 std::span<const Choice> choices(MirrorPlane) {
   static constexpr Choice all[] = {
       {"none", "Off", "Edit only the selection."},
-      {"x", "X", "Mirror edits across the file's X axis."},
-      {"y", "Y", "Mirror edits across the file's Y axis."},
-      {"z", "Z", "Mirror edits across the file's Z axis."},
+      {"x", "X", "Mirror edits along the file's X axis."},
+      {"y", "Y", "Mirror edits along the file's Y axis."},
+      {"z", "Z", "Mirror edits along the file's Z axis."},
       {"fit", "Fit", "Mirror edits across the plane of symmetry that fits the cage best."}};
   return all;
 }
@@ -52,8 +52,9 @@ std::span<const Choice> choices(SoftDistance) {
 
 std::span<const Choice> choices(Easing) {
   static constexpr Choice all[] = {
-      {"smooth", "Smooth", "Interpolate smoothly through the keys and stop gently at the first and last."},
-      {"linear", "Linear", "Interpolate at constant speed to the next key."},
+      {"smooth", "Smooth",
+       "Interpolate smoothly through all keys; start and stop slowly at the first and last key."},
+      {"linear", "Linear", "Move at constant speed to the next key."},
       {"hold", "Hold", "Keep this key's pose until the next key."}};
   return all;
 }
@@ -70,8 +71,9 @@ std::span<const Choice> choices(Shading) {
       {"clay", "Clay", "Show the model in one matte colour."},
       {"porcelain", "Porcelain", "Show the model white and glossy; reflections reveal uneven surfaces."},
       {"jade", "Jade", "Show the model as a translucent material."},
-      {"file", "From file", "Show colours, materials and textures of the model's file, otherwise clay."},
-      {"checker", "Checker", "Show a checker on the texture coordinates to judge stretching."},
+      {"file", "From file",
+       "Show the colours, materials and textures of the model's file. Models without them look like clay."},
+      {"checker", "Checker", "Show a checkerboard in texture coordinates to judge stretching."},
       {"normals", "Normals", "Show normals as colours: x red, y green, z blue."},
       {"zebra", "Zebra", "Show reflected stripes to judge curvature and continuity."}};
   return all;

@@ -16,7 +16,7 @@ constexpr double whole_turn = 2 * std::numbers::pi;
 void check_frame(int frame) {
   if (frame < Timeline::least_frame || frame > Timeline::largest_frame)
     throw base::Error("", "frame " + std::to_string(frame) + " is out of range",
-                      "choose one from " + std::to_string(Timeline::least_frame) + " to " +
+                      "choose a frame from " + std::to_string(Timeline::least_frame) + " to " +
                           std::to_string(Timeline::largest_frame));
 }
 
@@ -29,7 +29,7 @@ template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = std::ranges::lower_bound(keys, frame, {}, &Key::frame);
   if (place != keys.end() && place->frame == frame) return *place;
-  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some");
+  if (keys.size() >= Timeline::most_keys) throw base::Error("", "the timeline is full", "delete some keys");
   return *keys.insert(place, Key{frame});
 }
 
@@ -101,7 +101,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
 }
 
 void set_turntable(Document& document, const CameraPose& camera) {
-  record_edit(document, "set turntable");
+  record_edit(document, "create turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
   t.cameras.clear();
@@ -136,7 +136,7 @@ void move_keys(Document& document, const Timeline& before, std::span<const int> 
 void set_easing(Document& document, std::span<const int> frames, Easing easing) {
   const auto changes = [&](const PoseKey& key) { return among(frames, key.frame) && key.easing != easing; };
   if (std::ranges::none_of(document.timeline.keys, changes)) return;
-  record_edit(document, "change the easing");
+  record_edit(document, "change easing");
   for (PoseKey& key : document.timeline.keys)
     if (among(frames, key.frame)) key.easing = easing;
 }

@@ -322,7 +322,7 @@ TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   test::put_file(d.state / "remembered.json", "nonsense");
   d.begin();
   CHECK(d.workspace.messages.all().back().severity == workspace::Severity::warning);
-  CHECK(d.last_message().ends_with("; starting without this file"));
+  CHECK(d.last_message().ends_with("; Viete starts without this file"));
   CHECK(d.workspace.view.hints);
 }
 

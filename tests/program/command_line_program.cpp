@@ -189,7 +189,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(partly > 200);
   // An unavailable map is reported.
   CHECK(mentions(f.done("render " + quoted(dragon) + " --size 200x100 --map volume -o without.png"),
-                 "no map of volume here"));
+                 "the map volume is not available here"));
   f.refused("render " + quoted(dragon) + " -o no.png --camera none.viete", 1, "none.viete");
   for (const std::string wrong : {"--compare smooth,none", "--map blue"})
     f.refused("render " + quoted(dragon) + " -o no.png " + wrong, 2, wrong.substr(0, wrong.find(' ')));
@@ -215,7 +215,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
   }
   CHECK(2 * last < std::ssize(rest));
   f.refused("render " + in_cage + " -o x.png --deformer mean-value --radius 3", 1,
-            "radius: these weights have no radius; omit it, or choose weights cutoff");
+            "radius: these weights have no radius; omit it, or choose the weights cutoff");
 }
 
 TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
@@ -239,7 +239,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   for (const char* more : {" --iterations 2", " --pins 10", " --hold 100"})
     CHECK(deformed(std::string(" --stitched") + more) != stitched);
   f.refused(posed + " -o x.ply --blend srl --weights mean-value", 1,
-            "cannot be combined: mean value coordinates move points");
+            "cannot be combined: mean value coordinates are weights of cage vertices");
   f.refused(posed + " -o x.ply --deformer mean-value --blend srl", 2, "excludes");
   CHECK_FALSE(fs::exists(f / "x.ply"));
 }
@@ -262,7 +262,7 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   const auto alone = f.viete("info fin.obj"), around = f.viete("info model.obj --cage fin.obj");
   CHECK(mentions(alone, "1 edge with more than two faces\n"));
   CHECK(mentions(alone, "edge 6-7\n"));
-  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles meet at edge 6-7"));
+  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
 }

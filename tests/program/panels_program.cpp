@@ -68,7 +68,7 @@ void check_questions(Driver& d) {
             name,
             "/home/somebody/.local/state/viete/recovery: unsaved edits cannot be saved "
             "here for recovery: Not a directory; save often"),
-        workspace::ask_before_opening(name, "There is no home folder to save them in."),
+        workspace::ask_before_opening(name, "There is no home folder, so unsaved edits cannot be saved."),
         workspace::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
     w.question = question;
     check(d, question.title.c_str());
