@@ -111,8 +111,7 @@ void add_mix_command(CLI::App& app, Action& action) {
             for (const auto& text : texts) o->shares.push_back(share_of(text));
           },
           "Shape with the same faces and its weight: smile.obj=0.5, or face.glb:smile=0.5 for one of several "
-          "shapes "
-          "in a file; repeatable")
+          "shapes in a file; repeatable")
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();

@@ -26,7 +26,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-// The last edits, newest first: the current one is marked, and a click goes to another.
+// Lists the last edits, newest first. The current edit is marked; a click goes to another edit.
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
   workspace::Workspace& w = ui.workspace;
@@ -66,13 +66,13 @@ void recent_menu(const Context& ui) {
   if (chosen) open_recent(w, *chosen);
 }
 
-// Submenus with dynamic entries after a command.
+// Adds the submenu of recent files or of the history after its command.
 void list_behind(const Context& ui, const workspace::Command& command) {
   if (command.name == "open_model") recent_menu(ui);
   if (command.name == "redo") history_menu(ui);
 }
 
-// Consecutive commands of one choice share a submenu.
+// Consecutive commands of the same choice are in one submenu.
 void items(const Context& ui, const workspace::Menu& menu) {
   std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
   bool open = false;
@@ -93,7 +93,7 @@ void items(const Context& ui, const workspace::Menu& menu) {
   if (open) ImGui::EndMenu();
 }
 
-// Commands of the context menu, in order; |: a separator. Disabled ones are omitted.
+// Commands of the context menu, in order; | is a separator. Disabled commands are omitted.
 constexpr const char* offers =
     "undo redo | reset_selected | frame_selection frame_all | select_all select_none invert_selection "
     "select_linked | split_edges cut_faces extrude_faces merge_vertices remove_elements | make_cage "

@@ -155,7 +155,7 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.enter("transform_y", "90");
   CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
-  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
+  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum for one step");
 }
 
 TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
