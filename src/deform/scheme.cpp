@@ -178,7 +178,7 @@ constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
     has_maps{[](const Scheme&s) { return s.has_maps(); },
              "this deformer does not use rotation or stretch of the cage",
              "omit it, or choose another deformer or blend"},
-    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it has an effect only with stitching",
+    is_stitched{[](const Scheme&s) { return s.stitched(); }, "it has an effect only with stitching (ARAP)",
                 "omit it, or turn stitching on"};
 
 constexpr std::array numbers_table = {

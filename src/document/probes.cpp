@@ -117,7 +117,7 @@ bool has_pins(const Document& document) {
 }
 
 void set_pulls(Document& document, bool pulls) {
-  change_selected(document, pulls ? "pull with pins" : "fix with pins", [pulls](deform::Probe& p) {
+  change_selected(document, pulls ? "make pins soft" : "make pins exact", [pulls](deform::Probe& p) {
     if (p.pin) p.pin->pulls = pulls;
   });
 }

@@ -76,7 +76,7 @@ constexpr std::array<std::string_view, 2> column_words = {"tools", "methods"};
 
 }  // namespace
 
-// Found by their arguments, see json_codec.h.
+// json_codec.h finds these functions by their arguments.
 
 static void code(const files::JsonField& f, RecentFile& recent) {
   f.needed("file", recent.file);
