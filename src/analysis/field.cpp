@@ -60,8 +60,7 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// The smallest gap between eigenvalues, divided by the largest eigenvalue. It determines the case that the
-// published methods use.
+// The smallest gap between eigenvalues, relative to the largest. The published methods choose a case by it.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -222,8 +221,7 @@ void fit_range(const FieldEntry& e, std::vector<float> values, FieldStats& stats
   stats.low = e.symmetric ? -stats.high : 0;
 }
 
-// Fits the colour range to the errors of all methods on a sample of the matrices, so that the colours of all
-// methods can be compared.
+// Fits the colour range to the errors of all methods on a sample of the matrices.
 void fit_error_range(std::span<const sym3::Sym3<double>> matrices, FieldStats& stats) {
   constexpr std::size_t most = 4096;
   constexpr double floor = 1e-17, fewest_decades = 2;

@@ -43,7 +43,6 @@ public:
   explicit Strain(const mesh::Surface& rest);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
-  /// The diagonal of the surface at rest.
   double diagonal() const { return diagonal_; }
 
   /// The mean of a function of the stretches of triangles, at each vertex.

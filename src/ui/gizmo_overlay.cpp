@@ -13,8 +13,6 @@
 
 namespace viete::ui {
 
-// Draws the gizmo and the guides of a drag.
-
 namespace {
 
 using interact::Constraint;

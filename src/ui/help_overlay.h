@@ -12,7 +12,6 @@ struct MouseLine {
   std::string action, what;
 };
 
-/// The complete list for the help.
 std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap);
 
 /// Camera navigation, in phrases separated by two spaces.

@@ -15,8 +15,6 @@
 
 namespace viete::ui {
 
-// The window with the list of messages, newest first.
-
 namespace {
 
 struct SeverityLook {
@@ -124,8 +122,6 @@ void notice_bar(const Context& ui) {
   w.notice_height = ImGui::GetWindowSize().y;
 }
 
-// Recent messages at the bottom of the view, each in at most two lines.
-
 namespace {
 
 constexpr std::size_t most_toasts = 3;
@@ -147,8 +143,7 @@ std::string in_two_lines(const std::string& text, float width) {
   return text.substr(0, low) + "...";
 }
 
-// Draws a message above `bottom` and moves `bottom` up. A click on the text shows all messages. Returns true
-// if the user dismissed the message.
+// Draws a message above `bottom` and moves `bottom` up. A click shows all messages. True if dismissed.
 bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
            float& bottom) {
   constexpr float widest = 480, padding = 12, gap = 8;

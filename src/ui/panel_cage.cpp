@@ -71,8 +71,6 @@ void panel_cage(const Context& ui) {
   editing(ui);
 }
 
-// The sliders of cage generation.
-
 namespace {
 
 constexpr float making_label = 84;

@@ -12,8 +12,6 @@
 
 namespace viete::ui {
 
-// The Probes panel: commands for probes, and the influence of each part of their motion.
-
 namespace {
 
 constexpr float probe_label = 76;

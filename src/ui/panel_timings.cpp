@@ -235,7 +235,6 @@ void rest_of_frame(const Context& ui) {
       "includes the deformation.");
 }
 
-// The errors of the exponential and of the drawn positions.
 void errors(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   const workspace::MethodSample* sample = running_sample(w);

@@ -14,8 +14,6 @@
 
 namespace viete::ui {
 
-// Selection tools and selection sets.
-
 namespace {
 
 // Shows one row per set. Changes are applied after all rows are drawn.
@@ -65,8 +63,6 @@ void panel_select(const Context& ui) {
   sets(ui);
 }
 
-// Position of the selection, its pivot, axes, mirror and soft selection.
-
 namespace {
 
 constexpr float transform_label = 56;
@@ -110,7 +106,6 @@ void mirror_row(const Context& ui) {
   if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
-// The soft radius in the file's units.
 void soft_radius(const Context& ui) {
   document::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
@@ -167,8 +162,6 @@ void panel_transform(const Context& ui) {
   command_row(ui, {"bend", "twist", "taper"});
   command_row(ui, {"smooth", "relax"});
 }
-
-// The choice of the element kind, and the number fields of the tool.
 
 namespace {
 

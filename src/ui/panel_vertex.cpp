@@ -13,8 +13,6 @@
 
 namespace viete::ui {
 
-// The vertex inspector: weights, the partial sums, and the exponential by each method.
-
 namespace {
 
 using workspace::VertexView;

@@ -22,7 +22,6 @@ constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                               ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs;
 
-// The left column, in the order of the usual work.
 void tools(const Context& ui) {
   const float width = ui.workspace.viewport.origin.x;
   if (width <= 0) return;
@@ -48,7 +47,6 @@ void analysis(const Context& ui) {
   command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
 }
 
-// The right column.
 void methods(const Context& ui) {
   const document::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;

@@ -81,7 +81,6 @@ void icon_button(const Context& ui, const char* name, void (*draw)(const Pen&, b
   draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color, icon}, on);
 }
 
-// An integer field with a label.
 std::optional<int> frame_field(const Context& ui, const char* label, const char* name, double value,
                                float width, const char* what) {
   if (*label) {

@@ -10,8 +10,6 @@
 
 namespace viete::ui {
 
-// The axis widget at the top right of the view.
-
 namespace {
 
 const char* letter_of(const interact::AxisBall& ball) {

@@ -40,8 +40,7 @@ int filter_number(ImGuiInputTextCallbackData* data) {
   return known ? 0 : 1;
 }
 
-// The text of a field in the last frame. Some versions of ImGui do not report it after another widget gets
-// the focus.
+// The text of a field in the last frame. Some versions of ImGui lose it when another widget gets the focus.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
   const auto typed = ui.workspace.typed.find(name);
   if (typed == ui.workspace.typed.end()) return otherwise;

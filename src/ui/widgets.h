@@ -81,7 +81,6 @@ void section_note(const Context& ui, const std::string& text, ImU32 color = 0);
 
 /// A button that runs a command. The tooltip shows the command's hint and key.
 void command_button(const Context& ui, std::string_view command, float width = 0);
-/// Several command buttons in a row of equal widths.
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
 /// Like command_row(), with the button `chosen` marked.
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
@@ -125,7 +124,6 @@ bool take_escape(workspace::Workspace& workspace);
 std::optional<double> number_field(const Context& ui, const std::string& name, double value, float width = 0,
                                    const char* tip = "", bool enabled = true);
 
-/// The user's change of a slider.
 struct Slid {
   bool moved = false;
   std::optional<double> typed{};  ///< clamped to the slider's range
@@ -149,7 +147,6 @@ std::optional<double> slider(const Context& ui, const std::string& name, double 
 std::optional<double> slider_row(const Context& ui, const char* label, float distance,
                                  const std::string& name, double value, const std::string& shown,
                                  const SliderLook& look);
-/// True while a number is being typed into a slider.
 bool types_into_slider(const workspace::Workspace& workspace);
 
 /// A text field for a name of at most 199 bytes. Returns the text when the field loses the focus; nullopt
@@ -161,7 +158,6 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
 std::optional<std::size_t> recent_list(const Context& ui);
 /// "FILE  in  CAGE".
 std::string place_of(const workspace::RecentFile& recent);
-/// Opens a recent file with its cage.
 void open_recent(workspace::Workspace& workspace, std::size_t index);
 
 /// Text in the font for numbers, right aligned at x. The line is the current line, or begins at y = line.

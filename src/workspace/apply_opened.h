@@ -6,12 +6,10 @@
 
 namespace viete::workspace {
 
-/// Shows the opened document and reports its warnings as messages. Plays the example; for it, Save asks for a
-/// name.
+/// Shows the opened document, and its warnings as messages. Plays the example animation.
 void apply_opened(Workspace& workspace, files::Opened&& opened);
 
-/// Reads the files and calls apply_opened(). If reading fails, shows the error, changes nothing and returns
-/// false.
+/// Reads the files and calls apply_opened(). On failure, shows the error, changes nothing and returns false.
 bool open_now(Workspace& workspace, const files::OpenRequest& request);
 
 }  // namespace viete::workspace

@@ -30,7 +30,6 @@ struct Label {
   std::string words, brief;
 };
 
-/// The action of a command.
 struct Effect {
   template <std::invocable<Workspace&> Run>
   Effect(Run run) : run(std::move(run)) {}

@@ -20,7 +20,6 @@ struct MorphChoice {
   friend bool operator==(const MorphChoice&, const MorphChoice&) = default;
 };
 
-/// Options of rendered pictures.
 struct PictureChoice {
   bool cage = false, grid = true, light = false, panels = false;
   int width = 0, height = 0;  ///< logical pixels, least_picture to largest_picture
@@ -112,7 +111,6 @@ std::string format_list(const FileBrowser& browser);
 std::string format_of(const FileBrowser& browser);
 /// Shows why `asked` could not be read or written. Returns false if the browser did not request this file.
 bool refuse(FileBrowser& browser, const std::filesystem::path& asked, const std::string& problem);
-/// Replaces the extension of the file name.
 void set_format(FileBrowser& browser, const std::string& extension);
 
 }  // namespace viete::workspace

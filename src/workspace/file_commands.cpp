@@ -46,8 +46,7 @@ void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// Proposes the name of `from` with `ending`, such as "cage_pose.obj", in the folder of the session or of
-// `from`.
+// Proposes a name such as "cage_pose.obj", in the folder of the session or of `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
   show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,

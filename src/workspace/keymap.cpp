@@ -26,8 +26,7 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-// The keys for Blender users that differ from the usual keys. If Viete lacks the Blender function of a key,
-// the key runs no command.
+// The keys for Blender users that differ from the usual keys.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"grab", plain('G'), {}},
     {"grab_rotate", plain('R'), {}},
@@ -60,6 +59,7 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"redo", {key('Z'), true, true}, {}},
     {"delete_keys", plain('X'), {Key::delete_key}},
 });
+// Commands without a key, because Blender uses the key for a function that Viete does not have.
 constexpr std::string_view blender_without[] = {
     "place_pivot", "reset_pose",   "restore_leftover", "open_pose",   "save_model",
     "tool_move",   "select_lasso", "method_diag",      "method_sd",   "method_improved_sd",

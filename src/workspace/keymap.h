@@ -25,8 +25,7 @@ struct Shortcuts {
 /// "Ctrl+A, A".
 std::string text(const Shortcuts& keys);
 
-/// The keys of all commands. Assigning a key to a command removes it from other commands, except if
-/// shares_keys().
+/// The keys of all commands. A key belongs to only one command, except for pairs with shares_keys().
 class Keymap {
 public:
   using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by command name
@@ -42,7 +41,6 @@ public:
   void change(std::string_view command, const Shortcut& shortcut);
   /// Restores the preset's keys of the command.
   void take_back(std::string_view command);
-  /// Replaces the user's changes.
   void put(Changes changes);
 
   Shortcuts of(const Command& command) const;

@@ -28,9 +28,8 @@ struct Message {
   bool visible = true;    ///< shown over the view; false: only in the message list
 };
 
-/// The last 200 messages. If a visible message or the last message is repeated, only its count increases.
-/// Infos and warnings are visible for a limited time, an error until the same action succeeds or the user
-/// dismisses the error.
+/// The last 200 messages. Repeating a visible message or the last message only increases its count. Infos and
+/// warnings are visible for a limited time, errors until the same action succeeds or the user dismisses them.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;

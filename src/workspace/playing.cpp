@@ -33,8 +33,7 @@ bool is_current(const Workspace& w) {
          w.playback.timeline == w.document.timeline;
 }
 
-// The pose of the keys at the document's frame. There must be an animation. The pose is cached, because
-// blending shapes is slow.
+// The pose of the keys at the document's frame, cached because blending shapes is slow.
 const document::WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
   if (known.animation != w.playback.animation || known.frame != w.document.frame)

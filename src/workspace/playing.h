@@ -12,8 +12,7 @@ namespace viete::workspace {
 /// The animation of the current timeline; null without keys, and during cage editing.
 std::shared_ptr<const document::Animation> animation_of(Workspace& workspace);
 
-/// True if the current pose differs from the timeline's pose at this frame. Going to another frame replaces
-/// it.
+/// True if the current pose differs from the timeline's pose at this frame.
 bool has_unkeyed_pose(const Workspace& workspace);
 
 /// Shows the pose, probes and camera of the keys at a frame. An unkeyed pose is stored in Timeline::unkeyed;
@@ -31,8 +30,7 @@ void replace_pose(Workspace& workspace, const std::function<void()>& edit);
 /// Stops playback and applies a named pose with replace_pose().
 void apply_pose(Workspace& workspace, std::size_t pose);
 
-/// Stops playback and runs a change of weights. Shows an error if the change returns false because the result
-/// would be too large to draw.
+/// Stops playback and runs a change of weights. If it returns false, shows that the result is too large.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);
 
 /// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show`, and if the
@@ -46,9 +44,8 @@ void start_playing(Workspace& workspace);
 /// Stops playback at a whole frame.
 void stop_playing(Workspace& workspace);
 
-/// Advances playback by `seconds`, sets keys for edits of the pose if auto_key is on, and shows edits of the
-/// timeline. Call it once per frame of the window. An unkeyed edit of the pose stops playback, so that the
-/// edit stays visible.
+/// Advances playback by `seconds`, shows edits of the timeline, and with auto_key sets keys for edits of the
+/// pose. Call it once per frame of the window. An unkeyed edit stops playback, so that it stays visible.
 void follow_time(Workspace& workspace, double seconds);
 
 /// The pose of the keys or weights, computed linearly if the document uses log space, and vice versa; null if

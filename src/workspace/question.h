@@ -30,7 +30,6 @@ struct Question {
 Question ask_before_closing(const std::string& work, const std::string& why);
 Question ask_before_opening(const std::string& work, const std::string& why);
 Question ask_before_replacing(const std::filesystem::path& session);
-/// Asks again after saving failed.
 Question ask_after_failed_save(const std::string& work, Question::Kind kind, const std::string& why);
 
 /// key: "model" or "cage".

@@ -50,8 +50,7 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.saved.state.probes;
 }
 
-// True if the timeline is saved. An unkeyed pose can be saved in Timeline::unkeyed, or as the document's
-// pose.
+// True if the timeline is saved. An unkeyed pose can be saved in the list Timeline::unkeyed, or as the pose.
 bool same_timeline(const Workspace& w) {
   document::Timeline now = w.document.timeline;
   if (now == w.saved.state.timeline) return true;

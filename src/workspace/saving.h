@@ -18,8 +18,7 @@ bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest. Afterwards the cage belongs to this file.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 
-/// Reports why a file cannot be read or written, in the file browser if it requested the file, otherwise as a
-/// message.
+/// Shows why a file cannot be read or written: in the browser that requested the file, or as a message.
 void report_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
                     std::string_view topic);
 
@@ -36,7 +35,6 @@ bool has_unsaved_edits(const Workspace& workspace);
 void mark_saved(Workspace& workspace);
 void mark_pose_saved(Workspace& workspace);
 
-/// The session of the current state.
 files::Session session_of(const Workspace& workspace);
 
 /// All open files, except the file described by `own`, which is about to be overwritten.

@@ -71,8 +71,7 @@ std::span<const std::pair<Key, std::string>> all_keys();
 
 /// "Ctrl+Shift+Z"; empty for Key::none.
 std::string text(const Shortcut& shortcut);
-/// Parses the format of text(), in any case and order of Ctrl, Shift and Alt; nullopt for an unknown key. ""
-/// is Key::none.
+/// Parses the result of text(); ignores case and the order of modifiers. Nullopt for an unknown key.
 std::optional<Shortcut> shortcut_of(std::string_view text);
 
 }  // namespace viete::workspace

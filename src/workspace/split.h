@@ -46,7 +46,6 @@ struct Pane {
   glm::vec2 at{0, 0}, size{1, 1};
 };
 Pane pane_of(const Split& split, std::size_t view);
-/// The viewport of the view's camera.
 document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view);
 /// The view at a position in the window.
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);

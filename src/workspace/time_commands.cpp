@@ -143,7 +143,6 @@ void change_play(Workspace& w, const auto& change) {
   set_play(w.document, play);
 }
 
-// Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });

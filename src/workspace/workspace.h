@@ -155,7 +155,6 @@ struct KeyList {
   std::optional<Keymap::Changes> taken_back;  ///< the changes before Reset all, to restore them
 };
 
-/// A copied pose of some vertices.
 struct CopiedPose {
   std::shared_ptr<const deform::Cage> cage;
   std::vector<std::uint32_t> vertices;
@@ -272,14 +271,12 @@ void cancel_widget_edit(Workspace& workspace);
 /// The height in logical pixels of the suggestion to get a cage; 0 if it is not shown.
 float offer_height(const Workspace& workspace);
 
-/// Moves the camera to the model and its posed cage, above the suggestion, or to the selection. If `eased`,
-/// the camera moves gradually.
+/// Moves the camera to the model and its posed cage, or to the selection; gradually if `eased`.
 void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Moves the camera to the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
-/// Highlights a finding and requests to move the camera to it. If the finding is highlighted already, hides
-/// it.
+/// Highlights a finding and requests to move the camera to it. Hides the finding if it is highlighted.
 void toggle_finding(Workspace& workspace, std::size_t index);
 /// Highlights only the next (1) or previous (-1) element of the finding; continues at the other end.
 void step_element(Workspace& workspace, int step);
