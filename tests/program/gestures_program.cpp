@@ -112,7 +112,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
     d.move(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0));
     d.frame();
     REQUIRE(d.workspace().interaction.handle);
-    return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
+    return ui::mouse_text(d.workspace()).find("changes the model's shape slightly") != std::string::npos;
   };
   d.select_whole_cage();
   CHECK_FALSE(advises());  // at rest
