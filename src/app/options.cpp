@@ -126,9 +126,9 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "Solve for the whole mesh, as rigidly as possible");
+      "Solve for the whole mesh, as rigidly as possible (ARAP)");
   auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
+      "--iterations", [&iterations](int n) { iterations = n; }, "ARAP: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
   add_number_option(app, "pins", asked);
   add_number_option(app, "hold", asked);

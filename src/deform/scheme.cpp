@@ -203,12 +203,12 @@ constexpr std::array numbers_table = {
                 0,
                 2},
     NumberEntry{{"pins", "Pins",
-                 "Stitching: distance within which vertices are attached to the cage's faces, in percent of "
+                 "ARAP: distance within which vertices are attached to the cage's faces, in percent of "
                  "the cage's size"},
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,
                 is_stitched},
-    NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its position without stitching"},
+    NumberEntry{{"hold", "Hold", "ARAP: pull each vertex to its position without ARAP"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
                 is_stitched},

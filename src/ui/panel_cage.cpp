@@ -122,7 +122,7 @@ void cells(const Context& ui, document::CageWish& wish) {
                    count(wish.cells[k]), {.least = 1, .most = 12, .tip = "Number of cells along this axis."});
     if (chosen) wish.cells[k] = static_cast<std::size_t>(std::lround(*chosen));
   }
-  ImGui::Checkbox("Align to the model's principal axes", &wish.own_axes);
+  ImGui::Checkbox("Align to principal axes", &wish.own_axes);
   record(ui, "cage_own_axes");
 }
 

@@ -86,7 +86,7 @@ void panel_method(const Context& ui) {
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   note(ui, !used                                     ? "This deformer uses no exponential."
-           : document::differs_from_rest(w.document) ? "Time per matrix, largest error in this pose"
+           : document::differs_from_rest(w.document) ? "Time per matrix and largest error"
                                                      : "At rest every method is exact.");
   hint("Median time over " + count(w.methods.matrices) +
        " matrices of this frame; errors are relative to 106-bit results. Colours mark the best values and "
