@@ -53,7 +53,7 @@ enum class Source : unsigned char {
 };
 
 struct FieldInput {
-  const Strain* strain;                          ///< of the model at rest
+  const Strain* strain;                          ///< strain of the model at rest
   std::span<const mesh::Point> first;            ///< positions in the first view
   std::span<const mesh::Point> drawn, exact;     ///< displayed, and in double precision
   std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex

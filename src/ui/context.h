@@ -36,7 +36,7 @@ private:
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
-  ImFont* numbers = nullptr;  ///< tabular figures
+  ImFont* numbers = nullptr;  ///< with digits of equal width
 };
 
 /// Colours that ImGui's style does not include.

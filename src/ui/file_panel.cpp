@@ -183,7 +183,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
-    if (!entry.folder) {  // drawn over the highlight, on the same line
+    if (!entry.folder) {  // the size, on the same line
       text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint, line);
     }
   }
@@ -229,7 +229,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
   const auto entries = workspace::shown(browser);
   if (key_pressed(workspace::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
-    browser.appearing = browser.open;  // keeps the keyboard in the list
+    browser.appearing = browser.open;  // keeps the keyboard focus
   } else if (key_pressed(workspace::Key::enter) && browser.saves()) {
     confirm_typed(ui.workspace);
   }

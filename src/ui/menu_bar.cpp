@@ -147,7 +147,8 @@ void context_menu(const Context& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
   bool line = false, any = false, chosen = false;
   auto& w = ui.workspace;
-  const auto cursor = std::exchange(w.interaction.cursor, w.interaction.menu_at);  // for the commands
+  const auto cursor =
+      std::exchange(w.interaction.cursor, w.interaction.menu_at);  // commands act at this place
   std::istringstream words(offers);
   for (std::string offer; words >> offer;) {
     const workspace::Command* command = workspace::find_command(offer);

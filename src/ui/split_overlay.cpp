@@ -14,7 +14,7 @@ namespace viete::ui {
 namespace {
 
 constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of the view
-constexpr float least_room = 170;  // with less room beside the axes, a caption is at the bottom
+constexpr float least_room = 170;  // if there is less room beside the axes, the caption is at the bottom
 
 // The interpolation of a view. Empty if all views use the same interpolation.
 std::string blending_words(const workspace::Workspace& w, bool other) {

@@ -134,7 +134,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
             const std::function<bool()>& draw, bool enabled = true);
 struct SliderLook {
   double least, most;
-  const char* format = "";  ///< of the text on the slider, as for printf
+  const char* format = "";  ///< text on the slider, as for printf
   const char* tip = "";
   bool logarithmic = false;
   double (*rounded)(double) = nullptr;  ///< null: no rounding

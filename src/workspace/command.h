@@ -49,8 +49,8 @@ inline Effect passing(Effect effect) {
 
 struct Command : Effect {
   std::string name;   ///< stable, for keys and tests: "undo"
-  std::string label;  ///< "Look from the front"
-  std::string brief;  ///< "Front", under "Look from"
+  std::string label;  ///< "View from the front"
+  std::string brief;  ///< "Front", under "Viewpoint"
   std::string hint;   ///< one sentence: what it does
   Condition enabled;
   std::string_view group{};  ///< heading in the command reference

@@ -89,7 +89,7 @@ struct VertexView {
     std::uint32_t element;
     double weight;
     mesh::Point at;                     ///< the element's center, file units
-    std::array<double, 3> eigenvalues;  ///< of the symmetric sum up to this term, ascending
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the sum up to this term, ascending
   };
   /// The result of one method for the exponential of the whole sum.
   struct Way {

@@ -33,7 +33,7 @@ public:
   struct Frame {
     std::span<const mesh::Point> points;
     glm::vec2 size;  ///< picture size
-    float margin;    ///< empty border around the points
+    float margin;    ///< width of the empty border
   };
   PictureView(const PictureAngles& angles, const Frame& frame);
 

@@ -523,7 +523,7 @@ void Pointer::cancel(Workspace& w) {
   if (w.interaction.drag) w.interaction.drag->cancel(w.document);
   if (w.interaction.stroke) w.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
-    return finish(w, Gesture::ignored);  // nothing was selected yet
+    return finish(w, Gesture::ignored);  // the selection is unchanged
   // Do not select elements again that were removed during the gesture.
   const auto& before = selection_before_.indices();
   const bool all_there =

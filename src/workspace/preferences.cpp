@@ -29,7 +29,8 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
     const bool alone = column == layout.last || layout.is_folded(other(column));
     if (layout.is_folded(column) || !(both || alone)) continue;
     const float taken = shown[index(other(column))];
-    const float kept = both && column == layout.last ? PanelLayout::least_width : taken;  // for the other
+    const float kept =
+        both && column == layout.last ? PanelLayout::least_width : taken;  // room for the other column
     shown[index(column)] =
         std::min(layout.width[index(column)], std::max(PanelLayout::least_width, room - kept));
   }

@@ -121,7 +121,7 @@ void frame_selection(Workspace& w, bool eased) {
 }
 
 void frame_worst(Workspace& w) {
-  constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
+  constexpr double share = 0.06;  // half the size of the visible part, in diagonals of the model
   const auto& surface = *w.document.model.surface;
   const std::size_t worst = w.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
