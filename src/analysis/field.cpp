@@ -112,8 +112,8 @@ constexpr FieldEntry factor(const base::Choice& choice, Source source,
 constexpr FieldEntry table[] = {
     {.choice = {"none", "None", "Show no map."}},
     {.choice = {"displacement", "Displacement",
-                "Distance of each vertex from rest, in diagonals of the model at rest."},
-     .unit = "of the diagonal",
+                "Distance of each vertex from its position at rest, in percent of the model's diagonal."},
+     .unit = "% of diagonal",
      .source = Source::surface,
      .least_range = 0.01,
      .compute =
@@ -147,7 +147,7 @@ constexpr FieldEntry table[] = {
     {.choice = {"gap", "Eigenvalue gap",
                 "Smallest gap between eigenvalues of the blended matrix, relative to the largest eigenvalue. "
                 "Near 0, the published methods use special cases."},
-     .unit = "of the largest",
+     .unit = "relative",
      .source = Source::matrices,
      .scale = Scale::log10,
      .least_range = 2,
@@ -184,7 +184,7 @@ constexpr FieldEntry table[] = {
      .compute = [](const FieldInput& in) { return distances(in.drawn, in.first, in.strain->diagonal()); }},
     {.choice = {"signed-difference", "Signed difference",
                 "Distance from the first view along its normals: orange outside, blue inside."},
-     .unit = "of the diagonal",
+     .unit = "% of diagonal",
      .source = Source::first,
      .symmetric = true,
      .least_range = 1e-4,

@@ -81,7 +81,7 @@ files::Opened opened_for(const AnimateOptions& options, void (*check)(const file
   timeline.straight |= options.straight;
   if (!options.keys.empty()) {
     if (!document.has_cage())
-      throw base::Error(options.inputs.model.string(), "keys need a cage and the session has none",
+      throw base::Error(options.inputs.model.string(), "the session has no cage, but keys need a cage",
                         "open it in the window and add a cage");
     files::ImportedKeys keys =
         files::read_keys(options.keys, *document.cage, {timeline.first, timeline.rate});

@@ -115,8 +115,8 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (weighting.weights == Weights::mean_value && cage.sides.triangles.empty())
     throw base::Error("",
-                      "mean value coordinates need a cage with an outside; faces of this cage are not "
-                      "consistently oriented",
+                      "mean value coordinates need a cage with an inside and an outside, but faces of this "
+                      "cage are not consistently oriented",
                       "flip or remove the faces that disagree, or use other weights");
   Binding binding;
   binding.weighting = weighting;

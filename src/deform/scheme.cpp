@@ -164,7 +164,7 @@ Scheme complete(const PartialChoice& choice, const Scheme& preferred) {
   if (conflict(s) && !choice.weights) s.weighting.weights = Weights::inverse;
   if (const auto reason = conflict(s))
     throw base::Error("", "these weights and this blend cannot be combined: " + std::string(*reason),
-                      "omit one of them to have it chosen automatically");
+                      "omit the weights or the blend to have it chosen automatically");
   s.weighting.elements = elements_of(s.weighting.weights, s.blend);
   if (s.has_maps()) s.iterations = preferred.iterations;
   return s;

@@ -118,7 +118,8 @@ void path_field(const Context& ui) {
   const std::string before = browser.path;
   const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");
-  hint(browser.saves() ? "File to write. The extension sets the format." : "File to open. Enter opens it.");
+  hint(browser.saves() ? "File to write. The extension sets the format."
+                       : "File to open. Press Enter to open it.");
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;

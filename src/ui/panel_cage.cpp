@@ -26,7 +26,7 @@ void panel_model(const Context& ui) {
   if (!open) return;
   if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
-    note(ui, "No model. Open one or drop a file on the window.");
+    note(ui, "No model. Open a model or drop a file on the window.");
     command_button(ui, "open_model");
     if (const auto clicked = recent_list(ui)) open_recent(ui.workspace, *clicked);
     return;

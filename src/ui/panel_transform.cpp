@@ -36,8 +36,8 @@ void sets(const Context& ui) {
                {select_width, 0}))
       selected = i;
     ImGui::SameLine(0, gap);
-    if (button(ui, ("x##" + id).c_str(), id + "/remove", "Delete this selection set. Its elements stay.",
-               {close, 0}))
+    if (button(ui, ("x##" + id).c_str(), id + "/remove",
+               "Delete this selection set. The cage is not changed.", {close, 0}))
       removed = i;
   }
   ImGui::EndDisabled();

@@ -72,12 +72,12 @@ void add_cage_commands(CommandTable& table) {
             "Keep the new cage. If it is a preview, it is computed at full quality first.", is_wishing,
             passing([](Workspace& w) { w.making.closing = true; }));
   table.add("cancel_cage", {"Cancel new cage", "Cancel"},
-            "Discard the new cage and restore the previous one.", is_making, passing([](Workspace& w) {
+            "Discard the new cage and restore the previous cage.", is_making, passing([](Workspace& w) {
               cancel_making(w.document, w.making);
               w.interaction.hovered.reset();
             }));
   table.add("hide_cage_offer", {"Dismiss cage suggestion", "Not now"},
-            "Close this suggestion. The panels Cage and Checks still offer it.", has_model,
+            "Close this suggestion. The sections Cage and Checks have the same commands.", has_model,
             passing([](Workspace& w) { w.offer_cage = false; }));
   table.add("edit_cage", "Edit cage",
             "Edit the vertices and faces of the cage at rest. The pose follows the edits.", {Key::tab},
@@ -107,7 +107,7 @@ void add_cage_commands(CommandTable& table) {
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<document::fit_cage>);
   table.add("show_outside", {"Show vertices outside the cage", "Show"},
-            "Highlight the vertices of the model outside the cage. Checks steps through them.", has_outside,
+            "Highlight the vertices of the model that are outside the cage.", has_outside,
             passing([](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }));
   table.add("enclose_model", {"Enclose model", "Enclose"},
             "Move the cage outward where vertices of the model are outside.", can_edit_cage,

@@ -191,12 +191,12 @@ void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
   table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
             {key('Q')}, always, uses<interact::Tool::select>());
-  table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
+  table.add("tool_move", {"Move tool", "Move"}, "Show arrows and planes that move the selection.", {key('W')},
             always, uses<interact::Tool::move>());
-  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Show rings that rotate the selection about its pivot.",
             {key('E')}, always, uses<interact::Tool::rotate>());
-  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
-            uses<interact::Tool::scale>());
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Show handles that scale the selection about its pivot.",
+            {key('R')}, always, uses<interact::Tool::scale>());
   table.add("tool_paint", {"Paint tool", "Paint"},
             "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
             uses<interact::Tool::paint>());

@@ -110,7 +110,7 @@ void add_select_commands(CommandTable& table) {
             {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
       .add("select_linked", {"Select linked", "Linked"},
-           "Select everything connected to the selection or the element under the pointer.", {key('L')},
+           "Select everything connected to the selection or to the element under the pointer.", {key('L')},
            without_drag<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
   table.add("select_box", {"Box select", "Box"},

@@ -160,7 +160,8 @@ void add_time_commands(CommandTable& table) {
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
-  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
+  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
+            has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
