@@ -84,7 +84,7 @@ struct FieldStats {
   double least = 0, median = 0, most = 0;    ///< over finite values
   std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
   bool is_nan = false;                       ///< a value is NaN
-  /// The values of the first and the last colour. Half a percent of the values is below, half above.
+  /// The values of the first and the last colour. Outliers, half a percent at each end, are beyond.
   double low = 0, high = 1;
   std::array<std::uint32_t, 48> counts{};  ///< histogram of vertices, from low to high
 };

@@ -27,7 +27,7 @@ bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& se
 /// The title of the window: the name of the session or model, with a star for unsaved edits.
 std::string window_title(const Workspace& workspace);
 
-/// True if the pose, named poses, keys, probes, mask, selection sets or deformer settings differ from those
+/// True if cage, pose, named poses, keys, probes, mask, selection sets or deformer settings differ from those
 /// that were opened or saved last. The pose counts only if it is not the timeline's pose at this frame. The
 /// method, camera, view and selection do not count: a session stores them, but losing them loses no work.
 bool has_unsaved_edits(const Workspace& workspace);
