@@ -20,7 +20,7 @@ double log2_of(double ratio) {
   return std::max(std::log2(ratio), least_log2);
 }
 
-// Distances between corresponding points, in diagonals.
+// Distances between corresponding points, divided by the diagonal.
 std::vector<double> distances(std::span<const mesh::Point> a, std::span<const mesh::Point> b,
                               double diagonal) {
   std::vector<double> values;
@@ -46,13 +46,13 @@ double smaller_log(const Stretches& s) {
 double shear_log(const Stretches& s) {
   return s.larger > 0 ? std::min(std::log2(s.larger / s.smaller), -least_log2) : 0;
 }
-// Symmetric Dirichlet energy minus 4, its rest value.
+// The symmetric Dirichlet energy minus its value at rest, which is 4.
 double energy_of(const Stretches& s) {
   const double a = std::max(s.larger, 1e-6), b = std::max(s.smaller, 1e-6);
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
 }
 
-// det exp S = exp tr S.
+// The base-2 logarithm of det exp S = exp tr S, where S is the blended matrix.
 std::vector<double> volumes(const FieldInput& in) {
   std::vector<double> values;
   values.reserve(in.matrices.size());
@@ -60,7 +60,7 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// Smallest eigenvalue gap over the largest eigenvalue, which selects the case of the published methods.
+// The smallest gap between eigenvalues, relative to the largest. The published methods choose a case by it.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -97,7 +97,7 @@ std::vector<double> signed_differences(const FieldInput& in) {
   return values;
 }
 
-// A factor by which something changes.
+// An entry for a ratio to the value at rest.
 constexpr FieldEntry factor(const base::Choice& choice, Source source,
                             std::vector<double> (*compute)(const FieldInput&)) {
   return {.choice = choice,
@@ -112,22 +112,21 @@ constexpr FieldEntry factor(const base::Choice& choice, Source source,
 constexpr FieldEntry table[] = {
     {.choice = {"none", "None", "Show no map."}},
     {.choice = {"displacement", "Displacement",
-                "Distance of each vertex from rest, in diagonals of the model at rest."},
-     .unit = "of the diagonal",
+                "Distance of each vertex from its position at rest, in percent of the model's diagonal."},
+     .unit = "% of diagonal",
      .source = Source::surface,
      .least_range = 0.01,
      .compute =
          [](const FieldInput& in) { return distances(in.drawn, in.strain->rest(), in.strain->diagonal()); }},
-    factor({"area", "Area change", "Ratio of the surface area around a vertex to its area at rest."},
-           Source::surface, strain_means<area_log>),
-    factor({"larger-stretch", "Larger stretch",
-            "Ratio of lengths in the most stretched direction to lengths at rest."},
+    factor({"area", "Area change", "Surface area around each vertex, relative to rest."}, Source::surface,
+           strain_means<area_log>),
+    factor({"larger-stretch", "Larger stretch", "Length in the most stretched direction, relative to rest."},
            Source::surface, strain_means<larger_log>),
-    factor({"smaller-stretch", "Smaller stretch",
-            "Ratio of lengths in the least stretched direction to lengths at rest."},
-           Source::surface, strain_means<smaller_log>),
+    factor(
+        {"smaller-stretch", "Smaller stretch", "Length in the least stretched direction, relative to rest."},
+        Source::surface, strain_means<smaller_log>),
     {.choice = {"shear", "Shear",
-                "Ratio of the larger to the smaller stretch. 1 where angles are preserved."},
+                "Ratio of the larger to the smaller stretch. It is 1 where angles are preserved."},
      .source = Source::surface,
      .scale = Scale::log2,
      .least_range = 0.1,
@@ -137,18 +136,18 @@ constexpr FieldEntry table[] = {
      .least_range = 5,
      .compute = [](const FieldInput& in) { return in.strain->turns(in.drawn, *in.pool); }},
     {.choice = {"energy", "Energy",
-                "Symmetric Dirichlet energy minus its value at rest. 0 where nothing stretches."},
+                "Symmetric Dirichlet energy minus its value at rest. It is 0 without stretching."},
      .source = Source::surface,
      .scale = Scale::log10,
      .least_range = 2,
      .floor = 1e-6,
      .compute = strain_means<energy_of>},
-    factor({"volume", "Volume change", "Volume factor of the blended map at a vertex: det exp S = exp tr S."},
+    factor({"volume", "Volume change", "Volume relative to rest: the determinant of the blended stretch."},
            Source::matrices, volumes),
     {.choice = {"gap", "Eigenvalue gap",
-                "Smallest eigenvalue gap of the blended matrix, relative to the largest eigenvalue. Near 0 "
-                "the published methods switch cases."},
-     .unit = "of the largest",
+                "Smallest gap between eigenvalues of the blended matrix, relative to the largest eigenvalue. "
+                "Near 0, the published methods use special cases."},
+     .unit = "relative",
      .source = Source::matrices,
      .scale = Scale::log10,
      .least_range = 2,
@@ -184,27 +183,25 @@ constexpr FieldEntry table[] = {
      .floor = 1e-12,
      .compute = [](const FieldInput& in) { return distances(in.drawn, in.first, in.strain->diagonal()); }},
     {.choice = {"signed-difference", "Signed difference",
-                "Difference along the normal of the first view: orange outside, blue inside."},
-     .unit = "of the diagonal",
+                "Distance from the first view along its normals: orange outside, blue inside."},
+     .unit = "% of diagonal",
      .source = Source::first,
      .symmetric = true,
      .least_range = 1e-4,
      .compute = signed_differences}};
 
-// Converts a value to its stored form.
 float kept(const FieldEntry& e, double value) {
   if (e.scale != Scale::log10) return static_cast<float>(value);
   return std::isnan(value) ? 0.0F : static_cast<float>(std::log10(std::max(value, e.floor)));
 }
 
-// The quantile at this share.
 double quantile(std::vector<float>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + at, values.end());
   return static_cast<double>(values[static_cast<std::size_t>(at)]);
 }
 
-// Rounds up to a step of about an eighth, so that the colour range does not flicker during editing.
+// Rounds up to steps of 12 %, so that the colour range does not flicker during editing.
 double rounded_up(double value) {
   if (!(value > 0)) return 0;
   const double steps = std::ceil(6 * std::log2(value) - 1e-9);
@@ -224,7 +221,7 @@ void fit_range(const FieldEntry& e, std::vector<float> values, FieldStats& stats
   stats.low = e.symmetric ? -stats.high : 0;
 }
 
-// Decades up to the largest error of all methods on a sample of the matrices; the same for every method.
+// Fits the colour range to the errors of all methods on a sample of the matrices.
 void fit_error_range(std::span<const sym3::Sym3<double>> matrices, FieldStats& stats) {
   constexpr std::size_t most = 4096;
   constexpr double floor = 1e-17, fewest_decades = 2;

@@ -1,4 +1,4 @@
-// Scalar fields on the model's vertices that measure a deformation, and a table of them.
+// Measures of a deformation: one number per vertex of the model.
 #pragma once
 
 #include <array>
@@ -40,22 +40,22 @@ enum class Field : unsigned char {
 };
 std::span<const base::Choice> choices(Field);
 
-/// Stored form of a value: itself, or its logarithm.
+/// The stored form of values: as they are, or as logarithms.
 enum class Scale : unsigned char { plain, log2, log10 };
-/// Input of the computation.
+/// The input that a field is computed from.
 enum class Source : unsigned char {
   nothing,
   surface,   ///< positions at rest and as displayed
-  matrices,  ///< symmetric logs that vertices blend; needs a blend that uses exponentials
+  matrices,  ///< the blended symmetric logarithm at each vertex
   frame,     ///< positions as displayed, and in double precision
   shares,    ///< share of the selection's motion at each vertex
   first,     ///< displayed positions in this view and in the first view
 };
 
 struct FieldInput {
-  const Strain* strain;                          ///< strain of the rest model
+  const Strain* strain;                          ///< strain of the model at rest
   std::span<const mesh::Point> first;            ///< positions in the first view
-  std::span<const mesh::Point> drawn, exact;     ///< in the file's units
+  std::span<const mesh::Point> drawn, exact;     ///< displayed, and in double precision
   std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex
   std::span<const double> shares;                ///< one per vertex
   sym3::Method method = sym3::Method::fast;      ///< the method whose error is computed
@@ -65,11 +65,11 @@ struct FieldInput {
 
 struct FieldEntry {
   base::Choice choice;
-  std::string_view unit{};  ///< shown with the title: "in diagonals"
+  std::string_view unit{};  ///< shown after the title: "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
   bool symmetric = false;  ///< 0 is the value at rest and gets the middle colour
-  double least_range = 1;  ///< minimum span of the colours
+  double least_range = 1;  ///< smallest range of the colours
   double floor = 0;        ///< lower clamp before taking logarithms
   bool worst_is_least = false;
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
@@ -79,12 +79,12 @@ const FieldEntry& entry(Field field);
 /// Values in stored form: logarithms if the entry's scale is logarithmic.
 struct FieldStats {
   Field field = Field::none;
-  sym3::Method method = sym3::Method::fast;  ///< whose error it is
+  sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0: not computed
   double least = 0, median = 0, most = 0;    ///< over finite values
   std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
   bool is_nan = false;                       ///< a value is NaN
-  /// Values at the first and the last colour. Outliers (half a per cent) lie beyond and get the end colours.
+  /// The values of the first and the last colour. Outliers, half a percent at each end, are beyond.
   double low = 0, high = 1;
   std::array<std::uint32_t, 48> counts{};  ///< histogram of vertices, from low to high
 };
@@ -93,12 +93,12 @@ struct FieldValues {
   FieldStats stats;
 };
 
-/// The input must include the field's source. Throws base::Cancelled. Thread-safe.
+/// Computes a field. `input` must contain the field's source. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
 /// Recomputes the histogram for the given low and high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 
-/// Formats a stored value for display: "1.25x", "12.5 deg", "3.2 %".
+/// Formats a stored value for display: "1.25 x", "3.2 %".
 std::string text(Field field, double value);
 
 }  // namespace viete::analysis

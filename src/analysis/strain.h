@@ -1,4 +1,4 @@
-// Strain of a deformation at each vertex of a surface.
+// Measures the strain of a deformed surface at each vertex.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace viete::analysis {
 
-/// A triangle with area; its rest sides u = (length, 0) and v = (along, across) in axes of its plane.
+/// A triangle with an area. In axes of its plane, the sides at rest are (length, 0) and (along, across).
 struct FlatFace {
   mesh::Triangle corners;
   double length, along, across;
@@ -20,40 +20,39 @@ struct FlatFace {
   double area() const { return length * across / 2; }
 };
 
-/// Empty if the triangle has no area.
+/// Nullopt if the triangle has no area.
 std::optional<FlatFace> flat_face(std::span<const mesh::Point> rest, const mesh::Triangle& triangle);
 
-/// The deformed axes of the plane: columns of the map from the plane to space.
+/// The map of a deformed triangle, from its plane at rest to space: the images of the axes of the plane.
 struct PlaneMap {
   mesh::Vec3 x, y;
 };
 PlaneMap plane_map(const FlatFace& face, std::span<const mesh::Point> positions);
 
-/// Singular values of the map: lengths of the most and the least stretched unit vectors.
+/// The singular values of the map: the lengths of the most and the least stretched unit vectors.
 struct Stretches {
   double larger, smaller;
 };
 Stretches stretches(const PlaneMap& map);
 
-/// A rest surface prepared for comparison with its deformations. Vertex values are means over the adjacent
-/// triangles, weighted by rest area; 0 without area. One to two milliseconds for 100,000 triangles. Same bits
-/// for any number of threads; thread-safe.
+/// Compares deformed surfaces with a surface at rest. The value at a vertex is the mean over the adjacent
+/// triangles, weighted by their area at rest; 0 if they have no area. Takes one to two milliseconds for
+/// 100,000 triangles. The number of threads does not change the results. Thread-safe.
 class Strain {
 public:
   explicit Strain(const mesh::Surface& rest);
 
   const std::vector<mesh::Point>& rest() const { return rest_; }
-  /// The diagonal of the rest model.
   double diagonal() const { return diagonal_; }
 
-  /// Vertex means of a function of triangle stretches.
+  /// The mean of a function of the stretches of triangles, at each vertex.
   std::vector<double> means(std::span<const mesh::Point> deformed, double (*of)(const Stretches&),
                             base::WorkerPool& pool) const;
-  /// Rotation angles in degrees, 0 to 180, of the rotations nearest to the mean maps of the adjacent
-  /// triangles. A map takes the rest normal to the deformed normal.
+  /// The angle in degrees, 0 to 180, of the rotation that is nearest to the mean map of the adjacent
+  /// triangles. These maps also map the normal at rest to the deformed normal.
   std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
 
-  /// Offset of `to` from `from` along the area-weighted normals of `from`, in the file's units.
+  /// The offset from `from` to `to` along the area-weighted normals of `from`, in the file's units.
   std::vector<double> along_normals(std::span<const mesh::Point> from, std::span<const mesh::Point> to,
                                     base::WorkerPool& pool) const;
 

@@ -61,7 +61,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
           },
           "First and last frame")
       ->option_text("A-B")
-      ->default_str("as in the session");
+      ->default_str("the session's frames");
 }
 
 // Called twice: with the files of the command line before they are read, and with all files that were read.
@@ -172,7 +172,7 @@ void add_animate_command(CLI::App& app, Action& action) {
   auto* tolerance =
       command->add_option("--tolerance", o->tolerance, "Morph targets: largest error in model diagonals");
   in_range(tolerance, 1e-7, 1)->default_str("0.0001");
-  command->add_flag("--no-normals", o->no_normals, "Morph targets: omit normals, for half the size");
+  command->add_flag("--no-normals", o->no_normals, "glTF: omit normals, which halves the file size");
   command->add_flag("--straight", o->straight, "Interpolate vertices linearly between keys");
   command->add_flag("--turntable", o->turntable, "Pictures: orbit the camera once around the model");
   add_picture_options(*command, o->picture);

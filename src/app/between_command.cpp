@@ -57,7 +57,7 @@ ShapeList open_list(const BetweenOptions& options, const files::FrameSteps* fram
   const bool first_is_rest = options.rest.empty();
   if (first_is_rest && formats::point_cache_format(options.files.front()))
     throw base::Error(options.files.front().string(), "a point cache has no faces",
-                      "give its model with --rest");
+                      "name the mesh file of the rest shape with --rest");
   const auto& model = first_is_rest ? options.files.front() : options.rest;
   const auto shapes = std::span(options.files).subspan(first_is_rest ? 1 : 0);
   ShapeList list{open_shapes(model, shapes, options.output, frames), {}};

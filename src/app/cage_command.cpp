@@ -129,7 +129,8 @@ void add_cage_command(CLI::App& app, Action& action) {
   add_percent("--margin", "Distance to the mesh in % of its diagonal", wish.margin, cages::least_margin,
               cages::most_margin)
       ->default_str("0.15");
-  add_percent("--gap", "Half the width of gaps to close, in % of the diagonal", wish.gap, 0, cages::most_gap)
+  add_percent("--gap", "Close gaps narrower than twice this distance, in % of the diagonal", wish.gap, 0,
+              cages::most_gap)
       ->default_str("0.5");
   add_choice(*command, "--symmetry", "Plane of symmetry: auto, none, x, y or z", cages::all_symmetries(),
              wish.symmetry)

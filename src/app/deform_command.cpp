@@ -155,7 +155,8 @@ void add_deform_command(CLI::App& app, Action& action) {
   auto o = std::make_shared<DeformOptions>();
   add_input_options(*command, o->inputs);
   auto* output = add_output_options(*command, o->output)->required(false);
-  add_file_option(*command, "--mask", o->mask, "File with one weight from 0 (rest) to 1 per vertex");
+  add_file_option(*command, "--mask", o->mask,
+                  "File with one number per vertex, from 0 (stays at rest) to 1");
   auto* stream_option = command->add_flag("--stream", o->stream,
                                           "Read poses from standard input (3 float64 per cage vertex) and "
                                           "write positions to standard output (3 float32 per model vertex)");

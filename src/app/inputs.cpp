@@ -25,7 +25,7 @@ void add_files(CLI::App& app, Inputs& inputs) {
   add_file_option(app, "--model", inputs.located.model, "Model that replaces the model of the session");
   add_file_option(app, "--cage", inputs.located.cage, "Cage that replaces the cage of the session");
   if (inputs.use == Use::animation) return;
-  add_file_option(app, "--pose", inputs.pose, "Posed cage (same vertices, same order)");
+  add_file_option(app, "--pose", inputs.pose, "Posed cage, with the same vertices in the same order");
 }
 
 void add_scheme_options(CLI::App& app, document::RequestedSettings& settings) {
@@ -77,7 +77,8 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&)) {
   try {
     opened = files::open_files(inputs.request(), {});
   } catch (const files::SessionFileError& error) {
-    throw base::Error(error.place(), error.problem(), "give it with --" + std::string(error.key) + " FILE");
+    throw base::Error(error.place(), error.problem(),
+                      "name the file with --" + std::string(error.key) + " FILE");
   }
   check(opened);
   const bool deforms = inputs.use == Use::file || inputs.use == Use::animation;
@@ -145,7 +146,7 @@ OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std
   check(output, named, frames);
   if (files::is_session(model))
     throw base::Error(model.string(), "this is a session, but shapes need a mesh file",
-                      "give the mesh file of the model");
+                      "use the mesh file of the model");
   OpenedShapes all;
   {
     TerminalProgress work("Reading " + model.filename().string());

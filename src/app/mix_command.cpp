@@ -115,7 +115,7 @@ void add_mix_command(CLI::App& app, Action& action) {
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();
-  command->add_flag("--straight", o->straight, "Combine vertex positions instead of maps");
+  command->add_flag("--straight", o->straight, "Combine vertex positions, not in log space");
   add_output_options(*command, o->output);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
                           "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});

@@ -131,7 +131,7 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
       "Stitching: solve for a mesh that is as rigid as possible");
   auto* number = app.add_option_function<int>(
-      "--iterations", [&iterations](int n) { iterations = n; }, "Stitching: number of solves per frame");
+      "--iterations", [&iterations](int n) { iterations = n; }, "ARAP: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);
   add_number_option(app, "pins", asked);
   add_number_option(app, "hold", asked);

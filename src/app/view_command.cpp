@@ -188,7 +188,7 @@ void add_view_command(CLI::App& app, Action& action) {
   auto options = std::make_shared<WindowOptions>();
   add_input_options(*command, options->inputs);
   in_range(command->add_option("--scale", options->scale, "Device pixels per logical pixel"), 0.5, 4)
-      ->default_str("as the display");
+      ->default_str("the display's scale");
   whole_in_range(command->add_option("--frames", options->frames, "Close after this number of frames"), 0,
                  1'000'000'000)
       ->default_str("never");

@@ -45,12 +45,13 @@ std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std:
   if (weights != Weights::mean_value) return warnings;
   if (!cage.sides.closed) {
     warnings.push_back(
-        "the cage is open; with mean value coordinates the model follows its rotation and stretch only "
-        "approximately");
+        "the cage is open; with mean value coordinates, the model follows the cage's rotation and stretch "
+        "only approximately");
   }
   if (const std::size_t other = seen_otherwise(cage); other > 0) {
-    warnings.push_back("mean value coordinates flip or ignore " + std::to_string(other) + " of " +
-                       std::to_string(cage.element_count()) + " cage triangles so that all face outwards");
+    warnings.push_back(std::to_string(other) + " of " + std::to_string(cage.element_count()) +
+                       " cage triangles are flipped or ignored for mean value coordinates, so that all "
+                       "triangles face outwards");
   }
   if (failed > 0) {
     warnings.push_back(std::to_string(failed) + " of " + std::to_string(vertices) +

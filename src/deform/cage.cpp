@@ -215,7 +215,7 @@ void add_elements(Cage& cage) {
   }
   if (found.empty()) return;
   cage.warnings.push_back(std::to_string(found.size()) + " of " + std::to_string(cage.element_count()) +
-                          " cage triangles have no area and no influence: " + listed(found));
+                          " cage triangles have zero area and do not deform the model: " + listed(found));
 }
 
 // Extent of the cage along the normal of its first triangle with an area, in diagonals of the cage.
@@ -248,9 +248,9 @@ void refuse_fins(const DualGraph& graph) {
   const auto& [a, b] = graph.fins.front();
   const auto others = graph.fins.size() - 1;
   throw FinError("",
-                 "the cage has a fin: an odd number of triangles meet at edge " + std::to_string(a) + "-" +
-                     std::to_string(b) + (others ? " and at " + std::to_string(others) + " more" : "") +
-                     " (vertices numbered from 0); inside and outside are undefined there",
+                 "the cage has a fin: an odd number of triangles share edge " + std::to_string(a) + "-" +
+                     std::to_string(b) + (others ? " and " + std::to_string(others) + " more edges" : "") +
+                     " (vertices numbered from 0), so inside and outside are undefined there",
                  "remove the faces that stick out");
 }
 

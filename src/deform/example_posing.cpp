@@ -127,14 +127,15 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
         "pin fewer vertices");
   for (const PosingPin& pin : pins) {
     if (logs.parts().loose[pin.vertex])
-      throw base::Error("",
-                        "vertex " + std::to_string(pin.vertex) + " (from 0) belongs to no triangle with area",
-                        "pin another vertex");
+      throw base::Error(
+          "",
+          "vertex " + std::to_string(pin.vertex) + " (numbered from 0) belongs to no triangle with an area",
+          "pin another vertex");
   }
   base::require_memory(
       {static_cast<double>(pins.size()) *
            (8.0 * static_cast<double>(rest.size()) + 24.0 * static_cast<double>(logs.corners().size())),
-       base::counted(pins.size(), "pin") + " of this model take", "pin fewer vertices", ""});
+       base::counted(pins.size(), "pin") + " on this model take", "pin fewer vertices", ""});
   pins_ = std::move(pins);
   energy_ = std::numeric_limits<double>::infinity();
   columns_.clear(), part_of_pin_.clear();

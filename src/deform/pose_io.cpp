@@ -67,8 +67,8 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
   }
   if (count == 0) return;
   warnings.push_back(file + ": " + std::to_string(count) + " of " + std::to_string(cage.element_count()) +
-                     " cage triangles have no area in this pose (the first is " + std::to_string(first) +
-                     "); a minimum stretch is used");
+                     " cage triangles have zero area in this pose (first: triangle " + std::to_string(first) +
+                     "); a minimum stretch is used for them");
 }
 
 // The STL reader numbers vertices by first use in the faces: the cage's order only if the faces are the same.
@@ -101,7 +101,8 @@ Pose read_pose(const std::filesystem::path& path, const Cage& cage, std::vector<
   warnings.insert(warnings.end(), read.warnings.begin(), read.warnings.end());
   if (!mesh::same_faces(read.surface, cage.surface)) {
     warnings.push_back(file +
-                       ": its faces differ from the cage's; only its vertices are used, in their order");
+                       ": the faces of this pose differ from the faces of the cage; only the vertex "
+                       "positions are used");
   }
   warn_of_collapsed(read.surface, cage, file, warnings);
   std::vector<Vec3> turns = read_turns(read.comments, cage, file, warnings);

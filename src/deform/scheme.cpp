@@ -177,7 +177,7 @@ namespace {
 
 using Need = NumberEntry::Need;
 constexpr Need has_radius{[](const Scheme&s) { return s.weighting.partial(); },
-                          "these weights have no radius", "omit it, or choose weights cutoff"},
+                          "these weights have no radius", "omit it, or choose the weights cutoff"},
     has_maps{[](const Scheme&s) { return s.has_maps(); },
              "this deformer ignores the cage's rotation and stretch",
              "omit it, or choose another deformer or blend"},
@@ -209,7 +209,7 @@ constexpr std::array numbers_table = {
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,
                 is_stitched},
-    NumberEntry{{"hold", "Hold", "Stitching: pull each vertex to its unstitched position"},
+    NumberEntry{{"hold", "Hold", "ARAP: pull each vertex to its position without ARAP"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
                 is_stitched},

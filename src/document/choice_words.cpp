@@ -60,7 +60,7 @@ std::span<const Choice> choices(Easing) {
 
 std::span<const Choice> choices(Repeat) {
   static constexpr Choice all[] = {{"once", "Once", "Stop at the last frame."},
-                                   {"loop", "Loop", "Continue from the first frame after the last."},
+                                   {"loop", "Loop", "After the last frame, continue from the first frame."},
                                    {"ping_pong", "Ping-pong", "Play forward and backward alternately."}};
   return all;
 }

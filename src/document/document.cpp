@@ -51,8 +51,8 @@ void check_sizes(const Document& document, const SizeRange& range) {
   };
   for (const NamedPose& named : document.library.poses)
     check_pose("the pose " + formats::in_quotes(named.name), *named.pose, range);
-  check_keys("the key of frame ", document.timeline.keys);
-  check_keys("the unkeyed pose of frame ", document.timeline.unkeyed);
+  check_keys("the key at frame ", document.timeline.keys);
+  check_keys("the unkeyed pose at frame ", document.timeline.unkeyed);
   if (document.library.unmixed)
     check_pose("the pose without weighted poses", *document.library.unmixed, range);
   if (document.shape) check_pose("the shape of the model", *document.shape, range);

@@ -300,7 +300,7 @@ bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, doub
   weight = std::clamp(weight, PoseLibrary::least_weight, PoseLibrary::largest_weight);
   const NamedPose& named = document.library.poses[pose];
   if ((played.empty() ? named.weight : played[pose]) == weight) return true;
-  const std::string label = "weight of " + named.name;
+  const std::string label = "change weight of " + named.name;
   const auto change = [&](DocumentState& state) { state.library.poses[pose].weight = weight; };
   return remix(document, vectors, label, change, {EditKind::mix, pose}, played);
 }
@@ -325,7 +325,7 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 bool set_straight(Document& document, VectorCache& vectors, bool straight) {
   if (document.timeline.straight == straight) return true;
-  const char* const label = straight ? "linear interpolation" : "log space";
+  const char* const label = straight ? "interpolate linearly" : "interpolate in log space";
   const auto change = [straight](DocumentState& state) { state.timeline.straight = straight; };
   if (document.library.mixes()) return remix(document, vectors, label, change);
   record_edit(document, label);

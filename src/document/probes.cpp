@@ -194,7 +194,7 @@ void set_falloff(Document& document, Part part, deform::Falloff falloff) {
 }
 
 void set_radius(Document& document, Part part, double radius) {
-  const std::string name = part_label(part) + ", by radius";
+  const std::string name = part_label(part) + " (radius)";
   const DocumentState* before = document.history.before_last();
   const std::size_t number = part == &deform::Probe::turn ? 0 : part == &deform::Probe::stretch ? 1 : 2;
   record_step(document, name, {EditKind::probe_radius, number},

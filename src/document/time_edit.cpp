@@ -101,7 +101,7 @@ void set_camera_key(Document& document, int frame, const CameraPose& camera) {
 }
 
 void set_turntable(Document& document, const CameraPose& camera) {
-  record_edit(document, "set turntable");
+  record_edit(document, "create turntable");
   Timeline& t = document.timeline;
   const int middle = t.first + (t.last - t.first) / 2;
   t.cameras.clear();

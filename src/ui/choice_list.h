@@ -18,7 +18,7 @@ struct ChoiceListWords {
   const char* about = "";   ///< tooltip that replaces the value's tooltip
 };
 
-/// A combo box of all values with the current one marked.
+/// A drop-down list of all values, with the current value marked.
 template <class Value>
 void choice_list(const Context& ui, const std::string& name, std::optional<Value> now, float width,
                  const ChoiceListWords& words = {}) {
@@ -37,7 +37,7 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   ImGui::EndCombo();
 }
 
-/// As choice_list(), for a table without commands; returns a newly chosen value.
+/// Like choice_list(), for a table without commands. Returns a newly chosen value.
 template <class Entry, class Value = decltype(Entry::value)>
 std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
                                 Value now) {

@@ -1,4 +1,4 @@
-// The command palette: search by name; arrow keys and Enter, or a click.
+// The command palette: a search field and a list of the matching commands.
 #include <algorithm>
 
 #include "ui/imgui_bridge.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
 
-// True if it was clicked.
+// Returns true if the row was clicked.
 bool row(const Context& ui, const workspace::Command& command, std::size_t index, bool follow) {
   const bool highlighted = index == ui.workspace.palette.highlighted;
   const bool enabled = command.enabled(ui.workspace);
@@ -36,7 +36,7 @@ bool row(const Context& ui, const workspace::Command& command, std::size_t index
   return clicked;
 }
 
-// The hint of the highlighted command, or why it is disabled; always two lines high.
+// Shows the command's hint, or why the command is disabled. The text is always two lines high.
 void explanation(const Context& ui, const workspace::Command* command) {
   if (!command) return note_within(ui, 2, " ");
   const bool enabled = command->enabled(ui.workspace);
@@ -45,7 +45,7 @@ void explanation(const Context& ui, const workspace::Command* command) {
   record(ui, "palette_hint");
 }
 
-// Closes first: a command may open a window that takes the keyboard.
+// Closes the palette first, because the command may open a window with keyboard input.
 void run(workspace::Workspace& w, const workspace::Command& command) {
   if (!command.enabled(w)) return;
   w.palette.open = false;

@@ -11,10 +11,10 @@
 
 namespace viete::ui {
 
-/// Logical pixels from the top left of the window.
+/// The rectangle of a widget, in logical pixels from the top left of the window.
 struct WidgetRect {
   float x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-  bool visible = false;  ///< false if scrolled or clipped away
+  bool visible = false;  ///< false if scrolled out of view or clipped
   bool enabled = true;
 };
 
@@ -32,20 +32,19 @@ private:
   std::map<std::string, WidgetRect> widgets_;
 };
 
-/// null fonts mean the default font.
+/// Null is the default font.
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
-  ImFont* numbers = nullptr;  ///< tabular figures
+  ImFont* numbers = nullptr;  ///< with digits of equal width
 };
 
 /// Colours that ImGui's style does not include.
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
-  ImU32 model;             ///< the model in small pictures
-  ImU32 axis[3], on_axis;  ///< x, y and z, and letters on them
-  ImU32 neutral, highlight,
-      halo;  ///< gizmo: handles without an axis, hovered handle, outline of lines
+  ImU32 model;                     ///< the model in small pictures
+  ImU32 axis[3], on_axis;          ///< the axes x, y and z, and letters on them
+  ImU32 neutral, highlight, halo;  ///< gizmo handles without an axis, hovered handle, outline
 };
 
 Palette palette(bool dark);
@@ -65,7 +64,7 @@ struct Context {
 
 inline constexpr float status_height = workspace::PanelLayout::status_height;
 
-/// The colour of a stage of the deformation, used everywhere.
+/// The colour of a stage of the deformation.
 ImU32 stage_color(workspace::Link stage);
 
 }  // namespace viete::ui

@@ -18,7 +18,7 @@ using Browser = workspace::FileBrowser;
 using Purpose = Browser::Purpose;
 using What = files::OpenRequest::What;
 
-/// Opening or saving the chosen file.
+/// A purpose of the panel: a title, and a request to open or to save the chosen file.
 struct Task {
   Purpose purpose;
   const char* title;
@@ -33,8 +33,8 @@ const Task tasks[] = {
     {Purpose::poses, "Import poses from a file or its folder", What::poses},
     {Purpose::shapes, "Import shapes from a file or its folder", What::shapes},
     {Purpose::animation, "Import animation", What::animation},
-    {Purpose::locate_model, "Locate model of the session"},
-    {Purpose::locate_cage, "Locate cage of the session"},
+    {Purpose::locate_model, "Locate the session's model"},
+    {Purpose::locate_cage, "Locate the session's cage"},
     {Purpose::save_session, "Save session", {}, &workspace::Requests::save_session},
     {Purpose::save_pose, "Save pose", {}, &workspace::Requests::save_pose},
     {Purpose::save_cage, "Save cage", {}, &workspace::Requests::save_cage},
@@ -65,7 +65,7 @@ void ask(workspace::Workspace& w, const std::filesystem::path& path) {
   w.browser.asked = path;
 }
 
-// Enters a folder or requests a file.
+// Shows a folder in the panel, or requests a file.
 void choose(workspace::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) return workspace::enter(w.browser, path);
@@ -79,11 +79,10 @@ void choose_typed(workspace::Workspace& w) {
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
   w.browser.problem = workspace::problem_of_name(w.browser);
-  if (w.browser.problem.empty())
-    choose(w, workspace::chosen_file(w.browser));  // otherwise the name stays for correction
+  if (w.browser.problem.empty()) choose(w, workspace::chosen_file(w.browser));
 }
 
-// Overwriting a file needs a second Enter.
+// The user must press Enter twice to overwrite a file.
 void confirm_typed(workspace::Workspace& w) {
   if (w.browser.replaces() && w.browser.warned != w.browser.path) {
     w.browser.warned = w.browser.path;
@@ -112,14 +111,15 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  // Typing replaces a proposed name; a name to correct or confirm is kept.
+  // Typing replaces a proposed name, but not a name to correct or to confirm.
   const bool proposed = browser.problem.empty() && browser.warned.empty();
   const auto flags = ImGuiInputTextFlags_EnterReturnsTrue |
                      (proposed ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None);
   const std::string before = browser.path;
   const bool enter = text_field("##path", "", browser.path, flags);
   record(ui, "file_path");
-  hint(browser.saves() ? "File to write. The extension sets the format." : "File to open. Enter opens it.");
+  hint(browser.saves() ? "File to write. The extension sets the format."
+                       : "File to open. Press Enter to open it.");
   if (browser.path != before) {
     browser.problem.clear();
     browser.highlighted = browser.saves() ? Browser::none : 0;
@@ -166,7 +166,7 @@ void filter_row(const Context& ui) {
   format_buttons(ui, formats, own_row);
 }
 
-// The clicked entry; handled after drawing the list, because that changes it.
+// Returns the clicked entry. A click changes the list, so it is handled after drawing.
 std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
                                       bool moved) {
   std::optional<std::size_t> clicked;
@@ -184,20 +184,20 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
     ImGui::PopStyleColor();
     if (highlighted && moved) ImGui::SetScrollHereY();
     record(ui, "file/" + entry.name);
-    if (!entry.folder) {  // drawn over the highlight, on the same line
+    if (!entry.folder) {  // the size, on the same line
       text_right(ui, right, bytes_text(entry.bytes), ui.colors.faint, line);
     }
   }
   if (!entries.empty()) return clicked;
   const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
-  note(ui, workspace::filters_by_path(ui.workspace.browser) ? "Enter goes to this path."
+  note(ui, workspace::filters_by_path(ui.workspace.browser) ? "Press Enter to go to this path."
            : !ui.workspace.browser.filter.empty()           ? "No file matches."
            : sessions                                       ? "No session in this folder."
                       : "No " + workspace::format_list(ui.workspace.browser) + " file in this folder.");
   return clicked;
 }
 
-// Enters a folder or opens a file; when saving, proposes to replace that file.
+// Opens the folder or file. When saving, proposes to replace the file.
 void take(workspace::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.browser.folder / entry.name;
   if (entry.folder || !w.browser.saves()) return choose(w, path);
@@ -205,15 +205,15 @@ void take(workspace::Workspace& w, const Browser::Entry& entry) {
   w.browser.path = path.string();
 }
 
-// A click selects, a double click confirms, but never overwrites a file.
+// A click selects an entry. A double click confirms the entry, but never overwrites a file.
 void click_entry(workspace::Workspace& w, std::size_t index) {
   workspace::highlight(w.browser, index);
   const Browser::Entry& entry = *workspace::shown(w.browser)[index];
   if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
 }
 
-// Up and Down move in the list, Enter confirms, Backspace without a filter goes to the parent folder, Esc
-// closes. True if the highlight moved.
+// Up and Down move the highlight, Enter confirms, Esc closes. If the filter is empty, Backspace goes to the
+// parent folder. Returns true if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
   Browser& browser = ui.workspace.browser;
   const int steps = arrow_steps();
@@ -230,7 +230,7 @@ bool handle_keys(const Context& ui, bool typing_path) {
   const auto entries = workspace::shown(browser);
   if (key_pressed(workspace::Key::enter) && browser.highlighted < entries.size()) {
     take(ui.workspace, *entries[browser.highlighted]);
-    browser.appearing = browser.open;  // keeps the keyboard in the list
+    browser.appearing = browser.open;  // keeps the keyboard focus
   } else if (key_pressed(workspace::Key::enter) && browser.saves()) {
     confirm_typed(ui.workspace);
   }
@@ -241,7 +241,6 @@ bool shows_pictures(const Browser& browser) {
   return browser.pictures && browser.makes_pictures();
 }
 
-// Options of morph targets.
 void morph_row(const Context& ui) {
   workspace::MorphChoice& morphs = ui.workspace.browser.morphs;
   ImGui::AlignTextToFramePadding();
@@ -257,7 +256,6 @@ void morph_row(const Context& ui) {
            "Export normals, for correct shading in every player. Doubles the file size.");
 }
 
-// Options of pictures.
 void picture_choices(const Context& ui) {
   workspace::PictureChoice& choice = *ui.workspace.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
@@ -280,7 +278,7 @@ void picture_choices(const Context& ui) {
   side("picture_height", choice.height);
 }
 
-// Below the path, two lines high: an error, or the file to be replaced.
+// Two lines below the path: an error, or a warning that a file will be replaced.
 void path_note(const Context& ui) {
   const Browser& browser = ui.workspace.browser;
   const float line = ImGui::GetCursorPosY();
@@ -349,7 +347,7 @@ void file_panel(const Context& ui) {
   if (shows_pictures(browser)) picture_choices(ui);
   button_row(ui);
   if (!open) browser.open = false;
-  if (!browser.open) browser.asked.clear();  // later errors become messages
+  if (!browser.open) browser.asked.clear();  // later errors are shown as messages
 }
 
 }  // namespace viete::ui

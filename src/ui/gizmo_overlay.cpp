@@ -13,14 +13,12 @@
 
 namespace viete::ui {
 
-// The gizmo, and the guides of a drag.
-
 namespace {
 
 using interact::Constraint;
 using Kind = Constraint::Kind;
 
-// The complete gizmo, or the one handle in use.
+// Draws the complete gizmo. During a drag, draws only the handle in use.
 class GizmoDrawing {
 public:
   GizmoDrawing(const Context& ui, OverlayPainter& painter, const interact::Gizmo& gizmo)
@@ -34,7 +32,6 @@ public:
   }
 
 private:
-  // During a drag the other handles are hidden.
   bool shown(const Constraint& handle) const {
     return !interaction_.drag || interaction_.drag->constraint() == handle;
   }
@@ -82,7 +79,7 @@ private:
     if (gizmo_.tool == interact::Tool::scale) {
       painter_.line(square(gizmo_.center, interact::gizmo_center - 1), c, width, true);
     } else {
-      // A diamond, because a ring marks the hovered vertex.
+      // A diamond, because the hovered vertex already has a ring.
       painter_.line(diamond(gizmo_.center, interact::gizmo_center + 1), c, width, true);
     }
   }
@@ -141,7 +138,7 @@ void guides(const Context& ui, OverlayPainter& painter, const interact::DragGuid
   painter.line(guides.start, guides.arc.back(), c, 1.5f);
 }
 
-// The amount next to the cursor, inside the view.
+// Shows the amount of the drag next to the cursor, inside the view.
 void readout(const Context& ui, const std::string& text) {
   const auto& v = ui.workspace.viewport;
   ImGui::PushFont(ui.fonts.numbers);
@@ -169,7 +166,7 @@ void gizmo_overlay(const Context& ui) {
   if (w.interaction.drag) readout(ui, w.interaction.drag->readout());
 }
 
-// Additions to the selection in the view: mirror partners, soft radius, placed pivot.
+// Draws mirror partners, the radius of soft selection and the placed pivot.
 
 namespace {
 
@@ -192,7 +189,7 @@ void placed_pivot(const Context& ui, OverlayPainter& painter, const interact::Pr
   if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
-// Rings at the mirror partners of the selection, and warning rings at its unpaired vertices.
+// Draws rings at the mirror partners of the selection, and warning rings at selected unpaired vertices.
 void partners_of_selection(const Context& ui, OverlayPainter& painter, const interact::Projector& project,
                            const document::Mirror& mirror) {
   const document::Document& document = ui.workspace.document;
@@ -204,7 +201,7 @@ void partners_of_selection(const Context& ui, OverlayPainter& painter, const int
   }
 }
 
-// Not drawn if a corner is behind the camera.
+// Draws nothing if a corner is behind the camera.
 void mirror_plane(const Context& ui, OverlayPainter& painter, const interact::Projector& project,
                   const document::Mirror& mirror) {
   std::vector<glm::vec2> corners;

@@ -40,16 +40,16 @@ std::string key_or_label(const workspace::Keymap& keymap, std::string_view name)
 std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap) {
   std::vector<MouseLine> lines = {
       {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
-      {"Left drag on it", "move the selection (select faces and dense vertices first)"}};
+      {"Left drag on an element", "move the selection (click faces and dense vertices first)"}};
   if (keymap.left_orbits()) {
     lines.push_back({"Left drag elsewhere", "orbit; box select after " + key_or_label(keymap, "select_box") +
                                                 ", with Shift or Ctrl"});
   } else {
-    lines.push_back({"Left drag elsewhere", "box select; with Shift (add) or Ctrl (remove) start anywhere"});
+    lines.push_back({"Left drag elsewhere", "box select; with Shift or Ctrl, start anywhere"});
   }
   lines.push_back({"Left drag on a handle", "move, rotate or scale along its axis"});
-  lines.push_back({"Ctrl, Shift while dragging", "snap to steps; move at a tenth of the speed"});
-  lines.push_back({"X Y Z, digits, Enter", "while dragging: axis (Shift: plane), amount, confirm"});
+  lines.push_back({"Ctrl, Shift while dragging", "Ctrl snaps to steps; Shift moves at a tenth of the speed"});
+  lines.push_back({"X Y Z while dragging", "move along an axis (Shift: in a plane); type an amount, Enter"});
   lines.push_back({"Esc or right button", "cancel the drag"});
   lines.push_back({"Double click on a slider", "type a number (or Ctrl+click)"});
   lines.push_back({"Right click", "context menu"});
@@ -112,12 +112,12 @@ void key_row(const Context& ui, const workspace::Keymap& plain, const workspace:
   give_back(ui, plain, command);
 }
 
-// Commands of transient questions, which have a button only.
+// True for answers to transient questions, which have a button but no key.
 bool is_transient_answer(const Context& ui, const workspace::Command& command) {
   return command.passing && workspace::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
-// The mouse buttons, and the program itself.
+// The actions of the mouse, and information about the program.
 void mouse_rows(const Context& ui) {
   heading(ui, "Mouse");
   for (const MouseLine& line : mouse_lines(ui.workspace.preferences.keymap)) {
@@ -131,7 +131,7 @@ void mouse_rows(const Context& ui) {
                ".  OpenGL: " + about.renderer);
 }
 
-// Grouped by menus, or the matches of the search, best first.
+// Lists all commands by menu, or the matches of the search with the best match first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.key_list.typed;
   const workspace::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
@@ -149,7 +149,7 @@ void key_rows(const Context& ui) {
   if (found.empty()) note(ui, "No command matches.");
 }
 
-// Removes all changes at once; can be undone while the list is open.
+// Resets all keys. While the list is open, the same button restores the changes.
 void reset_all_button(const Context& ui) {
   workspace::KeyList& list = ui.workspace.key_list;
   workspace::Keymap& keymap = ui.workspace.preferences.keymap;
@@ -213,7 +213,7 @@ float key_question(const Context& ui, float bottom) {
   for (std::size_t i = 0; i < presets.size(); ++i) {
     if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
     if (button(ui, presets[i].label.data(), "ask_keys/" + std::string(presets[i].word),
-               std::string(presets[i].hint) + " Change it later in Help, Keymap.", {72, 0})) {
+               std::string(presets[i].hint) + " You can change it later in Help, Keymap.", {72, 0})) {
       w.preferences.keymap.set_preset(static_cast<workspace::KeyPreset>(i));
       w.ask_keys = false;
     }

@@ -1,4 +1,4 @@
-// Descriptions of the mouse buttons for help and status bar.
+// Descriptions of mouse actions for the help and the status bar.
 #pragma once
 
 #include <string>
@@ -12,15 +12,14 @@ struct MouseLine {
   std::string action, what;
 };
 
-/// The complete list for the help.
 std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap);
 
 /// Camera navigation, in phrases separated by two spaces.
 std::string looking_words(const workspace::Keymap& keymap);
-/// Dragging on empty space, and camera navigation.
+/// The effect of a drag on empty space, and camera navigation.
 std::string empty_space_words(const workspace::Keymap& keymap);
 
-/// "F1", or if it has no key its label in quotes.
+/// The command's first key, or its label in quotes if it has no key.
 std::string key_or_label(const workspace::Keymap& keymap, std::string_view command);
 
 }  // namespace viete::ui

@@ -8,8 +8,7 @@
 
 namespace viete::ui {
 
-/// ImGui's key for a key code (see workspace::Key); 0 if unused by the program. Old versions use the code
-/// itself.
+/// ImGui's key for a key code (see workspace::Key), or 0 if the program does not use the key.
 inline int imgui_key(int code) {
 #if IMGUI_VERSION_NUM < 18700
   return code;

@@ -25,7 +25,7 @@ std::optional<workspace::Shortcut> pressed_shortcut() {
   return std::nullopt;
 }
 
-// Esc keeps the key, Delete removes it.
+// Assigns the pressed key to a command. Esc cancels, Delete removes the key.
 void set_key(workspace::Workspace& workspace) {
   const auto pressed = pressed_shortcut();
   if (!pressed) return;
@@ -39,12 +39,12 @@ void set_key(workspace::Workspace& workspace) {
        none ? std::vector<const workspace::Command*>{} : keymap.losers(name, *pressed))
     losers += (losers.empty() ? " It was taken from \"" : ", \"") + std::string(loser->label) + '"';
   keymap.change(name, none ? workspace::Shortcut{} : *pressed);
-  workspace.messages.info('"' + std::string(command->label) + "\" has " +
-                          (none ? "no key now." : "the key " + workspace::text(*pressed) + " now.") + losers +
+  workspace.messages.info('"' + std::string(command->label) + "\" now has " +
+                          (none ? "no key." : "the key " + workspace::text(*pressed) + '.') + losers +
                           (losers.empty() ? "" : "."));
 }
 
-// Shortcuts are disabled during a mouse gesture: they must not change its objects.
+// Shortcuts are disabled during a mouse gesture, because they could change the dragged objects.
 void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
@@ -58,7 +58,7 @@ void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& po
   }
 }
 
-// A modal question captures the keyboard.
+// Without `keys`, the input contains no key: a modal question or a text field uses the keyboard.
 workspace::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
   workspace::PointerInput input;

@@ -1,4 +1,4 @@
-// From Dear ImGui's input to the pointer and the commands.
+// Passes Dear ImGui's input to the pointer and the commands.
 #pragma once
 
 #include <imgui.h>
@@ -10,9 +10,9 @@
 
 namespace viete::ui {
 
-/// Call once a frame after ImGui::NewFrame(): runs commands for keys and passes the mouse to the pointer.
-/// Panels keep captured input (WantCaptureMouse, a text field); a gesture that began in the view continues
-/// over panels.
+/// Runs commands for pressed keys and passes the mouse to the pointer. Call it once a frame after
+/// ImGui::NewFrame(). Input over a panel or in a text field belongs to the panel; a gesture that began in the
+/// view continues over panels.
 void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer);
 
 }  // namespace viete::ui

@@ -26,7 +26,7 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-// The last edits, newest first: the current one is marked, and a click goes to another.
+// Lists the last edits, newest first. The current edit is marked; a click goes to another edit.
 void history_menu(const Context& ui) {
   constexpr std::size_t most = 50;
   workspace::Workspace& w = ui.workspace;
@@ -66,13 +66,13 @@ void recent_menu(const Context& ui) {
   if (chosen) open_recent(w, *chosen);
 }
 
-// Submenus with dynamic entries after a command.
+// Adds the submenu of recent files or of the history after its command.
 void list_behind(const Context& ui, const workspace::Command& command) {
   if (command.name == "open_model") recent_menu(ui);
   if (command.name == "redo") history_menu(ui);
 }
 
-// Consecutive commands of one choice share a submenu.
+// Consecutive commands of the same choice are in one submenu.
 void items(const Context& ui, const workspace::Menu& menu) {
   std::string_view submenu, group = menu.items.empty() ? "" : menu.items.front()->group;
   bool open = false;
@@ -93,7 +93,7 @@ void items(const Context& ui, const workspace::Menu& menu) {
   if (open) ImGui::EndMenu();
 }
 
-// Commands of the context menu, in order; |: a separator. Disabled ones are omitted.
+// Commands of the context menu, in order; | is a separator. Disabled commands are omitted.
 constexpr const char* offers =
     "undo redo | reset_selected | frame_selection frame_all | select_all select_none invert_selection "
     "select_linked | split_edges cut_faces extrude_faces merge_vertices remove_elements | make_cage "
@@ -147,7 +147,8 @@ void context_menu(const Context& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 8});
   bool line = false, any = false, chosen = false;
   auto& w = ui.workspace;
-  const auto cursor = std::exchange(w.interaction.cursor, w.interaction.menu_at);  // for the commands
+  const auto cursor =
+      std::exchange(w.interaction.cursor, w.interaction.menu_at);  // commands act at this place
   std::istringstream words(offers);
   for (std::string offer; words >> offer;) {
     const workspace::Command* command = workspace::find_command(offer);

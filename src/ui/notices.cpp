@@ -15,8 +15,6 @@
 
 namespace viete::ui {
 
-// The message list, newest first: a window over the view.
-
 namespace {
 
 struct SeverityLook {
@@ -76,7 +74,7 @@ void hint_at(const files::RecoveryFile& leftover) {
   hint("Folder: " + leftover.folder.string());
 }
 
-// Next to the previous item, or below it in a narrow window.
+// Puts the next item beside the previous item, or below it if the window is narrow.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
   if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
@@ -87,7 +85,7 @@ float width_of(const std::string& label) {
   return ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
 }
 
-// Names the newest recovery file, which Restore opens, and counts the others.
+// Shows the name of the newest recovery file, which Restore opens, and the number of other files.
 void recovery_text(const Context& ui) {
   const auto& recovery_files = ui.workspace.recovery_files;
   const std::size_t more = recovery_files.size() - 1;
@@ -101,7 +99,8 @@ void recovery_text(const Context& ui) {
 }  // namespace
 
 float notice_room(const Context& ui) {
-  constexpr float tools = 64, least = 180;  // tools on the left; the same on the right for centering
+  constexpr float tools = 64,
+                  least = 180;  // the tools are on the left; the right side is as wide, for centering
   return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
 }
 
@@ -123,13 +122,11 @@ void notice_bar(const Context& ui) {
   w.notice_height = ImGui::GetWindowSize().y;
 }
 
-// Recent messages at the bottom of the view, in two lines each. They do not move other items.
-
 namespace {
 
 constexpr std::size_t most_toasts = 3;
 
-// Shortened to two lines; the message list has the whole text.
+// Shortens the text to two lines. The message list has the whole text.
 std::string in_two_lines(const std::string& text, float width) {
   const auto fits = [&](const std::string& part) {
     return ImGui::CalcTextSize(part.c_str(), nullptr, false, width).y < 2.5f * ImGui::GetTextLineHeight();
@@ -142,12 +139,11 @@ std::string in_two_lines(const std::string& text, float width) {
   }
   const std::size_t space = text.rfind(' ', low);
   if (space != std::string::npos && space > low / 2) low = space;
-  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // inside a UTF-8 character
+  while (low > 0 && (text[low] & 0xC0) == 0x80) --low;  // do not cut a UTF-8 character
   return text.substr(0, low) + "...";
 }
 
-// Draws a message above `bottom` and moves `bottom` up. A click on the text shows all messages. True if the
-// message was dismissed.
+// Draws a message above `bottom` and moves `bottom` up. A click shows all messages. True if dismissed.
 bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
            float& bottom) {
   constexpr float widest = 480, padding = 12, gap = 8;
@@ -172,10 +168,10 @@ bool toast(const Context& ui, const std::string& name, const std::string& text, 
   hint("Click to see all messages.");
   if (!closes) return false;
   ImGui::SameLine(size.x - 30);
-  return button(ui, "x", name + "/close", "Dismiss. The message stays in Help, Show messages.");
+  return button(ui, "x", name + "/close", "Hide this message. Help, Show messages still lists it.");
 }
 
-// Newest first.
+// Indices of the visible messages, newest first.
 std::vector<std::size_t> visible_messages(const workspace::Messages& messages) {
   std::vector<std::size_t> newest;
   for (std::size_t i = messages.all().size(); i-- > 0;) {
@@ -210,7 +206,7 @@ constexpr std::array answers = {Answer::save, Answer::cancel, Answer::proceed};
 constexpr std::array names = {"question_save", "question_cancel", "question_go_on"};
 constexpr float question_width = 440;
 
-// The default answer is filled.
+// The answer that Enter gives has the accent colour.
 bool answer_button(const Context& ui, std::size_t i) {
   const workspace::Question& question = *ui.workspace.question;
   const bool chosen = question.chosen == i;
@@ -224,7 +220,7 @@ bool answer_button(const Context& ui, std::size_t i) {
   return clicked;
 }
 
-// Destructive answers are separated, at the far end.
+// A destructive answer is at the far end, apart from the others.
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
@@ -289,7 +285,7 @@ namespace {
 
 constexpr double silent_seconds = 0.2;  // shorter work shows no bar
 
-// Rounded according to its uncertainty.
+// The remaining time in words; longer times are rounded to larger steps.
 std::string words_of(std::optional<double> left) {
   if (!left) return "";
   if (*left < 1) return "a few seconds left";

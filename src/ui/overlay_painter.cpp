@@ -64,7 +64,7 @@ void OverlayPainter::polygon(std::span<const glm::vec2> corners, ImU32 color, fl
   tint(corners, faded(color, opacity));
 }
 
-// ImGui antialiases the outer edges of clockwise polygons; on screen y points down.
+// ImGui antialiases the outer edges only of clockwise polygons. On the screen, y points down.
 void OverlayPainter::tint(std::span<const glm::vec2> corners, ImU32 color) {
   float area = 0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -80,7 +80,7 @@ void OverlayPainter::outline(std::span<const glm::vec2> corners, ImU32 color) {
   stroke(corners, color, 1.25f, true);
 }
 
-// Adjacent triangles without antialiasing, which would show as rays.
+// Draws triangles without antialiasing, because antialiased edges would be visible as rays.
 void OverlayPainter::fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color) {
   const ImDrawListFlags flags = list_.Flags;
   list_.Flags &= ~ImDrawListFlags_AntiAliasedFill;

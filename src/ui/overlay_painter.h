@@ -1,4 +1,4 @@
-// Lines and shapes over the view, behind the panels, each with a thin halo for contrast with any background.
+// Draws lines and shapes over the view and behind the panels. A thin halo gives contrast on any background.
 #pragma once
 
 #include <array>
@@ -8,7 +8,7 @@
 
 namespace viete::ui {
 
-/// A colour with its opacity multiplied.
+/// The colour with its opacity multiplied by `opacity`.
 ImU32 faded(ImU32 color, float opacity);
 
 inline ImVec2 vec(const glm::vec2& p) {
@@ -33,7 +33,7 @@ struct Pen {
   }
 };
 
-/// Draws into ImGui's background list, with edges sharp to the device pixel at any scale.
+/// Draws into ImGui's background list. Edges are sharp at any display scale.
 class OverlayPainter {
 public:
   explicit OverlayPainter(const Context& ui);
@@ -41,13 +41,13 @@ public:
   OverlayPainter(const OverlayPainter&) = delete;
   OverlayPainter& operator=(const OverlayPainter&) = delete;
 
-  /// opacity applies to colour and halo.
+  /// `opacity` applies to the colour and to the halo.
   void line(std::span<const glm::vec2> points, ImU32 color, float width, bool closed = false,
             float opacity = 1);
   void line(const glm::vec2& a, const glm::vec2& b, ImU32 color, float width, float opacity = 1);
   void circle(const glm::vec2& center, float radius, ImU32 color, float width, float opacity = 1);
   void disc(const glm::vec2& center, float radius, ImU32 color, float opacity = 1);
-  /// Filled polygon; must be convex.
+  /// Filled convex polygon.
   void polygon(std::span<const glm::vec2> corners, ImU32 color, float opacity = 1);
   /// Filled polygon without halo, to tint the background.
   void tint(std::span<const glm::vec2> corners, ImU32 color);

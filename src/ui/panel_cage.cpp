@@ -26,7 +26,7 @@ void panel_model(const Context& ui) {
   if (!open) return;
   if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
   if (!model.surface) {
-    note(ui, "No model. Open one or drop a file on the window.");
+    note(ui, "No model. Open a model or drop a file on the window.");
     command_button(ui, "open_model");
     if (const auto clicked = recent_list(ui)) open_recent(ui.workspace, *clicked);
     return;
@@ -71,13 +71,11 @@ void panel_cage(const Context& ui) {
   editing(ui);
 }
 
-// The sliders of cage generation.
-
 namespace {
 
 constexpr float making_label = 84;
 
-// Reproducible steps: 12, 14 ... 100, 110 ... 2,000.
+// Rounds to steps: 12, 14 ... 100, 110 ... 2,000.
 double rounded_triangles(double value) {
   const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
   return static_cast<double>(std::lround(value / step) * std::lround(step));
@@ -88,9 +86,10 @@ void triangles(const Context& ui, document::CageWish& wish) {
       ui, "Triangles", making_label, "cage_triangles", static_cast<double>(wish.triangles),
       count(wish.triangles),
       {.least = document::least_triangles,
-       .most = 2000,  // beyond this, slow to bind and impractical to pose
+       .most = 2000,  // larger cages are slow to bind and hard to pose
        .tip =
-           "Number of triangles of the cage. Fewer are easier to pose; more follow the model more closely.",
+           "Number of triangles of the cage. Fewer triangles are easier to pose; more triangles follow the "
+           "model more closely.",
        .logarithmic = true,
        .rounded = rounded_triangles});
   if (chosen) wish.triangles = static_cast<std::size_t>(std::lround(*chosen));
@@ -123,7 +122,7 @@ void cells(const Context& ui, document::CageWish& wish) {
                    count(wish.cells[k]), {.least = 1, .most = 12, .tip = "Number of cells along this axis."});
     if (chosen) wish.cells[k] = static_cast<std::size_t>(std::lround(*chosen));
   }
-  ImGui::Checkbox("Align to model's principal axes", &wish.own_axes);
+  ImGui::Checkbox("Align to principal axes", &wish.own_axes);
   record(ui, "cage_own_axes");
 }
 
@@ -149,13 +148,14 @@ void panel_making(const Context& ui) {
   share(ui, "Margin", "cage_margin", wish.margin, document::least_margin, 0.1,
         "Minimum distance between cage and model, in percent of the model's diagonal.");
   if (wish.kind == document::CageKind::automatic) {
-    share(ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
-          "Closes gaps of the model narrower than twice this, in percent of its diagonal. Joins close parts, "
-          "for example fingers.");
+    share(
+        ui, "Close gaps", "cage_gap", wish.gap, 0.001, 0.1,
+        "Close gaps narrower than twice this distance, in percent of the model's diagonal. Joins parts that "
+        "are close to each other, such as fingers.");
     choice(ui, "Symmetry", "cage_symmetry", document::all_symmetries(), wish.symmetry);
     checkbox(ui, "Mostly quads", "cage_quads", wish.quads, "Pair triangles that form good quads.");
   }
-  if (document::shows_generated(ui.workspace.document, making)) {  // not after an undo
+  if (document::shows_generated(ui.workspace.document, making)) {  // false after an undo
     for (const auto& lines : {making.notes, making.lost})
       for (const std::string& line : lines) note(ui, line, ui.colors.warn);
     if (!making.lost.empty()) record(ui, "making_lost");
@@ -163,8 +163,7 @@ void panel_making(const Context& ui) {
   command_row(ui, {"finish_cage", "cancel_cage"});
 }
 
-// The next step for a newly opened model, at the bottom of the view, one at a time: getting a cage, or fixing
-// model parts outside it.
+// The next step for a newly opened model, at the bottom of the view: to get a cage, or to enclose the model.
 
 namespace {
 
@@ -173,7 +172,7 @@ bool is_free(const workspace::Workspace& w) {
          !w.browser.open && !w.question && w.view.panels && !w.key_list.open;
 }
 
-// The finding about vertices outside the cage; null once the pose is edited.
+// The finding about vertices outside the cage; null after the first edit.
 const document::Finding* outside(const workspace::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
@@ -181,7 +180,7 @@ const document::Finding* outside(const workspace::Workspace& w) {
   return at ? &w.checks.findings[*at] : nullptr;
 }
 
-// Returns its width.
+// Shows a title and a sentence. Returns the width of the text.
 float words(const Context& ui, const std::string& title, const std::string& what) {
   ImGui::PushFont(ui.fonts.strong);
   const float wide = ImGui::CalcTextSize(title.c_str()).x;

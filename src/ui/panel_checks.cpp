@@ -18,7 +18,7 @@ std::size_t mattering(const workspace::CheckState& checks) {
       std::count_if(checks.findings.begin(), checks.findings.end(), document::matters));
 }
 
-// "2 findings", "all is well": visible while the section is closed.
+// "2 problems" or "no problems", visible while the section is closed.
 std::string summary(const workspace::CheckState& checks, std::size_t of_pose) {
   if (checks.running) return "checking " + std::to_string(static_cast<int>(100 * checks.done)) + " %";
   const std::size_t n = checks.findings.size() + of_pose;
@@ -68,11 +68,11 @@ void finding_card(const Context& ui, std::size_t index) {
   draw.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {x, y}, ui.colors.text, elements.c_str(), nullptr,
                wrap);
   ImGui::PopFont();
-  hint(shown ? "Click to hide them." : "Click to show them in the view.");
+  hint(shown ? "Click to hide the elements." : "Click to show the elements in the view.");
   if (clicked) workspace::toggle_finding(ui.workspace, index);
 }
 
-// "< 3 of 17: edge 5-8 >": steps through the elements.
+// Buttons to step through the elements: "< 3 of 17 >".
 void stepper(const Context& ui) {
   auto& checks = ui.workspace.checks;
   const document::Finding& finding = checks.findings[*checks.shown];
@@ -92,7 +92,7 @@ void stepper(const Context& ui) {
   step(">##finding", "finding_next", 1, "Show only the next element.");
 }
 
-// Findings of the cage before those of the model; important ones are sorted first anyway.
+// Lists the findings of the cage or of the model.
 void group(const Context& ui, document::Subject subject, const char* heading) {
   const auto& checks = ui.workspace.checks;
   bool first = true;
@@ -105,14 +105,14 @@ void group(const Context& ui, document::Subject subject, const char* heading) {
   }
 }
 
-// Buttons to fit a cage that does not match the model.
+// Buttons to fit a cage that does not enclose the model.
 void fit_buttons(const Context& ui) {
   const auto& checks = ui.workspace.checks;
   const auto at = workspace::outside_finding(checks);
   if (!at) return;
   const document::Finding& found = checks.findings[*at];
   const std::string outside = document::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // the other buttons are shown anyway
+  if (ui.workspace.document.kept_pose) {  // panel_cage() shows the other buttons
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }

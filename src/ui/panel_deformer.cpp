@@ -22,7 +22,7 @@ using document::entry;
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
-// Side effects of the highlighted entry, and its cost.
+// Other settings that the highlighted entry changes, and the memory for binding.
 std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
                          std::string_view chosen) {
   const document::Scheme& now = w.document.scheme;
@@ -37,7 +37,6 @@ std::string consequences(const workspace::Workspace& w, const document::Scheme& 
   return text;
 }
 
-// An entry of a chooser's list.
 template <class Entry>
 void choice(const Context& ui, const Entry& choice, bool chosen) {
   workspace::Workspace& w = ui.workspace;
@@ -50,7 +49,7 @@ void choice(const Context& ui, const Entry& choice, bool chosen) {
   hint(std::string(choice.sentence) + consequences(w, next, choice.label));
 }
 
-// A drop-down list of a table; without a label it fills the line.
+// A drop-down list of the table's entries. Without a label, the list fills the line.
 template <class Entry, class Value>
 void chooser(const Context& ui, const char* name, const char* label, std::span<const Entry> table,
              std::optional<Value> chosen) {
@@ -60,7 +59,8 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   const char* shown = chosen ? entry(*chosen).label.data() : custom;
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
-  if (!open && !chosen) return hint("Weights and blend chosen separately; see Custom deformer in Analysis.");
+  if (!open && !chosen)
+    return hint("Weights and blend were chosen separately, in Analysis, Custom deformer.");
   if (!open) return hint(std::string(entry(*chosen).sentence));
   for (const Entry& e : table) choice(ui, e, e.value == chosen);
   ImGui::EndCombo();
@@ -119,9 +119,7 @@ void stitching(const Context& ui) {
   });
   if (slid.typed) iterations = static_cast<int>(std::lround(*slid.typed));
   if (slid.moved || slid.typed) document::set_iterations(document, iterations);
-  hint(
-      "Number of solves per frame. Each further solve refits the triangles' rotations, which spreads bends "
-      "more evenly.");
+  hint("Number of solves per frame. More solves distribute bends more evenly, but take longer.");
   number_slider(ui, "pins", std::array{0.0, 0.01, 0.02, 0.03, 0.05, 0.07, 0.1, 0.15, 0.2});
   number_slider(ui, "hold", std::array{0.0, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0});
 }

@@ -42,7 +42,8 @@ void panel_map(const Context& ui) {
   section_note(ui, wanted == analysis::Field::none ? "" : std::string(base::entry_of(wanted).label));
   if (!open) return;
   choice_list(ui, "map", std::optional(wanted), ImGui::GetContentRegionAvail().x);
-  if (wanted == analysis::Field::none) return note(ui, "Colours the model by a measure of the deformation.");
+  if (wanted == analysis::Field::none)
+    return note(ui, "Choose a measure of the deformation to colour the model.");
   if (workspace::shown_field(w) == analysis::Field::none)
     return note(ui, "Not available here: this map needs a cage and the blend Log space.");
   const bool needs_selection = wanted == analysis::Field::influence && w.document.selection.empty();
@@ -57,7 +58,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// Legend sizes: one view, with a histogram above the colours; several views, without it.
+// Legend sizes: for one view with a histogram, for several views without a histogram.
 struct Size {
   float width, height, bars;
 };
@@ -86,7 +87,7 @@ void colors(const Legend& l, const std::vector<ImU32>& all) {
   }
 }
 
-// The histogram of values, with square roots, so that small counts are visible.
+// The histogram of values. The height is the square root of the count, so that small counts are visible.
 void counts(const Legend& l) {
   const auto& all = l.stats.counts;
   const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));
@@ -119,7 +120,7 @@ void ticks(const Legend& l) {
   ImGui::PopFont();
 }
 
-// The value of `shown` at the point of the model under the cursor, which may be in any view.
+// The value of `shown` at the point of the model under the cursor. The cursor may be in any view.
 std::optional<double> pointed_value(const workspace::Workspace& w, const workspace::FieldView& shown) {
   const auto& cursor = w.interaction.cursor;
   if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
@@ -185,8 +186,7 @@ void legend(const Context& ui, ImVec2 corner, const workspace::FieldView& shown,
 
 }  // namespace
 
-// At the bottom right of each view: the meaning of its mesh colours. Notices in the middle are placed above
-// it.
+// Draws the legend of the mesh colours at the bottom right of each view. Notices are placed above the legend.
 float map_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;
   if (ui.field_colors.even.empty()) return bottom;

@@ -22,7 +22,7 @@ using workspace::pose_picture_size;
 constexpr const char* dragged_pose = "pose";
 constexpr float percent_width = 54;
 
-// The action of a row: carried out after all rows are drawn, since it changes the list.
+// The user's changes of the list. They are applied after all rows are drawn.
 struct PoseWish {
   std::optional<std::size_t> chosen, applied;
   std::optional<std::pair<std::size_t, std::string>> name;
@@ -35,7 +35,7 @@ ImU32 darkened(ImU32 color, float tone) {
   return ImGui::ColorConvertFloat4ToU32({tone * c.x, tone * c.y, tone * c.z, c.w});
 }
 
-// Relative to a corner of the current window.
+// Draws a shape; its points are relative to `corner`.
 void draw_shape(const Context& ui, ImVec2 corner, const workspace::PictureShape& shape) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   std::vector<ImVec2> points;
@@ -69,7 +69,7 @@ void draw_pose(const Context& ui, const document::NamedPose& named, ImVec2 low, 
   if (chosen) list.AddRect(low, high, ui.colors.accent, 4, 0, 1.5f);
 }
 
-// Dropped rows are inserted above the row below the pointer, or at the end.
+// A dropped row gets the place of the row under the pointer.
 void drag_row(std::size_t row, PoseWish& wish) {
   if (ImGui::BeginDragDropSource(ImGuiDragDropFlags_SourceNoPreviewTooltip)) {
     ImGui::SetDragDropPayload(dragged_pose, &row, sizeof row);
@@ -108,7 +108,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  hint("Weight of this pose: 0 % none, 100 % full; values outside extrapolate.");
+  hint("Weight of this pose. 0 % has no effect, 100 % is the full pose; other values extrapolate.");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   if (const auto typed =
           number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))
@@ -167,10 +167,11 @@ void panel_poses(const Context& ui) {
   const bool free = !workspace::is_dragging(w) && !document::is_editing_cage(w.document);
   PoseWish wish;
   w.pose_pictures.tidy();
-  // Above the list, which grows downward: clicked items do not move.
+  // The buttons are above the list, so that they do not move if the list grows.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);
-  const std::vector<double> shown = workspace::shown_weights(w);  // for poses changed by a button
+  const std::vector<double> shown =
+      workspace::shown_weights(w);  // after the buttons, which can change the poses
   for (std::size_t i = 0; i < shown.size(); ++i) row(ui, i, shown[i], wish);
   ImGui::EndDisabled();
   if (free) grant(w, wish);

@@ -12,8 +12,6 @@
 
 namespace viete::ui {
 
-// The Probes panel: adding probes, and the influence of each part of their motion.
-
 namespace {
 
 constexpr float probe_label = 76;
@@ -37,7 +35,7 @@ void influence(const Context& ui, const char* label, const char* name, document:
                               {.least = least / unit,
                                .most = most / unit,
                                .tip = "Radius of influence at rest, in percent of the model's diagonal. The "
-                                      "circle in the view shows the largest of the three.",
+                                      "circle in the view shows the largest of the three radii.",
                                .logarithmic = true,
                                .rounded = std::round,
                                .enabled = used},
@@ -48,17 +46,17 @@ void influence(const Context& ui, const char* label, const char* name, document:
   if (percent) document::set_radius(document, part, std::clamp(unit * *percent, least, most));
 }
 
-// How closely pins keep the model to the listed shapes.
+// The slider for the deviation from the listed shapes that pins allow.
 void freedom(const Context& ui) {
   double& value = ui.workspace.handling.freedom;
-  const auto percent = slider_row(
-      ui, "Freedom", probe_label, "pin_freedom", 100 * value, std::to_string(std::lround(100 * value)) + " %",
-      {.least = 0,
-       .most = 100,
-       .tip =
-           "How far pins may take the model from the shapes in the pose list: 0 % blends the shapes, 100 % "
-           "is as rigid as possible.",
-       .rounded = std::round});
+  const auto percent = slider_row(ui, "Freedom", probe_label, "pin_freedom", 100 * value,
+                                  std::to_string(std::lround(100 * value)) + " %",
+                                  {.least = 0,
+                                   .most = 100,
+                                   .tip = "Allowed deviation from the shapes in the pose list. At 0 %, pins "
+                                          "only blend the shapes. At 100 %, "
+                                          "the model deforms as rigidly as possible.",
+                                   .rounded = std::round});
   if (percent) value = 0.01 * *percent;
 }
 
@@ -103,7 +101,7 @@ void panel_probes(const Context& ui) {
   command_toggle(ui, "toggle_locked", locked);
 }
 
-// Probes in the view: frames with three axes, and the radii of the selected ones.
+// Draws the probes in the view: three axes for each probe, and a circle with the radius if it is selected.
 
 namespace {
 
@@ -128,7 +126,7 @@ void axes(const Context& ui, OverlayPainter& painter, const interact::CursorProj
   }
 }
 
-// A ring at the pin's target, filled if the pin holds, and a line from its vertex.
+// Draws a ring at the pin's target and a line from the pinned vertex. The ring of an exact pin is filled.
 void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 middle, const Shown& shown) {
   const auto& w = ui.workspace;
   const document::Probe& probe = w.document.probes.all[i];

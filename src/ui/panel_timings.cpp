@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* command_names[] = {"method_diag", "method_sd", "method_improved_sd", "method_fast"};
 
-// True for the single best method; false at a tie, as at rest, where every result is exact.
+// True if this method is better than all others. False at rest, where every method is exact.
 bool is_best(const workspace::MethodStats& stats, std::size_t index, double workspace::MethodSample::*value) {
   const workspace::MethodSample& own = stats.samples[index];
   return !std::isnan(own.*value) && std::ranges::all_of(stats.samples, [&](const auto& other) {
@@ -25,7 +25,7 @@ bool is_best(const workspace::MethodStats& stats, std::size_t index, double work
   });
 }
 
-// Errors from this size on are highlighted: they are visible, or accumulate to visible ones.
+// Larger errors are highlighted, because they are visible or can add up to visible errors.
 constexpr double visible_error = 1e-10;
 
 bool fails(const workspace::MethodSample& sample) {
@@ -53,7 +53,7 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   ImGui::PopFont();
 }
 
-// A large toggle: the method's name, its time per matrix and worst error, coloured where it is best.
+// A large button with the method's name, time per matrix and worst error. The best values are coloured.
 void method_card(const Context& ui, std::size_t index, float width, bool used) {
   workspace::Workspace& w = ui.workspace;
   const workspace::Command& command = *workspace::find_command(command_names[index]);
@@ -86,14 +86,14 @@ void panel_method(const Context& ui) {
   ImGui::PopStyleVar();
   ImGui::EndDisabled();
   note(ui, !used                                     ? "This deformer uses no exponential."
-           : document::differs_from_rest(w.document) ? "Per matrix; largest error in this pose"
+           : document::differs_from_rest(w.document) ? "Time per matrix and largest error"
                                                      : "At rest every method is exact.");
-  hint("Medians over " + count(w.methods.matrices) +
-       " matrices of this frame. Errors are relative to 106-bit results. Colour marks the best and errors "
-       "above 1e-10.");
+  hint("Median time over " + count(w.methods.matrices) +
+       " matrices of this frame; errors are relative to 106-bit results. Colours mark the best values and "
+       "errors above 1e-10.");
 }
 
-// The deformation of a frame with each method, stage by stage, and the rest of the frame.
+// The times of the deformation with each method, by stage, and the times of the other parts of a frame.
 
 namespace {
 
@@ -103,7 +103,6 @@ using Stage = std::optional<Link>;
 
 constexpr std::size_t all_methods = compared_methods.size();
 
-// Describes the stage in one sentence.
 const char* stage_hint(workspace::Link stage) {
   static constexpr std::array<const char*, workspace::link_count> hints = {
       "Affine map x -> M x + l of each element of the cage, from rest to pose.",
@@ -120,7 +119,7 @@ const char* stage_hint(workspace::Link stage) {
   return hints[static_cast<std::size_t>(stage)];
 }
 
-// The stage's colour; fainter while another stage is hovered.
+// The colour of the stage, fainter if another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, workspace::Link stage) {
   const auto& lit = ui.workspace.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);
@@ -130,7 +129,7 @@ bool is_under_cursor(ImVec2 low, ImVec2 high) {
   return ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low, high);
 }
 
-// One segment per stage, scaled to the slowest method's time.
+// Draws one segment per stage; the slowest method fills the width. Returns the stage under the cursor.
 Stage segments(const Context& ui, const workspace::LinkTimes& times, double longest, ImVec2 at, float width) {
   constexpr float height = 14;
   Stage under_cursor;
@@ -160,7 +159,7 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
   }
   if (all.measured)
     ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
-                                        "needs much memory: choose it to measure it");
+                                        "needs much memory: select to measure");
   return std::nullopt;
 }
 
@@ -168,7 +167,7 @@ bool is_measured(const workspace::MethodTimes& all, Link stage) {
   return std::ranges::any_of(all.links, [&](const auto& times) { return times[stage] > 0; });
 }
 
-// The stages of all bars, four per line.
+// Draws the names of the stages, four per line. Returns the stage under the cursor.
 Stage legend(const Context& ui) {
   constexpr std::size_t columns = 4, rows = 2;
   const workspace::Workspace& w = ui.workspace;
@@ -206,7 +205,7 @@ void stage_tooltip(const Context& ui, Link stage) {
   ImGui::EndTooltip();
 }
 
-// The rest of a frame and its total: headings above their numbers.
+// Shows the times of the other parts of a frame and the total, with headings above the numbers.
 void rest_of_frame(const Context& ui) {
   struct Column {
     const char* heading;
@@ -232,11 +231,10 @@ void rest_of_frame(const Context& ui) {
   }
   ImGui::Dummy({width, 2 * line});
   hint(
-      "Other parts of a frame in milliseconds, medians of the last half second. The total includes the "
-      "deformation.");
+      "Times of the other parts of a frame in milliseconds: medians of the last half second. The total "
+      "includes the deformation.");
 }
 
-// The errors of the exponential and of the drawn positions.
 void errors(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   const workspace::MethodSample* sample = running_sample(w);

@@ -14,11 +14,9 @@
 
 namespace viete::ui {
 
-// Selection tools and selection sets.
-
 namespace {
 
-// One row per set. Changes to the list are made after it was drawn.
+// Shows one row per set. Changes are applied after all rows are drawn.
 void sets(const Context& ui) {
   document::Document& document = ui.workspace.document;
   const auto& all = document.groups.sets;
@@ -38,8 +36,8 @@ void sets(const Context& ui) {
                {select_width, 0}))
       selected = i;
     ImGui::SameLine(0, gap);
-    if (button(ui, ("x##" + id).c_str(), id + "/remove", "Delete this selection set. Its elements stay.",
-               {close, 0}))
+    if (button(ui, ("x##" + id).c_str(), id + "/remove",
+               "Delete this selection set. The cage is not changed.", {close, 0}))
       removed = i;
   }
   ImGui::EndDisabled();
@@ -51,7 +49,7 @@ void sets(const Context& ui) {
 
 }  // namespace
 
-// The most common commands; the rest is in the menu Select, in the palette and on keys.
+// The most common commands. The menu Select has all commands.
 void panel_select(const Context& ui) {
   if (!ui.workspace.document.has_cage() || !section(ui, "Select", false)) return;
   command_row(ui, {"select_all", "select_none", "invert_selection"});
@@ -64,8 +62,6 @@ void panel_select(const Context& ui) {
   }
   sets(ui);
 }
-
-// Position of the selection, its pivot, axes, mirror and soft selection.
 
 namespace {
 
@@ -110,7 +106,6 @@ void mirror_row(const Context& ui) {
   if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
-// The soft radius in the file's units.
 void soft_radius(const Context& ui) {
   document::SoftSelection& soft = ui.workspace.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
@@ -140,7 +135,7 @@ void soft_rows(const Context& ui) {
   ImGui::EndDisabled();
 }
 
-// Shown while the section is folded.
+// A summary in the header of the section.
 std::string transform_text(const workspace::Workspace& w) {
   std::string text(document::entry_of(w.handling.pivot).label);
   if (workspace::mirror_of(w)) text += ", mirrored";
@@ -168,8 +163,6 @@ void panel_transform(const Context& ui) {
   command_row(ui, {"smooth", "relax"});
 }
 
-// In the Cage panel: element kind, tool, and number fields.
-
 namespace {
 
 struct Fields {
@@ -178,7 +171,7 @@ struct Fields {
   glm::dvec3 values;
 };
 
-// Components along each of the axes.
+// The coordinates of `place` along the axes.
 glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
   return glm::transpose(axes) * place;
 }
@@ -210,7 +203,7 @@ void apply(workspace::Workspace& workspace, int axis, double value) {
     transform.degrees = std::clamp(value, -interact::most_degrees, interact::most_degrees);
     if (transform.degrees != value)
       workspace.messages.info("Rotated by " + count(static_cast<std::size_t>(interact::most_degrees)) +
-                              " degrees, the maximum at once");
+                              " degrees, the maximum for one step");
   } else if (tool == interact::Tool::scale) {
     transform.factors[axis] = value;
   } else {
@@ -231,7 +224,7 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
   if (number && enabled) apply(ui.workspace, axis, *number);
 }
 
-// The same height as the fields of other tools.
+// The fields of the brush have the same height as the fields of other tools.
 void brush_fields(const Context& ui) {
   document::Brush& brush = ui.workspace.brush;
   command_row(ui, {"mask_clear", "mask_invert"});
@@ -241,7 +234,7 @@ void brush_fields(const Context& ui) {
                                  {.least = document::Brush::least_radius,
                                   .most = 150,
                                   .format = "%.0f px",
-                                  .tip = "Brush radius on screen. Shift and wheel change it too."},
+                                  .tip = "Radius of the brush in pixels. Shift and the wheel change it too."},
                                  width))
     brush.radius = static_cast<float>(*radius);
   ImGui::SameLine(0, spacing);
@@ -249,8 +242,8 @@ void brush_fields(const Context& ui) {
                                   {.least = 0,
                                    .most = 100,
                                    .format = "follows %.0f %%",
-                                   .tip = "How far painted vertices follow the motion: 0 % stays at rest. "
-                                          "Ctrl paints 100 %.",
+                                   .tip = "How far painted vertices follow the motion: at 0 % they stay at "
+                                          "rest. Ctrl paints 100 %.",
                                    .rounded = std::round},
                                   width))
     brush.share = static_cast<float>(*percent / 100);

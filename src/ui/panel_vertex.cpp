@@ -13,8 +13,6 @@
 
 namespace viete::ui {
 
-// The vertex inspector: weights, the partial sums, and the exponential by each method.
-
 namespace {
 
 using workspace::VertexView;
@@ -59,7 +57,7 @@ void weights(const Context& ui, const VertexView& view) {
               weight_text(rest_of(view)));
 }
 
-// The three eigenvalues of the partial sums, term by term, up to the exponentiated sum.
+// Draws the three eigenvalues of each partial sum. The last sum is the one that is exponentiated.
 void partial_sums(const Context& ui, const VertexView& view) {
   constexpr float height = 84, right = 64;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -100,8 +98,8 @@ void ways(const Context& ui, const VertexView& view) {
   for (const auto& way : view.ways) {
     value_row(ui, (method_label(way.method) + ": " + way.route).c_str(), error(way.error));
     hint(
-        "Path the method takes for this matrix; cases depend on how many eigenvalues are equal. Errors are "
-        "relative to 106-bit results.");
+        "Algorithm that the method uses for this matrix. The case depends on the number of equal "
+        "eigenvalues. Errors are relative to 106-bit results.");
   }
 }
 
@@ -123,24 +121,17 @@ void panel_vertex(const Context& ui) {
   note(ui, "Weights", ui.colors.text);
   weights(ui, view);
   if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
-  note(ui, "Eigenvalues of the sum, term by term", ui.colors.text);
+  note(ui, "Eigenvalues of the partial sums", ui.colors.text);
   partial_sums(ui, view);
   char turn[24];
   std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);
   value_row(ui, "Rotation angle", turn);
-  note(ui, "exp of the sum", ui.colors.text);
+  note(ui, "Exponential of the sum", ui.colors.text);
   ways(ui, view);
 }
 
-// The inspected vertex: lines to the elements with their weights.
-
-namespace {
-
-constexpr std::size_t most_elements = 16;
-
-}  // namespace
-
 void vertex_overlay(const Context& ui) {
+  constexpr std::size_t most_elements = 16;
   const workspace::Workspace& w = ui.workspace;
   const workspace::VertexView& view = w.vertex;
   if (!view.vertex || !w.document.model.surface) return;

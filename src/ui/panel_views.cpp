@@ -1,4 +1,4 @@
-// The number of views, and the settings of each.
+// The number of views, and the settings of each view.
 #include <optional>
 #include <string>
 
@@ -58,7 +58,7 @@ void side_rows(const Context& ui, std::size_t number, workspace::View& side) {
         ui.workspace.document.timeline.straight ? "In log space" : "Linear interpolation";
     ImGui::Checkbox((std::string(words) + "##" + name).c_str(), &side.other_blending);
     record(ui, name + "/lines");
-    hint("Use the other interpolation than the first view: linear or log space.");
+    hint("Interpolate differently from the first view, to compare log space and linear interpolation.");
   }
   if (!side.problem.empty()) note(ui, side.problem, ui.colors.bad);
 }

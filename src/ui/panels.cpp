@@ -11,7 +11,7 @@ namespace viete::ui {
 
 namespace {
 
-// A window next to the view, over its whole height.
+// The place of a column beside the view, over the full height.
 Window::Place column(const Context& ui, float x, float width) {
   const document::Viewport& v = ui.workspace.viewport;
   return {
@@ -22,7 +22,6 @@ constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
                               ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs;
 
-// The left column, in workflow order.
 void tools(const Context& ui) {
   const float width = ui.workspace.viewport.origin.x;
   if (width <= 0) return;
@@ -34,7 +33,7 @@ void tools(const Context& ui) {
   panel_select(ui);
   panel_probes(ui);
   panel_display(ui);
-  panel_checks(ui);  // last: new findings open it without moving other sections
+  panel_checks(ui);  // last, because new findings open this section
 }
 
 void analysis(const Context& ui) {
@@ -48,7 +47,6 @@ void analysis(const Context& ui) {
   command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
 }
 
-// The right column: method, timings and accuracy.
 void methods(const Context& ui) {
   const document::Viewport& v = ui.workspace.viewport;
   const float x = v.origin.x + v.size.x;
@@ -93,7 +91,7 @@ void draw_panels(const Context& ui) {
   question_panel(ui);
 }
 
-// The inner borders of the columns: draggable, each with a tab that folds and unfolds its column.
+// The borders between the columns and the view. They can be dragged; a tab shows or hides the column.
 
 namespace {
 
@@ -104,18 +102,18 @@ constexpr float edge_thickness = 6, tab_width = 14, tab_height = 48;
 struct Side {
   Column column;
   const char* name;     // widget name: "edge/methods"
-  const char* command;  // folds and unfolds it
-  float inward;         // 1: the view is to the right of it
+  const char* command;  // shows or hides the column
+  float inward;         // 1: the view is to the right of the column; -1: to the left
 };
 constexpr Side sides[] = {{Column::tools, "tools", "toggle_tools", 1},
                           {Column::methods, "methods", "toggle_methods", -1}};
 
-// The border between column and view; at the window's edge while the column is hidden.
+// The border between column and view. If the column is hidden, this is the window's edge.
 float edge_x(const document::Viewport& v, const Side& side) {
   return side.inward > 0 ? v.origin.x : v.origin.x + v.size.x;
 }
 
-// Place of a window for a single button, over the view at the column's edge.
+// The place of a small window over the view, at the column's border.
 Window::Place edge_strip(const Side& side, ImVec2 at, ImVec2 size) {
   return {
       .at = at, .pivot = {side.inward > 0 ? 0.0f : 1.0f, 0}, .size = size, .rounding = 0, .padding = {0, 0}};

@@ -11,7 +11,7 @@ namespace {
 
 using document::SelectMode, interact::SelectShape;
 
-// The sign for adding or removing, next to the cursor.
+// Draws a plus or minus sign next to the cursor, for adding or removing.
 void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 color) {
   if (mode == SelectMode::replace) return;
   const glm::vec2 middle = at + glm::vec2(14, 14), across(4, 0), up(0, 4);
@@ -19,7 +19,7 @@ void sign(OverlayPainter& painter, const glm::vec2& at, SelectMode mode, ImU32 c
   if (mode == SelectMode::add) painter.line(middle - up, middle + up, color, 1.5f);
 }
 
-// A tint, and a line with contrast over a cage of the same colour.
+// The outline has the text colour, because the cage can have the same colour as the tint.
 void box_between(const Context& ui, OverlayPainter& painter, const workspace::Interaction::Box& box) {
   const glm::vec2 a = box.corner, b = box.opposite;
   const std::array corners = {a, glm::vec2(b.x, a.y), b, glm::vec2(a.x, b.y)};
@@ -27,7 +27,7 @@ void box_between(const Context& ui, OverlayPainter& painter, const workspace::In
   painter.line(corners, ui.colors.text, 1, true, 0.8f);
 }
 
-// Lines through the cursor across the view: the first corner of the box.
+// Draws lines across the view through the cursor, where the box will start.
 void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
   const auto& v = ui.workspace.viewport;
   painter.line({v.origin.x, at.y}, {v.origin.x + v.size.x, at.y}, ui.colors.text, 1, 0.5f);

@@ -1,4 +1,4 @@
-// The split view: borders between its parts, and their captions.
+// The borders and captions of a split view.
 #include <algorithm>
 #include <cfloat>
 #include <optional>
@@ -14,9 +14,9 @@ namespace viete::ui {
 namespace {
 
 constexpr float tools_room = 60, axes_room = 112;  // reserved at the edges of the view
-constexpr float least_room = 170;  // with less room beside the axes, a caption is at the bottom
+constexpr float least_room = 170;  // if there is less room beside the axes, the caption is at the bottom
 
-// Empty unless some view blends differently (linear or log space) from the document.
+// The interpolation of a view. Empty if all views use the same interpolation.
 std::string blending_words(const workspace::Workspace& w, bool other) {
   if (std::ranges::none_of(w.split.sides(), &workspace::View::other_blending)) return "";
   return w.document.timeline.straight != other ? "linear interpolation" : "log space";
@@ -36,7 +36,7 @@ std::string way_words(const document::Scheme& scheme) {
   return way ? std::string(document::entry(*way).label) : "Custom";
 }
 
-// The numbers are like "1.9 ms", "exp 3e-16", "frame 2e-08".
+// The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   const document::SideWay way = workspace::shown_way(w, number);
   const workspace::View& view = w.split.views[number];

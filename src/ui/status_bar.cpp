@@ -22,17 +22,17 @@ std::string hovered_text(const document::Selection& selection, std::uint32_t ele
 std::string bend_words(const interact::Constraint& about) {
   if (about.kind == interact::Constraint::Kind::free) return "X Y Z choose the bend axis,  ";
   const std::string axis(1, static_cast<char>('X' + about.axis));
-  return "bends about " + axis + " (" + axis + " again: view axis),  ";
+  return "bends about " + axis + " (press " + axis + " again for the view axis),  ";
 }
 
 std::string shape_words(const interact::TransformDrag& drag) {
   const interact::Shaping& shaping = drag.grip().shaping;
   const std::string about = shaping.shape == interact::Shape::bend ? bend_words(drag.constraint()) : "";
-  return "Digits or horizontal motion set the amount,  " + about +
+  return "Type digits or move sideways to set the amount,  " + about +
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// Logs of rotations depend on the frame of reference: see the manual, blending.
+// Rotating a whole posed cage can change the model's shape slightly: see the manual, blending.
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
   return w.tool == interact::Tool::rotate && d.has_cage() &&
@@ -48,13 +48,12 @@ std::string mouse_text(const workspace::Workspace& w) {
   if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != interact::Shape::none)
     return shape_words(*w.interaction.drag);
   if (w.interaction.drag)
-    return w.handling.soft.on ? "X Y Z constrain,  digits set the amount,  wheel changes the radius,  Ctrl "
-                                "snaps,  Shift slows;  Esc or right button cancels"
-                              : "X Y Z constrain,  digits set the amount,  Ctrl snaps,  Shift slows;  Esc or "
-                                "right button cancels";
+    return std::string("X Y Z limit to an axis,  digits set the amount,  ") +
+           (w.handling.soft.on ? "wheel changes the radius,  " : "") +
+           "Ctrl snaps,  Shift slows;  Esc or right button cancels";
   if (w.time_view.hovered)
-    return "Drag the ruler to change frames,  a key to move it,  elsewhere to select;  wheel zooms,  middle "
-           "drag pans";
+    return "Drag the ruler to change the frame,  keys to move them,  elsewhere to select;  wheel zooms,  "
+           "middle drag pans";
   if (w.interaction.grab) return "Move the pointer into the view to start;  Esc cancels";
   if (w.interaction.placing_pivot)
     return "Click a vertex, an edge or the model to place the pivot;  Esc cancels";
@@ -70,7 +69,7 @@ std::string mouse_text(const workspace::Workspace& w) {
   if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
   if (w.interaction.handle && rotates_posed_cage(w))
     return interact::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  can slightly change the model's shape: orbit the camera to see another side";
+           ":  drag;  rotating a posed cage changes the model's shape slightly: orbit the camera instead";
   if (w.interaction.handle)
     return interact::handle_name(w.tool, *w.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";

@@ -145,7 +145,7 @@ Palette palette(bool dark) {
   return p;
 }
 
-// Okabe and Ito's palette, softened; distinguishable for colour-blind readers.
+// Softened colours of the palette of Okabe and Ito, which colour-blind people can distinguish.
 ImU32 stage_color(workspace::Link stage) {
   static constexpr std::array<unsigned, workspace::link_count> colors = {
       0x8c9bb0, 0x6a7f9c, 0x4a90c2, 0xe69f3c, 0x3fb09a, 0x6fc3df,

@@ -81,7 +81,6 @@ void icon_button(const Context& ui, const char* name, void (*draw)(const Pen&, b
   draw({*ImGui::GetWindowDrawList(), {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, color, icon}, on);
 }
 
-// An integer field with a label.
 std::optional<int> frame_field(const Context& ui, const char* label, const char* name, double value,
                                float width, const char* what) {
   if (*label) {
@@ -98,13 +97,13 @@ std::optional<int> frame_field(const Context& ui, const char* label, const char*
 void frame_shown(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   const double shown = std::round(w.document.frame * 10) / 10;
-  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame")) {
+  if (const auto frame = frame_field(ui, "Frame", "time/frame", shown, 64, "Current frame.")) {
     workspace::stop_playing(w);
     workspace::go_to_frame(w, *frame);
   }
 }
 
-// A part of a row; if it does not fit it goes to the menu at the end.
+// A part of a row. If it does not fit, the menu at the end of the row contains it.
 struct ToolPiece {
   float width, gap;
   std::function<void()> draw;
@@ -125,7 +124,7 @@ std::size_t fitting_pieces(std::span<const ToolPiece> pieces, float room) {
   return count;
 }
 
-// The parts that do not fit, in a menu.
+// A menu of the parts that do not fit.
 void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece> others) {
   if (button(ui, (std::string("##") + name).c_str(), name, "More timeline settings.",
              {more_width, bar_height}))
@@ -140,7 +139,7 @@ void more_pieces(const Context& ui, const char* name, std::span<const ToolPiece>
   ImGui::EndPopup();
 }
 
-// Appends to the row, up to `right`.
+// Adds the parts to the current row, up to x = `right`.
 void row_of_pieces(const Context& ui, const char* menu, std::span<const ToolPiece> pieces, float right) {
   const float room = right - ImGui::GetItemRectMax().x;
   std::size_t count = fitting_pieces(pieces, room);
@@ -172,13 +171,14 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-// The two kinds of blending, side by side.
+// Two buttons to choose the interpolation.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const workspace::Command& command = *workspace::find_command("toggle_straight");
   const char* labels[] = {"Log space", "Linear"};
-  const char* hints[] = {"Interpolate maps between poses in log space: halfway to 180 degrees is 90 degrees.",
-                         "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
+  const char* hints[] = {
+      "Interpolate rotation and stretch between poses: halfway to 180 degrees is 90 degrees.",
+      "Interpolate vertex positions linearly between poses. Rotating parts shrink."};
   ImGui::BeginDisabled(!command.enabled(ui.workspace));
   for (int i = 0; i < 2; ++i) {
     if (i > 0) ImGui::SameLine(0, 2);

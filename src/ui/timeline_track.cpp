@@ -67,7 +67,7 @@ void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bo
   const float x = t.x_of(key.frame), y = t.key_y(), r = key_radius;
   const ImU32 color = is_selected(t.ui.workspace, key.frame) ? t.ui.colors.highlight : t.ui.colors.accent;
   if (next) {
-    // A line between two keys if the pose changes, none for `hold`.
+    // The line to the next key is thin for the easing `hold`.
     const auto& keys = t.ui.workspace.document.timeline.keys;
     const auto after = std::ranges::upper_bound(keys, key.frame, {}, &document::PoseKey::frame);
     const ImU32 way = faded(t.ui.colors.accent, key.easing == document::Easing::hold ? 0.15f : 0.5f);
@@ -129,7 +129,7 @@ void press(const Track& t, ImVec2 mouse) {
   workspace::press_keys(w, frame, key_near(t, mouse), ImGui::GetIO().KeyShift || ImGui::GetIO().KeyCtrl);
 }
 
-// A drag uses the frame window at the press.
+// A pan uses the visible frames at the start of the drag.
 void follow_mouse(const Track& t) {
   workspace::Workspace& w = t.ui.workspace;
   const auto& drag = w.time_view.drag;
@@ -189,7 +189,7 @@ void way_in(const Track& t, ImDrawList& draw) {
           ? "Pose the model and press I to set a key. Go to another frame, pose and press I again."
           : "Open a cage, add probes or import shapes to set keys.";
   const char* brief =
-      w.document.is_movable() ? "Pose the model and press I to set a key." : "Nothing to key yet.";
+      w.document.is_movable() ? "Pose the model and press I to set a key." : "No pose to key yet.";
   if (ImGui::CalcTextSize(text).x > t.high.x - t.low.x) text = brief;
   const ImVec2 size = ImGui::CalcTextSize(text);
   draw.AddText({0.5f * (t.low.x + t.high.x - size.x), t.key_y() - 0.5f * size.y}, t.ui.colors.faint, text);

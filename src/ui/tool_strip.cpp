@@ -26,7 +26,6 @@ void head(const Pen& pen, float x, float y, float dx, float dy) {
                              pen.at(x - 0.45f * dx + 0.35f * dy, y - 0.45f * dy - 0.35f * dx), pen.color);
 }
 
-// A closed line.
 template <std::size_t n>
 void outline(const Pen& pen, const float (&corners)[n][2]) {
   for (std::size_t i = 0; i < n; ++i)
@@ -107,7 +106,7 @@ void more_icon(const Pen& pen) {
 struct StripTool {
   const char* command;
   void (*icon)(const Pen&);
-  bool apart;  // separated from the previous one
+  bool apart;  // separated from the previous tool
 };
 constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
@@ -121,7 +120,7 @@ float top_of(std::size_t index) {
   return y;
 }
 
-// The number of tools that fit, next to a button for the others if there are more.
+// The number of tools that fit. If some do not fit, a button for the others must fit too.
 std::size_t fitting_tools(float height) {
   const auto fits = [&](std::size_t slots) {
     return top_of(slots - 1) + tool_size + 2 * strip_top <= height;
@@ -136,7 +135,7 @@ bool is_on(const Context& ui, const StripTool& entry) {
   return workspace::find_command(entry.command)->on(ui.workspace);
 }
 
-// Returns true if clicked.
+// Returns true if the card was clicked.
 bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled,
                bool on) {
   ImGui::SetCursorScreenPos(at);
@@ -168,7 +167,7 @@ void tool(const Context& ui, const StripTool& entry, ImVec2 at) {
   hint(std::string(command.label) + ".  " + hint_of(ui, command));
 }
 
-// The tools that do not fit, in a menu.
+// A menu of the tools that do not fit.
 void more_tools(const Context& ui, std::span<const StripTool> others, ImVec2 at) {
   const bool on = std::ranges::any_of(others, [&](const StripTool& t) { return is_on(ui, t); });
   if (tool_card(ui, "more", more_icon, at, true, on)) ImGui::OpenPopup("More tools");

@@ -10,8 +10,6 @@
 
 namespace viete::ui {
 
-// The axis widget at the top right of the view.
-
 namespace {
 
 const char* letter_of(const interact::AxisBall& ball) {
@@ -54,7 +52,7 @@ void axis_overlay(const Context& ui) {
 
 namespace {
 
-// Approximately the brush's radius on the model.
+// Draws a ring with approximately the brush's radius on the model.
 void brush_ring(const Context& ui, const workspace::Workspace& w) {
   const auto center = interact::Projector(w.document.space, w.camera, w.viewport)(*w.interaction.brush);
   if (!center) return;
@@ -63,7 +61,7 @@ void brush_ring(const Context& ui, const workspace::Workspace& w) {
   painter.disc(glm::vec2(*center), 2, ui.colors.text, 0.9f);
 }
 
-// False if it does not fit.
+// Draws a centered line. Returns false if the line does not fit.
 bool centered(const Context& ui, float y, const std::string& line, ImU32 color) {
   const char* const text = line.c_str();
   const auto& v = ui.workspace.viewport;
@@ -98,7 +96,7 @@ void hints(const Context& ui) {
   }
 }
 
-// An empty view shows how to get the model back.
+// Shows how to get the panels back.
 void restore_hint(const Context& ui) {
   const workspace::Command& command = *workspace::find_command("toggle_panels");
   const auto& v = ui.workspace.viewport;
@@ -117,13 +115,12 @@ void view_overlay(const Context& ui) {
   if (w.binding.running || w.loading.running || w.making_cage.running)
     return;  // their progress bar is displayed
   if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
-  const bool room =  // reserved for the legend, the brush, or the next step
+  const bool room =  // false if the legend, the brush or the next step needs the place
       workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
   if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
 }
 
-// Marks on the cage where the mesh may fold.
-
+// Marks edges of the cage where the model may fold.
 void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (!w.view.cage || !w.document.has_cage()) return;

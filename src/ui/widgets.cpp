@@ -22,7 +22,7 @@ const workspace::Command& require(std::string_view name) {
   return *command;
 }
 
-// Five digits, or as many as fit.
+// Prints five digits, or fewer if five do not fit.
 std::string printed(double value, float room) {
   char text[64];
   for (int digits = 5; digits > 1; --digits) {
@@ -40,8 +40,7 @@ int filter_number(ImGuiInputTextCallbackData* data) {
   return known ? 0 : 1;
 }
 
-// The text of a field in the last frame: ImGui versions differ in whether they report it after another widget
-// takes the focus.
+// The text of a field in the last frame. Some versions of ImGui lose it when another widget gets the focus.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
   const auto typed = ui.workspace.typed.find(name);
   if (typed == ui.workspace.typed.end()) return otherwise;
@@ -201,7 +200,7 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// Panels behind a dialog (titled or modal) show no tooltips, which would cover it.
+// True for panels behind a titled or modal dialog. They show no tooltips, which would cover the dialog.
 bool is_behind_dialog() {
   const ImGuiContext& g = *GImGui;
   const ImGuiWindow* own = g.CurrentWindow->RootWindow;
@@ -244,7 +243,7 @@ bool take_escape(workspace::Workspace& w) {
 
 void hint(const std::string& text) {
   if (!wants_hint()) return;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // also for windows without padding
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12, 8});  // some windows have no padding
   ImGui::BeginTooltip();
   ImGui::TextUnformatted(wrapped(text, 268).c_str());
   ImGui::EndTooltip();
@@ -378,7 +377,7 @@ namespace {
 
 constexpr int frames_to_focus = 4;
 
-// It gets the keyboard focus after the mouse button is released.
+// The field that replaces a slider. It gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
   workspace::TypedSlider& typing = ui.workspace.typed_slider;
   typing.frame = ImGui::GetFrameCount();
@@ -406,7 +405,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
     const bool twice = ImGui::IsMouseDoubleClicked(0);
     if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
       ImGui::ClearActiveID();
-      if (twice) workspace::cancel_widget_edit(ui.workspace);  // the first click has moved it
+      if (twice) workspace::cancel_widget_edit(ui.workspace);  // the first click has moved the slider
       ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
       slid.moved = false;
     }
@@ -472,7 +471,7 @@ std::optional<std::size_t> recent_list(const Context& ui) {
     if (ImGui::Selectable((name + "##recent" + std::to_string(i)).c_str())) clicked = i;
     record(ui, "recent/" + std::to_string(i));
     hint("Open " + place_of(recent[i]));
-    // The folder, since many files have the same name.
+    // Show the folder too, because many files have the same name.
     const std::string folder = recent[i].file.parent_path().filename().string();
     text_right(ui, right, shortened(folder, width - ImGui::CalcTextSize(name.c_str()).x - 16),
                ui.colors.faint, y);
@@ -490,7 +489,7 @@ void open_recent(workspace::Workspace& w, std::size_t index) {
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {
-  ImGui::PushTextWrapPos(0);  // for longer words
+  ImGui::PushTextWrapPos(0);  // for words that are longer than a line
   text_in(color ? color : ui.colors.faint, wrapped(text, ImGui::GetContentRegionAvail().x));
   ImGui::PopTextWrapPos();
 }

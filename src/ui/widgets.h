@@ -1,4 +1,4 @@
-// ImGui widgets of the panels: named for tests, with hints, and with a reason when disabled.
+// Widgets of the panels, with names for tests, and with tooltips that explain why a widget is disabled.
 #pragma once
 
 #include <functional>
@@ -12,18 +12,18 @@
 
 namespace viete::ui {
 
-/// Fixed position, sized to its content, without keyboard input.
+/// Windows at a fixed position without decoration.
 inline constexpr ImGuiWindowFlags fixed_flags =
     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
 inline constexpr ImGuiWindowFlags sized_flags = fixed_flags | ImGuiWindowFlags_AlwaysAutoResize;
 inline constexpr ImGuiWindowFlags card_flags =
     sized_flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
-/// With a title and a close button.
+/// Windows with a title and a close button.
 inline constexpr ImGuiWindowFlags dialog_flags = ImGuiWindowFlags_NoCollapse |
                                                  ImGuiWindowFlags_NoSavedSettings |
                                                  ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove;
 
-/// Without keyboard input or focus.
+/// Windows without keyboard focus.
 inline constexpr ImGuiWindowFlags passive_flags =
     fixed_flags | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav;
 
@@ -32,7 +32,7 @@ class Window {
 public:
   struct Place {
     ImVec2 at;
-    ImVec2 pivot{0.5f, 0.5f};  ///< anchor point in the window: {0, 0} is its corner
+    ImVec2 pivot{0.5f, 0.5f};  ///< the point of the window at `at`: {0, 0} is its upper left corner
     ImVec2 size{0, 0};         ///< 0: determined by the flags
     float rounding = 8;
     ImVec2 padding{-1, -1};  ///< -1: the default
@@ -44,130 +44,123 @@ public:
   Window& operator=(const Window&) = delete;
 };
 
-/// The view's horizontal middle at height y; and the view's center.
+/// The point at height y in the horizontal middle of the view.
 ImVec2 middle_at(const Context& ui, float y);
 ImVec2 middle_of_view(const Context& ui);
 
-/// Coloured text up to the end of its line.
 void text_in(ImU32 color, const std::string& text);
 /// A label before an item at this distance from the left.
 void row_label(const char* text, float distance);
-/// The value of a slider, next to it, right aligned at `right`.
+/// Text beside a slider, right aligned at `right`.
 void value_beside(float right, const std::string& value);
 void progress_bar(const Context& ui, float width, double done);
-/// A search field for commands, focused when it appears.
+/// A search field for commands, with keyboard focus when it appears.
 void search_field(const Context& ui, const char* name, std::string& typed, bool& appearing);
 
 /// Records the last item's rectangle under `name` if there is a recorder.
 void record(const Context& ui, const std::string& name, bool enabled = true);
 
-/// A button with its name for tests and its tooltip; true if clicked.
+/// A button with a name for tests and a tooltip. Returns true if clicked.
 bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
             ImVec2 size = {0, 0}, bool enabled = true);
 void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip);
-/// A list to choose from: its tooltip while it is closed. If true, entries and ImGui::EndCombo() follow.
+/// Begins a drop-down list. If it returns true, add entries and call ImGui::EndCombo(). The tooltip is shown
+/// while the list is closed.
 bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip);
 bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
                 std::string_view tip);
-/// The background of a large button, from its rectangle; accented while it is active.
+/// The background of a large button.
 void card(const Context& ui, ImVec2 low, ImVec2 high, bool active);
 
 /// The title of a section that cannot be collapsed.
 void heading(const Context& ui, const char* title);
-/// A collapsible section; true when open. Needs no end call.
+/// A collapsible section. Returns true if it is open. Needs no end call.
 bool section(const Context& ui, const char* title, bool open_at_first = true);
-/// A short dim text at the right of the section's header, visible while it is closed too.
+/// A short text at the right of the section's header.
 void section_note(const Context& ui, const std::string& text, ImU32 color = 0);
 
-/// A button that runs a command: its label, its hint and key as tooltip, disabled like the command.
+/// A button that runs a command. The tooltip shows the command's hint and key.
 void command_button(const Context& ui, std::string_view command, float width = 0);
-/// Several command buttons in a row of equal widths.
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
-/// As command_row(), with the active one marked.
+/// Like command_row(), with the button `chosen` marked.
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
-/// A checkbox that runs a toggling command; without `value` the command provides the state.
+/// A checkbox that runs a toggling command. Shows `value`, or without it the state of the command.
 void command_toggle(const Context& ui, std::string_view command, std::optional<bool> value = {});
 
-/// The command's action, its key, and why it is disabled.
+/// The command's hint and key, and the reason if the command is disabled.
 std::string hint_of(const Context& ui, const workspace::Command& command);
 
 ImU32 severity_color(const Context& ui, workspace::Severity severity);
 /// "Error: ...  (3 times)".
 std::string message_text(const workspace::Message& message);
 
-/// The method's label on its button.
 std::string method_label(workspace::Method method);
-/// The measurements of the running method; null if it is unused, or at rest, where there is nothing to
-/// measure.
+/// The measurements of the current method; null at rest, or if the deformer uses no exponential.
 const workspace::MethodSample* running_sample(const workspace::Workspace& workspace);
 
-/// "label ........ value" on one line, the value right-aligned in tabular figures.
+/// A line with a label on the left and a value on the right.
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color = 0);
-/// A wrapped line in a dim colour.
+/// Wrapped text in a dim colour, or in `color`.
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
-/// A note with a fixed height in lines, so that items below do not move.
+/// Like note(), with a height of at least this number of lines, so that items below do not move.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
-/// Wraps the text to lines of at most this width, at spaces only: ImGui would break "3.7e-16" at its point. A
-/// longer word gets its own line.
+/// Breaks the text at spaces into lines of at most this width. A longer word gets its own line. ImGui would
+/// also break "3.7e-16" at its point.
 std::string wrapped(const std::string& text, float width);
 /// Truncates a text to the width, with "..." at the end.
 std::string shortened(std::string text, float width);
 /// A wrapped tooltip for the last item.
 void hint(const std::string& text);
-/// True if the last item needs a tooltip: the mouse rests on it, no button is pressed, and no other is shown.
+/// True if the last item needs a tooltip: the item is hovered but not pressed, and no other tooltip is shown.
 bool wants_hint();
 
-/// Call before other uses of Esc in a frame: closes a popup, or cancels the active widget and restores its
-/// value. True if it did either.
+/// If Esc is pressed, closes the open popup, or cancels the active widget and restores its value. Returns
+/// true if it did so. Call it before other uses of Esc in a frame.
 bool take_escape(workspace::Workspace& workspace);
 
-/// A number field with a decimal point or comma: shows `value`, and returns the typed number when it loses
-/// the focus by Enter or a click elsewhere; nullopt while editing, after Esc, and if no digit changed.
-/// Invalid numbers are reported as messages.
+/// A field that shows `value`. Returns the typed number when the field loses the focus by Enter or a click
+/// elsewhere; nullopt during editing, after Esc, and if the text is unchanged. The decimal sign is a point or
+/// a comma. A message reports an invalid number.
 std::optional<double> number_field(const Context& ui, const std::string& name, double value, float width = 0,
                                    const char* tip = "", bool enabled = true);
 
-/// The user's change of a slider.
 struct Slid {
   bool moved = false;
-  std::optional<double> typed{};  ///< within its range
+  std::optional<double> typed{};  ///< clamped to the slider's range
 };
-/// A slider for `value`, from `least` to `most`, with text entry: a double click or Ctrl+click turns it into
-/// a field until it loses the focus. `draw` draws it and returns true if it was moved.
+/// A slider for `value`, from `least` to `most`. A double click or Ctrl+click turns it into a number field.
+/// `draw` must draw the slider and return true if it was moved.
 Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
             const std::function<bool()>& draw, bool enabled = true);
-/// The usual slider: its range, its text and flags of ImGui, its tooltip, and how values are rounded.
 struct SliderLook {
   double least, most;
-  const char* format = "";
+  const char* format = "";  ///< text on the slider, as for printf
   const char* tip = "";
   bool logarithmic = false;
-  double (*rounded)(double) = nullptr;
+  double (*rounded)(double) = nullptr;  ///< null: no rounding
   bool enabled = true;
 };
-/// Returns the value that it was moved to, or that was typed.
+/// A slider. Returns the new value if the user moved the slider or typed a number.
 std::optional<double> slider(const Context& ui, const std::string& name, double value, const SliderLook& look,
                              float width = -1);
-/// As above, after a label and before the value as text.
+/// A row of a label, a slider as above, and the text `shown`.
 std::optional<double> slider_row(const Context& ui, const char* label, float distance,
                                  const std::string& name, double value, const std::string& shown,
                                  const SliderLook& look);
-/// True while a number is being typed into a slider.
 bool types_into_slider(const workspace::Workspace& workspace);
 
-/// A text field for a name, at most 199 bytes: returns the text when the field loses the focus; nullopt while
-/// editing, and after Esc.
+/// A text field for a name of at most 199 bytes. Returns the text when the field loses the focus; nullopt
+/// during editing and after Esc.
 std::optional<std::string> name_field(const Context& ui, const std::string& id, const std::string& name,
                                       float width, const char* what);
 
-/// The newest four recent files, one per line; returns the clicked one.
+/// Lists the newest four recent files. Returns the index of the clicked file.
 std::optional<std::size_t> recent_list(const Context& ui);
 /// "FILE  in  CAGE".
 std::string place_of(const workspace::RecentFile& recent);
-/// Opens it with its cage.
 void open_recent(workspace::Workspace& workspace, std::size_t index);
 
-/// Text in the numbers font, right aligned at x, on the next line or the line at y = line.
+/// Text in the font for numbers, right aligned at x. The line is the current line, or begins at y = line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line);
 

@@ -25,10 +25,10 @@ void report(Workspace& w, const files::Opened& opened) {
   for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
-// After a change of the cage: reports lost sets and poses, and the file that contains them, if any.
+// Reports sets and poses that a change of the cage has removed, and the file that still contains them.
 void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.saved.session.filename().string();
-  const std::string where = in_file && !file.empty() ? "; " + file + " has them" : "";
+  const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
   const Concern concern{.scope = Scope::cage};
   if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
     w.messages.warn("Selection sets of the previous cage were removed: " + sets + where, concern);
@@ -64,7 +64,7 @@ void take_view(Workspace& w, const files::Session& session) {
   w.view.hints = hints && session.view.hints;
 }
 
-// Resets pivots and planes, which are meaningless for another model.
+// Resets the placed pivot and the mirror, because they are meaningless for another model.
 void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   if (opened.session) {
     w.handling = opened.session->handling;
@@ -75,7 +75,7 @@ void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   }
 }
 
-// Applies loaded poses as an edit. Returns false if there are none.
+// Adds opened poses, shapes or keys to the document as one edit. Returns false if there are none.
 bool take_poses(Workspace& w, files::Opened& opened) {
   const std::string name = opened.file.filename().string();
   const auto add = [&](const auto& put, const std::string& done) {
@@ -89,7 +89,7 @@ bool take_poses(Workspace& w, files::Opened& opened) {
   };
   if (!opened.poses.empty())
     return add([&] { add_poses(w.document, std::move(opened.poses)); },
-               base::counted(opened.poses.size(), "pose") + " of " + name + ".");
+               base::counted(opened.poses.size(), "pose") + " from " + name + ".");
   if (!opened.shapes.empty())
     return add([&] { add_shapes(w.document, std::move(opened.shapes)); },
                base::counted(opened.shapes.size(), "shape") + " to the poses.");
@@ -97,7 +97,7 @@ bool take_poses(Workspace& w, files::Opened& opened) {
   const std::size_t count = opened.keys.size(), before = w.document.timeline.keys.size();
   files::put_keys(w.document, std::move(opened.keys), "Import animation");
   show_timeline(w);
-  w.messages.info("Imported " + base::counted(count, "key") + " of " + name +
+  w.messages.info("Imported " + base::counted(count, "key") + " from " + name +
                   (before > 0 ? "; undo restores the previous " + std::to_string(before) + "." : "."));
   return true;
 }
@@ -108,7 +108,7 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
   if (was_saved) mark_pose_saved(w);  // the file contains it
 }
 
-// Flat data is seen from the front without perspective.
+// Shows flat models from the front without perspective.
 void frame_first(Workspace& w) {
   const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
   const bool z_up = w.camera.pose().up == document::UpAxis::z;
@@ -164,9 +164,8 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   } else {
     mark_saved(w);
     if (opened.session)
-      w.saved.state.scheme = opened.session->scheme;  // with settings from the request: unsaved
-    if (!opened.session)
-      w.saved.state.mask = nullptr, w.saved.state.probes = {};  // for another cage: in no file
+      w.saved.state.scheme = opened.session->scheme;  // settings from the request are unsaved
+    if (!opened.session) w.saved.state.mask = nullptr, w.saved.state.probes = {};  // no file contains them
     w.preferences.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                               : RecentFile{w.saved.session, {}});
   }
@@ -175,7 +174,7 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
   if (same_model) return;
   w.camera.set_up(guessed_up(w.document.model));
-  frame_first(w);  // as after the first opening
+  frame_first(w);
   frame_all(w, false);
 }
 

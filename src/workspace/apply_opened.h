@@ -6,11 +6,10 @@
 
 namespace viete::workspace {
 
-/// Applies the result and reports its warnings as messages. The example is played, and Save asks for a name.
+/// Shows the opened document, and its warnings as messages. Plays the example animation.
 void apply_opened(Workspace& workspace, files::Opened&& opened);
 
-/// Reads and applies in the foreground. On failure nothing changes and a message gives the reason. Returns
-/// success.
+/// Reads the files and calls apply_opened(). On failure, shows the error, changes nothing and returns false.
 bool open_now(Workspace& workspace, const files::OpenRequest& request);
 
 }  // namespace viete::workspace

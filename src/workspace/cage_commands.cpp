@@ -32,13 +32,13 @@ constexpr Concern of_cage{.scope = Scope::cage};
 void enclose_and_say(Workspace& w) {
   const std::size_t left = enclose_model(w.document);
   if (left == 0) return w.messages.info("The cage encloses the model.", of_cage);
-  w.messages.warn(counted(document::ElementKind::vertex, left) +
-                      " of the model still outside the cage; move the cage outward there or make a new cage",
+  w.messages.warn(counted(document::ElementKind::vertex, left) + " of the model " +
+                      (left == 1 ? "is" : "are") +
+                      " still outside the cage; move the cage outward there or make a new cage",
                   of_cage);
 }
 
-// Shows an error if the result would be no valid cage, without a change. `Change` takes the document, or the
-// workspace and a label.
+// Runs an edit of the cage. If the result would be an invalid cage, shows an error and changes nothing.
 template <auto Change>
 void change_cage(Workspace& w) {
   const document::CageGroups groups = w.document.groups;
@@ -69,20 +69,21 @@ void add_cage_commands(CommandTable& table) {
             "Make a cage with mirror symmetry. Cancel restores the previous cage.", lacks_pairs,
             make_symmetric_cage);
   table.add("finish_cage", {"Accept new cage", "Done"},
-            "Keep the new cage. A preview is first computed at full quality.", is_wishing,
+            "Keep the new cage. If it is a preview, it is computed at full quality first.", is_wishing,
             passing([](Workspace& w) { w.making.closing = true; }));
   table.add("cancel_cage", {"Cancel new cage", "Cancel"},
-            "Discard the new cage and restore the previous one.", is_making, passing([](Workspace& w) {
+            "Discard the new cage and restore the previous cage.", is_making, passing([](Workspace& w) {
               cancel_making(w.document, w.making);
               w.interaction.hovered.reset();
             }));
   table.add("hide_cage_offer", {"Dismiss cage suggestion", "Not now"},
-            "Close this suggestion. The panels Cage and Checks still offer it.", has_model,
+            "Close this suggestion. The sections Cage and Checks have the same commands.", has_model,
             passing([](Workspace& w) { w.offer_cage = false; }));
-  table.add("edit_cage", "Edit cage", "Edit the vertices and faces of the cage at rest. The pose follows.",
-            {Key::tab}, can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
-                                          return w.document.kept_pose.has_value();
-                                        }});
+  table.add("edit_cage", "Edit cage",
+            "Edit the vertices and faces of the cage at rest. The pose follows the edits.", {Key::tab},
+            can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
+                              return w.document.kept_pose.has_value();
+                            }});
   table.add("split_edges", {"Split edges", "Split"}, "Insert a vertex at the middle of each selected edge.",
             has_cage_selected, change_cage<document::split_selected>);
   table.add("cut_faces", {"Cut faces", "Cut"}, "Insert a vertex at the middle of each selected face.",
@@ -97,16 +98,16 @@ void add_cage_commands(CommandTable& table) {
             "faces leaves a hole.",
             {Key::delete_key}, has_cage_selected, change_cage<document::remove_selected>);
   table.add("subdivide_cage", {"Subdivide cage", "Subdivide"},
-            "Divide the faces of the cage into about four times as many.", can_edit_cage,
+            "Divide each face of the cage into about four smaller faces.", can_edit_cage,
             change_cage<document::subdivide_cage>);
   table.add("mirror_cage", {"Mirror cage", "Mirror"},
-            "Replace one half of the cage by the mirror image of the other. Keeps the selected half, "
-            "otherwise the one with larger coordinates.",
+            "Replace one half of the cage by the mirror image of the half with the selection, or of the half "
+            "with larger coordinates.",
             can_edit_cage, change_cage<document::mirror_cage>);
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<document::fit_cage>);
   table.add("show_outside", {"Show vertices outside the cage", "Show"},
-            "Highlight the vertices of the model outside the cage. Checks steps through them.", has_outside,
+            "Highlight the vertices of the model that are outside the cage.", has_outside,
             passing([](Workspace& w) { toggle_finding(w, *outside_finding(w.checks)); }));
   table.add("enclose_model", {"Enclose model", "Enclose"},
             "Move the cage outward where vertices of the model are outside.", can_edit_cage,
@@ -115,7 +116,7 @@ void add_cage_commands(CommandTable& table) {
 
 namespace {
 
-// Adds a command for each entry: deformers, or values of one part of them.
+// Adds a command for each deformer, each kind of weights or each blend.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)
@@ -142,16 +143,17 @@ void add_blend_commands(CommandTable& table) {
   add_table(table, deform::all_ways(), "Deformer");
   add_table(table, deform::all_weights(), "Weights");
   add_table(table, deform::all_blends(), "Blend");
-  table.add("toggle_stitched", {"Stitch model (ARAP)", "Stitched (ARAP)"},
-            "Solve for vertices whose triangles follow the blended maps (as rigid as possible). Preserves "
-            "details; frames take longer.",
-            without_drag<has_maps>,
-            {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
-             [](const Workspace& w) { return w.document.scheme.stitched(); }});
+  table.add(
+      "toggle_stitched", {"Preserve shape (ARAP)", "Preserve (ARAP)"},
+      "Solve for the whole mesh so that its triangles deform as rigidly as possible. Preserves details, "
+      "but frames take longer.",
+      without_drag<has_maps>,
+      {[](Workspace& w) { set_iterations(w.document, w.document.scheme.stitched() ? 0 : 1); },
+       [](const Workspace& w) { return w.document.scheme.stitched(); }});
   table.heading("Method");
-  table.add("toggle_same_path", "Staged engine for all methods (double)",
-            "Run Fast in stages and in double precision, like the other methods. Otherwise Fast takes one "
-            "pass in single precision.",
+  table.add("toggle_same_path", "Run Fast in stages (double)",
+            "Run the method Fast in stages and in double precision, like the other methods. When off, Fast "
+            "runs in one pass in single precision.",
             uses_method, switches(&document::ViewOptions::same_path));
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "

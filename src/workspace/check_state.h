@@ -9,19 +9,18 @@
 
 namespace viete::workspace {
 
-/// The findings about the open document, and the one shown.
 struct CheckState {
   bool running = false;
   double done = 0;  ///< in [0, 1]
   std::vector<document::Finding> findings;
   std::optional<std::size_t> shown;    ///< a finding highlighted in the view
-  std::optional<std::size_t> element;  ///< a single element of it; nullopt: all
+  std::optional<std::size_t> element;  ///< the only highlighted element of the finding; nullopt: all
   bool fresh = false;                  ///< the findings have not been displayed yet
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
     shown = finding, element = one, ++revision_;
   }
-  /// Increases when the findings or the shown one change.
+  /// Increases when the findings or the highlighted elements change.
   unsigned long revision() const { return revision_; }
 
 private:
@@ -31,10 +30,10 @@ private:
 /// Clears the findings, for example after a change of the cage.
 void forget_findings(CheckState& checks);
 
-/// The finding about model vertices outside the cage; nullopt: none.
+/// The index of the finding about model vertices outside the cage, if there is one.
 std::optional<std::size_t> outside_finding(const CheckState& checks);
 
-/// Replaces the findings; none is shown.
+/// Replaces the findings. Afterwards no finding is shown.
 void take_findings(CheckState& checks, std::vector<document::Finding> findings);
 
 /// Indices of the shown elements within the finding: at most `most`, evenly spread.

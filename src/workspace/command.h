@@ -14,14 +14,14 @@ namespace viete::workspace {
 
 struct Workspace;
 
-/// When a command can run, and the advice if it cannot.
+/// A condition for running a command, and the advice that is shown if the condition is false.
 struct Condition {
   bool (*holds)(const Workspace&);
   std::string_view otherwise;
   bool operator()(const Workspace& workspace) const { return holds(workspace); }
 };
 
-/// The name of a command: complete, and shorter for use under a headline.
+/// A command's label, and a shorter label for use under a heading.
 struct Label {
   Label(const char* words) : words(words), brief(words) {}
   Label(std::string words, std::string under_headline)
@@ -30,17 +30,16 @@ struct Label {
   std::string words, brief;
 };
 
-/// The action of a command.
 struct Effect {
   template <std::invocable<Workspace&> Run>
   Effect(Run run) : run(std::move(run)) {}
-  /// A toggle; is_on returns its state.
+  /// A toggle; is_on() returns its state.
   Effect(std::function<void(Workspace&)> run, std::function<bool(const Workspace&)> is_on)
       : run(std::move(run)), is_on(std::move(is_on)) {}
 
   std::function<void(Workspace&)> run;
   std::function<bool(const Workspace&)> is_on{};
-  bool passing = false;  ///< visible only while it can run (Cancel, Later)
+  bool passing = false;  ///< visible only while the command can run, such as Cancel
 };
 
 inline Effect passing(Effect effect) {
@@ -50,16 +49,16 @@ inline Effect passing(Effect effect) {
 
 struct Command : Effect {
   std::string name;   ///< stable, for keys and tests: "undo"
-  std::string label;  ///< "Look from the front"
-  std::string brief;  ///< "Front", under "Look from"
+  std::string label;  ///< "View from the front"
+  std::string brief;  ///< "Front", under "Viewpoint"
   std::string hint;   ///< one sentence: what it does
   Condition enabled;
   std::string_view group{};  ///< heading in the command reference
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};                          ///< shared submenu of the values of one choice
-  std::string (*subject)(const Workspace&) = nullptr;  ///< its current object: "Rotate" in "Undo Rotate"
+  std::string_view submenu{};                          ///< title of the submenu of a choice; empty: none
+  std::string (*subject)(const Workspace&) = nullptr;  ///< the current object: "Rotate" in "Undo Rotate"
 
-  /// "Undo Rotate"; `called` replaces the label.
+  /// The label with the current object: "Undo Rotate". `called` replaces the label.
   std::string label_now(const Workspace& workspace, std::string_view called) const;
   std::string label_now(const Workspace& workspace) const { return label_now(workspace, label); }
   bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }
@@ -79,7 +78,7 @@ struct Command : Effect {
   }
 };
 
-/// In the order of the command reference.
+/// All commands, in the order of the command reference.
 std::span<const Command> commands();
 
 /// nullptr if there is no command of that name.

@@ -1,4 +1,4 @@
-// Conditions of commands with the advice if they are not met; toggles of the view.
+// The conditions of commands, with the advice that is shown if they are false.
 #pragma once
 
 #include "document/edit.h"
@@ -9,7 +9,7 @@
 
 namespace viete::workspace {
 
-// A drag, a stroke or a brush is one edit, which other edits must not interrupt.
+// True during a drag, a mask stroke or a brush selection, which other edits must not interrupt.
 inline bool is_dragging(const Workspace& w) {
   const auto& time = w.time_view.drag;
   return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
@@ -26,7 +26,7 @@ inline constexpr Condition uses_method{[](const Workspace& w) { return w.documen
                                        "This blend uses no exponential; choose the blend Log space first."};
 inline constexpr Condition has_maps{
     [](const Workspace& w) { return w.document.scheme.has_maps(); },
-    "Not available for this deformer: its cage vertices only move and give no maps to follow."};
+    "Not available for this deformer: it uses the vertices of the cage, not its faces."};
 inline constexpr Condition has_model{[](const Workspace& w) { return w.document.model.surface != nullptr; },
                                      "Open a model first."};
 inline constexpr Condition has_cage{[](const Workspace& w) { return w.document.has_cage(); },
@@ -66,7 +66,7 @@ inline constexpr Condition has_selection_or_hover{
       return has_cage(w) && w.document.selection.kind() != document::ElementKind::probe &&
              (has_selection(w) || w.interaction.hovered);
     },
-    "Select or point at part of the cage first."};
+    "Select part of the cage first, or point at it."};
 inline constexpr Condition selects_of_cage{[](const Workspace& w) {
                                              return has_cage(w) && w.document.selection.kind() !=
                                                                        document::ElementKind::probe;
@@ -89,20 +89,20 @@ inline constexpr Condition can_make_cage{[](const Workspace& w) {
                                            return has_model(w) && !w.making.open && !w.loading.running &&
                                                   !is_dragging(w);
                                          },
-                                         "Open a model first and finish making the cage (Done)."};
+                                         "Open a model first. Finish a new cage with Done."};
 inline constexpr Condition lacks_pairs{
     [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
-    "Choose a mirror in the section Transform; the cage must have vertices without a mirror image."};
+    "Choose a mirror in Transform first. All vertices of the cage may have a mirror image already."};
 inline constexpr Condition can_edit_cage{
     [](const Workspace& w) { return has_cage(w) && !w.making.open && !is_dragging(w); },
-    "Open or make a cage first and finish making it (Done)."};
+    "Open or make a cage first. Finish a new cage with Done."};
 inline constexpr Condition is_editing{
     [](const Workspace& w) { return is_editing_cage(w.document) && !is_dragging(w); },
     "Start cage editing first (Tab)."};
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && w.document.selection.kind() != document::ElementKind::probe &&
-             has_selection(w) && !w.time_view.hovered;  // over the timeline the keys act on timeline keys
+             has_selection(w) && !w.time_view.hovered;  // over the timeline, Delete acts on its keys
     },
     "Start cage editing (Tab) and select part of the cage first."};
 inline constexpr Condition has_outside{
@@ -114,7 +114,7 @@ inline constexpr Condition is_wishing{[](const Workspace& w) { return w.making.o
                                       "The new cage is still being computed, or no cage is being made."};
 inline constexpr Condition has_cage_beside{
     [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
-    "The model's folder has no file that looks like its cage."};
+    "The model's folder contains no cage for the model."};
 inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
                                         "Nothing is being exported."};
 inline constexpr Condition is_reporting{[](const Workspace& w) { return w.reporting.running; },
@@ -144,7 +144,7 @@ inline constexpr Condition has_posed_selection{
     },
     "The selection is already at rest."};
 
-/// A toggle of the view, or of another part of the workspace.
+/// The effect of a command that toggles an option of the view, or of another part of the workspace.
 template <class Part = document::ViewOptions>
 Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
   return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },

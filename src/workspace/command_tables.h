@@ -1,4 +1,4 @@
-// The command tables, one per topic. A new command is one row; a choice is a row for each of its values.
+// The tables of commands, one per topic. A command is one row; a choice has a row for each of its values.
 #pragma once
 
 #include <algorithm>
@@ -16,13 +16,13 @@
 
 namespace viete::workspace {
 
-/// Rows in the order of the command reference.
+/// The rows are in the order of the command reference.
 class CommandTable {
 public:
-  /// For the rows that follow.
+  /// Sets the heading of the rows that follow.
   void heading(std::string_view group) { group_ = group; }
 
-  /// Returns the row for chained calls; valid until the next one is added.
+  /// Adds a row. The reference is valid until the next row is added.
   Command& add(std::string name, Label label, std::string hint, const Condition& enabled, Effect effect) {
     return add(std::move(name), std::move(label), std::move(hint), Shortcut{}, enabled, std::move(effect));
   }
@@ -31,7 +31,8 @@ public:
     return rows_.emplace_back(Command{std::move(effect), std::move(name), std::move(label.words),
                                       std::move(label.brief), std::move(hint), enabled, group_, shortcut});
   }
-  /// One of several exclusive values, in its own submenu; elsewhere the submenu's title precedes the label.
+  /// Adds a command for one value of a choice, in a submenu. Elsewhere the submenu's title precedes its
+  /// label.
   void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
               const Condition& enabled, Effect effect) {
     const std::string brief(label);
@@ -48,20 +49,20 @@ private:
 };
 
 void add_file_commands(CommandTable& table);
-void add_select_commands(CommandTable& table);  ///< and undo
+void add_select_commands(CommandTable& table);  ///< selection and undo
 void add_cage_commands(CommandTable& table);
-void add_tool_commands(CommandTable& table);  ///< and probes
+void add_tool_commands(CommandTable& table);  ///< tools and probes
 void add_blend_commands(CommandTable& table);
-void add_camera_commands(CommandTable& table);  ///< and bookmarks
-void add_view_commands(CommandTable& table);    ///< display options
+void add_camera_commands(CommandTable& table);
+void add_view_commands(CommandTable& table);  ///< display options
 void add_map_commands(CommandTable& table);
 void add_split_commands(CommandTable& table);
 void add_help_commands(CommandTable& table);
 void add_hand_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
-void add_animation_file_commands(CommandTable& table);  ///< files of both
+void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
 
-/// The prefix of the command names.
+/// The prefix of the names of commands that choose a value.
 template <class Value>
 constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, deform::Way>) return "way_";
@@ -79,7 +80,7 @@ constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, KeyPreset>) return "keys_";
 }
 
-/// "way_paper", "pivot_median": the name of the command that selects the value.
+/// The name of the command that chooses the value: "way_paper", "pivot_median".
 template <class Value>
 std::string choice_command_name(Value value) {
   std::string name = choice_prefix<Value>();
@@ -92,7 +93,7 @@ std::string choice_command_name(Value value) {
   return name;
 }
 
-/// Adds a row for each value; the command calls `choose` with it.
+/// Adds a command for each value. The command calls `choose` with the value.
 template <class Value>
 void add_choices(CommandTable& table, std::string_view headline, const Condition& enabled,
                  void (*choose)(Workspace&, Value)) {

@@ -135,8 +135,7 @@ void refresh(FileBrowser& browser) {
   const std::string name = browser.highlighted < before.size() ? before[browser.highlighted]->name : "";
   try {
     browser.entries = list(browser.folder, browser);
-  } catch (
-      const fs::filesystem_error&) {  // the folder is gone: keeps the list; entering it reports the error
+  } catch (const fs::filesystem_error&) {  // the folder was removed; keep the list
   }
   browser.changed = changed;
   if (name.empty()) return;
@@ -186,7 +185,7 @@ fs::path typed_path(const FileBrowser& browser) {
 
 namespace {
 
-// Formats of a single model get a placeholder for the frame number.
+// Adds a placeholder for the frame number to the name if the format stores a single model.
 fs::path animation_name(const fs::path& file) {
   if (files::is_animation_format(formats::extension_of(file)) || base::NumberedName::is_pattern(file))
     return file;
@@ -242,7 +241,7 @@ std::string format_of(const FileBrowser& browser) {
 
 bool refuse(FileBrowser& browser, const fs::path& asked, const std::string& problem) {
   if (asked.empty() || browser.asked != asked) return false;
-  const std::string place = asked.string() + ": ";  // the path is displayed above
+  const std::string place = asked.string() + ": ";  // the panel shows the path already
   browser.problem = problem.starts_with(place) ? problem.substr(place.size()) : problem;
   browser.appearing = !std::exchange(browser.open, true);
   browser.asked.clear();
@@ -254,7 +253,7 @@ void set_format(FileBrowser& browser, const std::string& extension) {
   browser.suggested = path.replace_extension(extension).filename().string();
   browser.path = path.string();
   browser.path = files::proposed_name(chosen_file(browser), browser.in_use).string();
-  browser.highlighted = FileBrowser::none;  // the name is being edited
+  browser.highlighted = FileBrowser::none;  // Enter must save under the changed name
   browser.problem.clear();
 }
 

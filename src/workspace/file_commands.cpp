@@ -12,20 +12,20 @@ namespace {
 using Purpose = FileBrowser::Purpose;
 namespace fs = std::filesystem;
 
-// The file of the cage, or else of the model.
+// The file of the cage, or of the model if the cage has no file.
 const fs::path& file_of_cage(const document::Document& document) {
   const bool in_file = document.has_cage() && !document.cage_file.path.empty();
   return in_file ? document.cage_file.path : document.model.path;
 }
 
-// In the folder of the related file.
+// Opens the browser in the folder of `file`.
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
   show(w.browser, purpose, there ? file.parent_path() : w.preferences.folder);
 }
 
-// The open file that this purpose may overwrite: its own source.
+// The open file that a file saved for this purpose may overwrite.
 std::string_view own_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::save_session: return document::the_session;
@@ -36,18 +36,17 @@ std::string_view own_of(Purpose purpose) {
 }
 
 void browse_for_model(Workspace& w) {
-  // The last chosen folder, else that of the open files.
   const fs::path& last = w.preferences.folder;
   show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
-// In the folder of the cage.
+// Opens the browser in the folder of the cage.
 template <Purpose For>
 void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// Proposes "cage_pose.obj" for "cage", in the folder of the session or else of the source file.
+// Proposes a name such as "cage_pose.obj", in the folder of the session or of `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
   show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
@@ -78,8 +77,7 @@ void browse_to_save_session(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.unopened->files.front();
-  const bool recovery =
-      w.unopened->what == files::OpenRequest::What::recovery;  // in the program's own folder
+  const bool recovery = w.unopened->what == files::OpenRequest::What::recovery;  // not in the user's folder
   recovery ? show(w.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 
@@ -90,14 +88,14 @@ void add_file_commands(CommandTable& table) {
   table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
             [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
   table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
-            "Open the file in the model's folder that looks like its cage.", has_cage_beside,
+            "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
             passing([](Workspace& w) {
               w.requests.open = files::OpenRequest{files::OpenRequest::What::cage, {w.document.cage_beside}};
             }));
   table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
   table.add("open_example", "Open example animation",
-            "Open the dragon with its poses and keys of a five-second loop, and play it.", has_example,
+            "Open the dragon with poses and a five-second animation, and play it.", has_example,
             [](Workspace& w) {
               w.requests.open = files::OpenRequest{files::OpenRequest::What::model, {w.example}};
             });
@@ -116,7 +114,7 @@ void add_file_commands(CommandTable& table) {
               browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
             });
   table.add("stop_work", {"Cancel current task", "Cancel"},
-            "Stop reading, making a cage or binding. Nothing changes.", {Key::escape}, is_working,
+            "Stop reading, making a cage or binding. The document stays as it is.", {Key::escape}, is_working,
             passing([](Workspace& w) { w.requests.stop_work = true; }));
   table.add("stop_export", {"Cancel export", "Cancel"},
             "Stop the export. Each file is either complete or unchanged.", is_exporting,
@@ -159,10 +157,10 @@ constexpr Condition can_export_animation{[](const Workspace& w) {
 void add_animation_file_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("import_poses", "Import poses",
-            "Add posed cages to the pose list from a file, its morph targets or a folder.", can_import,
-            browse_for<Purpose::poses>);
+            "Add posed cages to the pose list, from a file, from its morph targets or from a folder.",
+            can_import, browse_for<Purpose::poses>);
   table.add("import_shapes", "Import shapes",
-            "Add shapes of the model to the pose list from mesh files, numbered sequences, point caches "
+            "Add shapes of the model to the pose list, from mesh files, numbered sequences, point caches "
             "(PC2, MDD), morph targets (glTF) or a folder.",
             can_import_shapes,
             [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });

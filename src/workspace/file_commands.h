@@ -5,10 +5,10 @@
 
 namespace viete::workspace {
 
-/// Saves to the session's file, or opens the browser if it has none.
+/// Saves to the session's file, or opens the browser if there is none.
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
-/// Locates the file that a question asks for, in the session's folder. Requires `unopened`.
+/// Opens the browser in the session's folder to find a missing model or cage. `unopened` must be set.
 void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
 
 }  // namespace viete::workspace

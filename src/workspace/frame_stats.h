@@ -1,4 +1,4 @@
-// Timings of the last frames, and accuracy and speed of each method on their matrices.
+// Times of the last frames, and accuracy and speed of each method on the matrices of a frame.
 #pragma once
 
 #include <array>
@@ -18,14 +18,13 @@
 
 namespace viete::workspace {
 
-// Names used by panels.
 using analysis::compared_methods;
 using deform::Link;
 using deform::link_count;
 using deform::LinkTimes;
 using sym3::Method;
 
-/// One frame, in milliseconds of wall time.
+/// Wall times of one frame in milliseconds.
 struct FrameTimes {
   double when = 0;  ///< seconds on a monotonic clock
   Method method = Method::fast;
@@ -34,75 +33,73 @@ struct FrameTimes {
   double frame = 0;  ///< total, from input to the finished picture
 };
 
-/// Componentwise medians; other members are those of the last frame. `frames` must not be empty.
+/// The median of each time. Other members are from the last frame. `frames` must not be empty.
 FrameTimes median_of(std::span<const FrameTimes> frames);
 
-/// Medians for the timing panel: over frames deformed with the newest frame's method, and over later frames
-/// that only drew the model, as when the camera moves.
+/// Medians of frame times, separately for frames that deformed the model and for frames that only drew it.
 class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Componentwise medians over the last half second of frames of the newest one's type, deformed or only
-  /// drawn; nullopt before the first deformed frame. Updated at most four times a second for readability.
+  /// Medians over the last half second, over frames of the same kind and method as the newest frame. Nullopt
+  /// before the first deformed frame. Updated at most four times a second, so that numbers can be read.
   const std::optional<FrameTimes>& median() const { return median_; }
-  /// The median of deformed frames.
+  /// The medians over frames that deformed the model.
   const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }
   void clear() { *this = {}; }
 
 private:
   std::vector<FrameTimes> deforming_, drawing_;
   std::optional<FrameTimes> median_, deforming_median_;
-  double due_ = 0;  ///< seconds on the same clock
+  double due_ = 0;  // time of the next update, on the clock of FrameTimes::when
 };
 
 /// Results of one method on a sample of the frame's matrices.
 struct MethodSample {
   double ns_per_matrix = 0;  ///< CPU time
-  double worst_error =
-      0;  ///< largest relative Frobenius error against a 106-bit reference; NaN if a result was NaN
+  /// Largest relative Frobenius error against a 106-bit reference; NaN if a result was NaN.
+  double worst_error = 0;
   double median_error = 0;
 };
 
 /// Results of all methods on the same matrices; measured in the background, a few times a second.
 struct MethodStats {
   std::array<MethodSample, compared_methods.size()> samples{};
-  std::size_t matrices = 0;  ///< in the sample; 0 until the first measurement
+  std::size_t matrices = 0;  ///< size of the sample; 0 before the first measurement
 };
 
 /// Times of one deformation of the current pose with each method, in the order of compared_methods.
 struct MethodTimes {
   std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
-  bool measured = false;  ///< in the background; false: from frames only
+  bool measured = false;  ///< all methods were measured in the background; false: only those of frames
 };
 
-/// The field shown as colours on the mesh, as last computed; some fields are computed in the background.
+/// The last computed values of the map that colours the model.
 struct FieldView {
   analysis::FieldStats stats;
-  std::shared_ptr<const std::vector<float>> values;  ///< one of the kinds in stats; null: none
-  std::string problem{};  ///< why there are no values; empty: available, or being computed
-  /// Fixes the colour range.
-  bool holds_range = false;
+  std::shared_ptr<const std::vector<float>> values;  ///< one per vertex; null: none
+  std::string problem{};     ///< why there are no values; empty: available, or being computed
+  bool holds_range = false;  ///< the colour range is locked
 };
 
 /// The vertex inspector's data for a picked vertex.
 struct VertexView {
-  /// One element of the cage and its contribution.
+  /// The contribution of one element of the cage.
   struct Term {
     std::uint32_t element;
     double weight;
     mesh::Point at;                     ///< the element's center, file units
-    std::array<double, 3> eigenvalues;  ///< eigenvalues of the symmetric sum up to this term, ascending
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the sum up to this term, ascending
   };
-  /// The exponential of the whole sum by one method.
+  /// The result of one method for the exponential of the whole sum.
   struct Way {
     Method method;
-    std::string route;
-    double error;  ///< relative, against 106 bits
+    std::string route;  ///< the algorithm, in words
+    double error;       ///< relative, against a 106-bit reference
   };
 
   std::optional<std::uint32_t> vertex;  ///< the picked vertex
-  bool appearing = false;               ///< just picked: scroll to its section
+  bool appearing = false;               ///< the vertex was just picked: scroll to the inspector
   std::vector<Term> terms;              ///< by decreasing weight
   bool has_logs = false;                ///< false: weights only
   glm::dmat3 map{1};                    ///< map of the whole sum

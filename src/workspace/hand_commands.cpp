@@ -1,4 +1,4 @@
-// Commands for tools and handling.
+// Commands for tools, transforms and probes.
 #include <algorithm>
 #include <type_traits>
 
@@ -14,7 +14,7 @@ namespace viete::workspace {
 
 namespace {
 
-// The field for each kind of choice.
+// The setting that a value of this type chooses.
 template <class Value>
 Value& place(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::Pivot>) return h.pivot;
@@ -24,7 +24,7 @@ Value& place(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::SoftDistance>) return h.soft.distance;
 }
 
-// Reports a plane that does not fit the cage, without a change.
+// If the cage has no such plane of symmetry, shows a message and changes nothing.
 void choose(Workspace& w, document::MirrorPlane plane) {
   document::MirrorCache wanted;
   wanted.follow(w.document.cage, plane);
@@ -97,12 +97,12 @@ void add_hand_commands(CommandTable& table) {
             "Scale the selection with the pointer. Click to confirm, Esc to cancel.", can_grab,
             grab<interact::Tool::scale>);
   table.add("bend", {"Bend selection", "Bend"},
-            "Bend the selection from the pivot or joint to the active element or far end.", can_shape,
+            "Bend the selection between the pivot or joint and the active element or far end.", can_shape,
             grab<interact::Tool::select, interact::Shape::bend>);
   table.add("twist", {"Twist selection", "Twist"}, "Twist the selection between its ends by any angle.",
             can_shape, grab<interact::Tool::select, interact::Shape::twist>);
   table.add("taper", {"Taper selection", "Taper"},
-            "Scale the selection's cross sections increasingly towards its far end.", can_shape,
+            "Scale the cross sections of the selection, most at its far end.", can_shape,
             grab<interact::Tool::select, interact::Shape::taper>);
   table.add("smooth", {"Smooth selection", "Smooth"},
             "Move the selection towards the mean of its neighbours.", can_shape,
@@ -131,9 +131,10 @@ void add_hand_commands(CommandTable& table) {
   table.add("mirror_copy", {"Copy pose to other side", "Copy to other side"},
             "Copy the mirrored pose of the selection to the other side.", has_mirrored_selection,
             [](Workspace& w) { interact::copy_to_other_side(w.document, *mirror_of(w)); });
-  table.add("mirror_swap", {"Swap poses of sides", "Swap sides"},
-            "Exchange the poses of both sides of the selection, or of the whole cage.", has_mirror,
-            [](Workspace& w) { interact::swap_sides(w.document, *mirror_of(w)); });
+  table.add("mirror_swap", {"Swap poses of both sides", "Swap sides"},
+            "Exchange the mirrored poses of the selection and its other side. Without a selection, exchange "
+            "the sides of the whole cage.",
+            has_mirror, [](Workspace& w) { interact::swap_sides(w.document, *mirror_of(w)); });
   table.add("toggle_soft", {"Soft selection", "Soft selection"},
             "Move neighbours along with the selection, less with distance. The wheel changes the radius "
             "during a drag.",
@@ -156,7 +157,7 @@ Effect uses() {
   return {use, [](const Workspace& w) { return w.tool == Use; }};
 }
 
-// Adds at the model under the cursor, or at the view's center if there is none or a panel button was used.
+// Adds a probe or pin at the point of the model under the cursor. If there is none, uses the view's center.
 template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.middle();
@@ -190,39 +191,39 @@ void add_tool_commands(CommandTable& table) {
   table.heading("Tool");
   table.add("tool_select", {"Select tool", "Select"}, "Select elements and drag them without a gizmo.",
             {key('Q')}, always, uses<interact::Tool::select>());
-  table.add("tool_move", {"Move tool", "Move"}, "Move the selection with arrows and planes.", {key('W')},
+  table.add("tool_move", {"Move tool", "Move"}, "Show arrows and planes that move the selection.", {key('W')},
             always, uses<interact::Tool::move>());
-  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Rotate the selection about its pivot with rings.",
+  table.add("tool_rotate", {"Rotate tool", "Rotate"}, "Show rings that rotate the selection about its pivot.",
             {key('E')}, always, uses<interact::Tool::rotate>());
-  table.add("tool_scale", {"Scale tool", "Scale"}, "Scale the selection about its pivot.", {key('R')}, always,
-            uses<interact::Tool::scale>());
+  table.add("tool_scale", {"Scale tool", "Scale"}, "Show handles that scale the selection about its pivot.",
+            {key('R')}, always, uses<interact::Tool::scale>());
   table.add("tool_paint", {"Paint tool", "Paint"},
             "Paint vertices of the model that stay at rest. Ctrl erases.", {key('D')}, is_movable,
             uses<interact::Tool::paint>());
   table.add("mask_clear", "Clear paint", "Clear the painted mask so that the whole model follows the cage.",
             without_drag<has_mask>, [](Workspace& w) { set_mask(w.document, nullptr, "clear mask"); });
-  table.add("mask_invert", "Invert paint",
-            "Invert the mask: painted vertices become unpainted, and the reverse.", without_drag<is_movable>,
+  table.add("mask_invert", "Invert paint", "Exchange painted and unpainted vertices.",
+            without_drag<is_movable>,
             [](Workspace& w) { set_mask(w.document, inverted(w.document), "invert mask"); });
   table.heading("Probes");
   table.add("add_probe", {"Add probe", "Add"},
-            "Add a probe on the model under the pointer: a frame that moves, rotates and stretches its "
-            "neighbourhood.",
+            "Add a probe at the point of the model under the pointer. A probe moves, rotates and stretches "
+            "the model near it.",
             {key('P')}, has_probe_room, add_in_view<document::add_probe>);
-  table.add("add_pin", {"Pin vertex", "Pin"},
-            "Pin the model's vertex under the pointer. Drag pins to pose the model from the listed shapes, "
-            "or as rigidly as possible without shapes.",
-            {key('P'), false, false, true}, has_probe_room, add_in_view<document::add_pin>);
+  table.add(
+      "add_pin", {"Pin vertex", "Pin"},
+      "Pin the vertex under the pointer. Drag pins to pose the model by the shapes in the pose list, or "
+      "as rigidly as possible.",
+      {key('P'), false, false, true}, has_probe_room, add_in_view<document::add_pin>);
   table.add("toggle_pulls", {"Make pins soft", "Soft pins"},
-            "Let the selected pins pull their vertices softly. Otherwise they fix them exactly.",
+            "Pull vertices softly towards the selected pins. When off, the vertices are exactly at the pins.",
             has_pins_selected,
             {[](Workspace& w) { set_pulls(w.document, !all_pull(w)); },
              [](const Workspace& w) { return has_pins_selected(w) && all_pull(w); }});
-  table.add(
-      "mirror_probe", {"Mirror probes", "Mirror"},
-      "Add mirrored copies of the selected probes on the other side, across the model's most symmetric axis.",
-      {key('P'), false, true}, has_probes_selected,
-      [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); });
+  table.add("mirror_probe", {"Mirror probes", "Mirror"},
+            "Add mirrored copies of the selected probes on the other side of the model's plane of symmetry.",
+            {key('P'), false, true}, has_probes_selected,
+            [](Workspace& w) { mirror_probes(w.document, symmetry_axis(w.document)); });
   table.add("remove_probe", {"Remove probes", "Remove"}, "Remove the selected probes. Locked probes stay.",
             {Key::delete_key, false, true}, has_free_probes_selected,
             [](Workspace& w) { remove_probes(w.document); });

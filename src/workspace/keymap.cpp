@@ -26,8 +26,7 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-// Keys that differ for Blender users. Keys whose Blender function is not available are unassigned: none of
-// them triggers an unrelated command, such as resetting the pose for a loop cut.
+// The keys for Blender users that differ from the usual keys.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"grab", plain('G'), {}},
     {"grab_rotate", plain('R'), {}},
@@ -60,12 +59,13 @@ constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"redo", {key('Z'), true, true}, {}},
     {"delete_keys", plain('X'), {Key::delete_key}},
 });
+// Commands without a key, because Blender uses the key for a function that Viete does not have.
 constexpr std::string_view blender_without[] = {
     "place_pivot", "reset_pose",   "restore_leftover", "open_pose",   "save_model",
     "tool_move",   "select_lasso", "method_diag",      "method_sd",   "method_improved_sd",
     "method_fast", "add_probe",    "mirror_probe",     "toggle_z_up", "toggle_full_screen"};
 
-// Keys that differ for Maya users, whose function keys set the element kind.
+// The keys for Maya users that differ from the usual keys.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"frame_all", plain('A'), {}},
     {"frame_selection", plain('F'), {}},
@@ -124,10 +124,10 @@ std::span<const Choice> choices(KeyPreset) {
   static constexpr Choice all[] = {
       {"viete", "Viete", "Q W E R choose tools, single letters switch the display."},
       {"blender", "Blender",
-       "G R S move, rotate and scale; B C A H select and hide; Tab edits the cage; T and N fold the "
-       "columns."},
+       "G R S move, rotate and scale; B C A H select and hide; Tab edits the cage; T and N hide columns."},
       {"maya", "Maya",
-       "Q W E R choose tools, F9 F10 F11 the element type; F and A frame; Alt+drag moves the camera."},
+       "Q W E R choose tools, F9 F10 F11 the element kind; F shows the selection; Alt+drag moves the "
+       "camera."},
       {"viewer", "Viewer", "Like Viete, but left drag on empty space orbits the view."}};
   return all;
 }
@@ -138,8 +138,7 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // Delete resets moved elements, or deletes the selection in cage editing, or keys over the timeline. Esc
-  // cancels any running work.
+  // Delete resets the selection. During cage editing it removes elements; over the timeline it deletes keys.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };

@@ -1,4 +1,4 @@
-// Keyboard shortcuts and the mouse button for orbiting: presets known from other programs, and user changes.
+// Keyboard shortcuts and mouse buttons: presets known from other programs, and the user's changes.
 #pragma once
 
 #include <map>
@@ -25,8 +25,7 @@ struct Shortcuts {
 /// "Ctrl+A, A".
 std::string text(const Shortcuts& keys);
 
-/// A key runs one command, except in cage editing, see shares_keys(). Assigning a key removes it from other
-/// commands.
+/// The keys of all commands. A key belongs to only one command, except for pairs with shares_keys().
 class Keymap {
 public:
   using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by command name
@@ -38,15 +37,14 @@ public:
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
-  /// Assigns this key only; Key::none: no key.
+  /// Assigns this key as the command's only key. Key::none removes all keys of the command.
   void change(std::string_view command, const Shortcut& shortcut);
-  /// Restores the preset's keys.
+  /// Restores the preset's keys of the command.
   void take_back(std::string_view command);
-  /// Replaces all changes.
   void put(Changes changes);
 
   Shortcuts of(const Command& command) const;
-  /// The commands that the key may run.
+  /// The commands that have this key.
   std::vector<const Command*> commands_of(const Shortcut& shortcut) const;
 
   /// The commands that lose the key if it is assigned to `command`.

@@ -23,7 +23,7 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
-// Commands without a menu of their own are in "Tools".
+// The title of the menu that contains the command.
 std::string_view title_of(const Command& command) {
   for (const Title& title : titles) {
     if (std::ranges::count(title.groups, command.group) > 0) return title.title;
@@ -49,7 +49,7 @@ std::string in_lower(std::string_view text) {
   return lower;
 }
 
-// Contains the letters in order, with others in between.
+// True if the text contains the letters in this order, possibly with other letters between them.
 bool has_letters(std::string_view text, std::string_view letters) {
   std::size_t at = 0;
   for (const char c : text) {

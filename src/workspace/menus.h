@@ -1,4 +1,4 @@
-// The commands sorted into menus, and the search among them.
+// The menus, and the search for commands.
 #pragma once
 
 #include <span>
@@ -14,11 +14,11 @@ struct Menu {
   std::vector<const Command*> items;  ///< in command order
 };
 
-/// In the order of the menu bar; every command is in one menu.
+/// The menus in the order of the menu bar. Every command is in one menu.
 std::span<const Menu> menus();
 
-/// Commands that match the typed text, best first: by the beginnings of words, then within words, then by
-/// letters in order. Without text, all except those visible only while they can run.
+/// The commands that match the typed text, best match first: at the beginning of a word, inside a word, then
+/// letters in this order. Without text, all commands. Omits disabled commands that are `passing`.
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed);
 
 }  // namespace viete::workspace

@@ -23,13 +23,13 @@ struct Message {
   int times = 1;  ///< consecutive repetitions
   std::string topic;
   Scope scope = Scope::program;
-  double said = 0;        ///< time of the last one, wall clock in seconds
+  double said = 0;        ///< time of the last repetition, wall clock in seconds
   unsigned revision = 0;  ///< revision of the list after this message
   bool visible = true;    ///< shown over the view; false: only in the message list
 };
 
-/// Keeps the last 200. A repetition of a visible message, or of the last one, increases its count. A message
-/// is visible for a limited time, an error until the same action succeeds or the user dismisses it.
+/// The last 200 messages. Repeating a visible message or the last message only increases its count. Infos and
+/// warnings are visible for a limited time, errors until the same action succeeds or the user dismisses them.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;
@@ -38,23 +38,23 @@ public:
   void info(std::string text, Concern concern = {}) { say(Severity::info, std::move(text), concern); }
   void warn(std::string text, Concern concern = {}) { say(Severity::warning, std::move(text), concern); }
   void error(std::string text, Concern concern = {}) { say(Severity::error, std::move(text), concern); }
-  /// Adds it to the message list only.
+  /// Adds a message that is visible only in the message list.
   void log(Severity severity, std::string text);
   void clear() { all_.clear(); }
 
   /// Hides errors of this topic.
   void succeeded(std::string_view topic);
-  /// After undo and redo: hides infos and warnings.
+  /// Hides infos and warnings, after undo and redo.
   void hide_messages();
   void dismiss(std::size_t index) { all_[index].visible = false; }
-  /// After a change of the model or the cage: removes messages about it up to this revision.
+  /// Removes messages about a changed model or cage, up to this revision.
   void forget(Scope scope, unsigned revision);
   /// True if the time of a visible message has ended.
   bool due(double now) const;
   void expire(double now);
 
   const std::vector<Message>& all() const { return all_; }
-  /// Increases with each message, also a repeated one.
+  /// Increases with each message, even if it is repeated.
   unsigned revision() const { return revision_; }
 
 private:

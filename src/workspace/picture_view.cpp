@@ -26,7 +26,7 @@ Corners corners_of(const mesh::Surface& surface, std::size_t polygon) {
   return Corners(surface.corners).subspan(first, end - first);
 }
 
-// The area vector: twice the area long.
+// The normal of a polygon in the view. The length is twice the area.
 Vec3 normal_of(const PictureView& view, Corners corners, std::span<const Point> at) {
   Vec3 sum{0, 0, 0};
   for (std::size_t i = 2; i < corners.size(); ++i) {

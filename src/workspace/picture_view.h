@@ -1,4 +1,4 @@
-// A small scene as flat shapes, sorted so that it can be drawn without a depth buffer.
+// A small picture of a model as flat shapes, sorted so that it can be drawn without a depth buffer.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -15,8 +15,8 @@ struct PictureShape {
   bool outlined = true;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
   float tone = 1;                   ///< brightness
-  std::vector<mesh::Triangle>
-      triangles{};  ///< triangulation by point index, if a fan about the last point does not work
+  /// Triangulation by point index, if a fan about the last point does not work.
+  std::vector<mesh::Triangle> triangles{};
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
 };
@@ -29,11 +29,11 @@ struct PictureAngles {
 /// An orthographic view along -z.
 class PictureView {
 public:
-  /// Points that the view is fitted to.
+  /// The points that must fit into the picture.
   struct Frame {
     std::span<const mesh::Point> points;
     glm::vec2 size;  ///< picture size
-    float margin;    ///< empty border around the points
+    float margin;    ///< width of the empty border
   };
   PictureView(const PictureAngles& angles, const Frame& frame);
 
@@ -51,7 +51,7 @@ private:
 /// The brightness of a face with this normal in view coordinates.
 float lightness(const mesh::Vec3& normal);
 
-/// All front-facing polygons of the model, lit, farthest first.
+/// The front-facing polygons of the model with their brightness, farthest first.
 std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
                                     std::span<const mesh::Point> at);
 

@@ -1,4 +1,4 @@
-// State of playback: see playing.h.
+// The state of playback, see playing.h.
 #pragma once
 
 #include <memory>
@@ -14,7 +14,6 @@ struct TimedPose {
   document::SharedPose pose{};
 };
 
-/// State of playback, and cached data of the animation.
 struct Playback {
   bool playing = false;
   bool backward = false;  ///< direction, for ping-pong
@@ -24,10 +23,10 @@ struct Playback {
   document::Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
-  mutable TimedPose by_time{};         ///< the last one computed
-  document::SharedPose shown{};        ///< the pose set by the timeline; null: set otherwise
-  unsigned long seen_revision = 0;     ///< revision of the history
-  document::Timeline seen_timeline{};  ///< at that revision
+  mutable TimedPose by_time{};         ///< the pose that was computed last
+  document::SharedPose shown{};        ///< the pose that the timeline has set; null: none
+  unsigned long seen_revision = 0;     ///< the last revision of the history that playback has handled
+  document::Timeline seen_timeline{};  ///< the timeline at that revision
 };
 
 }  // namespace viete::workspace

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* leave_label = "go to frame";
 
-// True if the document has that pose. Ignores locked probes.
+// True if the document has this pose. Ignores locked probes and pins.
 bool is_there(const Workspace& w, const document::WholePose& pose) {
   if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
   if (!document::same_shape(pose.shape, w.document.shape)) return false;
@@ -33,8 +33,7 @@ bool is_current(const Workspace& w) {
          w.playback.timeline == w.document.timeline;
 }
 
-// The pose of the keys at the document's frame. Requires an animation. Cached until frame or animation
-// change, since blending shapes is slow.
+// The pose of the keys at the document's frame, cached because blending shapes is slow.
 const document::WholePose& keyed_pose(const Workspace& w) {
   TimedPose& known = w.playback.by_time;
   if (known.animation != w.playback.animation || known.frame != w.document.frame)
@@ -47,7 +46,7 @@ bool is_shown(const Workspace& w) {
   return w.playback.shown && is_there(w, *w.playback.shown);
 }
 
-// Shows the document's frame without storing an unkeyed pose.
+// Goes to a frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.frame = frame;
   if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
@@ -77,11 +76,11 @@ void leave_for(Workspace& w, double frame) {
   see(w);
 }
 
-// An edit of the timeline changes the pose at this frame.
+// Handles edits since the last call: sets an automatic key, or shows the frame of an edited timeline.
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
-  const bool moves_keys = w.time_view.drag.has_value();  // dragging keys shows the result immediately
+  const bool moves_keys = w.time_view.drag.has_value();  // show dragged keys immediately
   if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);

@@ -9,54 +9,52 @@
 
 namespace viete::workspace {
 
-/// For the current timeline; null without keys, and while the cage itself is edited.
+/// The animation of the current timeline; null without keys, and during cage editing.
 std::shared_ptr<const document::Animation> animation_of(Workspace& workspace);
 
-/// True if the current pose differs from the timeline's at this frame, so that changing the frame would lose
-/// it.
+/// True if the current pose differs from the timeline's pose at this frame.
 bool has_unkeyed_pose(const Workspace& workspace);
 
-/// Shows the frame: pose, probes and camera keys. An unkeyed pose can be restored by undo and is stored in
-/// Timeline::unkeyed. Ends the mix. Ignored during a drag.
+/// Shows the pose, probes and camera of the keys at a frame. An unkeyed pose is stored in Timeline::unkeyed;
+/// undo restores it. Sets the weights of named poses to 0. Does nothing during a drag.
 void go_to_frame(Workspace& workspace, double frame);
-/// Goes to the next or previous frame with a key; wraps around.
+/// Goes to the next or previous frame with a key; continues at the other end.
 void go_to_key(Workspace& workspace, bool forward);
 
-/// The weight of each pose of the library in the current pose: of the mix, or of the keys at this frame.
+/// The weight of each named pose in the current pose, from the sliders or from the keys at this frame.
 std::vector<double> shown_weights(const Workspace& workspace);
 
-/// Runs an edit that replaces the pose. An unkeyed pose that equals no named pose is stored in
-/// Timeline::unkeyed.
+/// Runs an edit that replaces the pose. Stores the previous pose in Timeline::unkeyed if it is neither a key
+/// nor a named pose.
 void replace_pose(Workspace& workspace, const std::function<void()>& edit);
-/// Applies a pose of the library with replace_pose(). Stops playback.
+/// Stops playback and applies a named pose with replace_pose().
 void apply_pose(Workspace& workspace, std::size_t pose);
 
-/// Stops playback and runs the change; shows a message if it would exceed the drawable range.
+/// Stops playback and runs a change of weights. If it returns false, shows that the result is too large.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);
 
-/// For a newly opened document: adds the poses of Timeline::unkeyed to undo. With `show` the last of them is
-/// shown if the document's pose is one of its keys.
+/// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show`, and if the
+/// document's pose is that of its keys, shows the last of these poses.
 void add_unkeyed_to_undo(Workspace& workspace, bool show);
 
-/// Opens the timeline and fits all keys.
+/// Opens the timeline and makes all keys visible.
 void show_timeline(Workspace& workspace);
 
 void start_playing(Workspace& workspace);
-/// Ends on a whole frame.
+/// Stops playback at a whole frame.
 void stop_playing(Workspace& workspace);
 
-/// Call once per frame of the window, `seconds` after the last one: advances playback, sets keys for edits of
-/// the pose if auto-key is on, and shows edits of the timeline. An unkeyed edit of the pose stops playback,
-/// so that it stays visible.
+/// Advances playback by `seconds`, shows edits of the timeline, and with auto_key sets keys for edits of the
+/// pose. Call it once per frame of the window. An unkeyed edit stops playback, so that it stays visible.
 void follow_time(Workspace& workspace, double seconds);
 
-/// The pose of the keys or the mix, computed linearly if the document uses log space, and vice versa; null
-/// if neither is shown. May throw base::Error.
+/// The pose of the keys or weights, computed linearly if the document uses log space, and vice versa; null if
+/// the pose has another origin. May throw base::Error.
 document::SharedPose pose_by_other_blending(Workspace& workspace);
-/// True if keys or a mix exist: only then can linear and log space differ.
+/// True if there are keys or weights. Otherwise linear interpolation and log space are equal.
 bool has_blended_pose(const Workspace& workspace);
 
-/// Call once per frame, before the model is deformed: see PinPosing.
+/// Poses the model by its pins, see PinPosing. Call once per frame, before the model is deformed.
 void follow_pins(Workspace& workspace);
 
 }  // namespace viete::workspace

@@ -18,7 +18,7 @@ document::SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
 }
 
-// `small`: a small element is under the cursor, which has priority over a handle nearby.
+// If `small`, a vertex or probe is under the cursor, and a handle that is only near has no priority.
 std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::
   return handle || small ? handle : pick_handle(*gizmo, cursor, true);
 }
 
-// Edges and faces are large: one of them is almost always near a handle.
+// False for edges and faces, because one of them is almost always near a handle.
 bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) {
   const document::ElementKind kind = w.document.selection.kind();
   return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
@@ -56,7 +56,7 @@ mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
   return w.document.space.to_file(at.value_or(target));
 }
 
-// Positions on the way, at most `apart` pixels apart, so that fast strokes have no gaps; ends with `to`.
+// Positions from `from` (excluded) to `to`, at most `apart` pixels apart, so that fast strokes have no gaps.
 std::vector<glm::vec2> steps_between(const glm::vec2& from, const glm::vec2& to, float apart) {
   const int steps = std::max(1, static_cast<int>(std::ceil(glm::distance(from, to) / apart)));
   std::vector<glm::vec2> all;
@@ -74,7 +74,7 @@ void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Tria
   }
 }
 
-// With the drawn model and the cage's faces as occluders.
+// The model and the faces of the cage hide elements behind them.
 interact::Sight sight_of(const Workspace& w) {
   interact::Sight sight(w.camera, w.viewport);
   const interact::Projector project(w.document.space, w.camera, w.viewport);
@@ -88,7 +88,6 @@ interact::Sight sight_of(const Workspace& w) {
   if (w.document.has_cage()) {
     points.clear();
     for (const auto& p : w.document.pose.positions) points.push_back(project(p));
-    // Hidden faces do not occlude.
     const auto hidden = hidden_elements(w.document, document::ElementKind::face);
     const mesh::Surface& cage = w.document.cage->surface;
     std::vector<mesh::Triangle> triangles;
@@ -140,7 +139,7 @@ std::optional<interact::Gizmo> gizmo_of(const Workspace& w) {
     return std::nullopt;
   const interact::Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
   const interact::Anchor anchor = anchor_of(w);
-  // The pivot stays during rotation and scale; a move takes the gizmo along.
+  // During rotation and scaling, the gizmo stays at the pivot. During a move, the gizmo moves too.
   const bool turning = w.interaction.drag && w.interaction.drag->tool() != interact::Tool::move;
   const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
   const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
@@ -158,7 +157,7 @@ std::optional<interact::AxisWidget> axis_widget_of(const Workspace& w) {
 
 void Pointer::frame(Workspace& w, const PointerInput& input) {
   w.mirror.follow(w.document.cage, w.handling.mirror);
-  // After a change of document or cage the running gesture is void.
+  // A change of the document or the cage ends the gesture.
   const document::Revisions& now = w.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
     surfaces_ = now.surfaces;
@@ -201,7 +200,7 @@ std::optional<interact::Pick> Pointer::element_under(const Workspace& w, const g
   return pick_element(w.document, w.camera, w.viewport, cursor, sight_.of(w));
 }
 
-// Priority under the mouse: armed tool, axis widget, gizmo, cage.
+// The priority under the mouse is: axis widget, armed tool, gizmo, cage.
 void Pointer::hover(Workspace& w, const PointerInput& input) {
   Interaction& interaction = w.interaction;
   interaction.over_axes = input.over_view && over_axes(w, input.position);
@@ -247,11 +246,10 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const P
   return input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
 }
 
-// Like dragging the gizmo's center, but without a button.
+// Starts a drag like that of the gizmo's center, but without a button.
 void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
   const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
-  if (wanted && !input.over_view)
-    return;  // requested by a panel button: starts when the pointer is in the view
+  if (wanted && !input.over_view) return;  // wait until the pointer is in the view
   const auto [tool, shape] = *std::exchange(w.interaction.grab, std::nullopt);
   if (!wanted) return;
   gesture_ = Gesture::grabbed;
@@ -265,7 +263,7 @@ void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
     grip.shaping = shaping_of(w.document, shape, grip, w.handling.pivot == document::Pivot::median, w.camera);
   if (grip.shaping.shape != shape) {
     gesture_ = Gesture::none;
-    return w.messages.info("The selection has no two ends to " + std::string(name(shape)) + " between.");
+    return w.messages.info("The selection must have two ends to " + std::string(name(shape)) + " it.");
   }
   const double depth = w.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
   w.interaction.handle.reset(), w.interaction.hovered.reset();
@@ -305,7 +303,7 @@ void Pointer::press_left(Workspace& w, const PointerInput& input) {
   crowded_ = is_crowded(w.document, w.camera, w.viewport, press_, sight_.of(w));
 }
 
-// A click selects as usual; a brush starts immediately and stays armed.
+// A brush starts immediately and stays armed. Other shapes start with the drag.
 void Pointer::press_armed(Workspace& w, const PointerInput& input) {
   shape_ = w.interaction.armed;
   handle_.reset();
@@ -318,8 +316,7 @@ void Pointer::press_armed(Workspace& w, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& w, const PointerInput& input) {
-  // The pressed element's index is valid only for its kind, which a key may have changed, and only while it
-  // exists.
+  // A key may have changed the kind of elements, or removed the pressed element. Its index is invalid then.
   const document::ElementKind kind = w.document.selection.kind();
   const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
@@ -353,8 +350,7 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
   }
 }
 
-// Faces and dense vertices cover the whole cage: if pressing an unselected one dragged it, a box could not be
-// started.
+// Faces and dense vertices cover the whole cage. To allow boxes there, only selected ones can be dragged.
 bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
   const document::Selection& selection = w.document.selection;
@@ -378,7 +374,7 @@ void Pointer::begin_left_drag(Workspace& w, const PointerInput& input) {
   }
 }
 
-// A handle uses its tool; an element moves with its selection.
+// A drag of a handle uses the current tool. A drag of an element moves the selection.
 void Pointer::begin_transform(Workspace& w) {
   document::Document& document = w.document;
   gesture_ = Gesture::moving;
@@ -411,8 +407,7 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::ignored);
 }
 
-// Dragging an unselected element has selected it: that is part of the move, or the whole edit if nothing
-// moved.
+// The drag may have selected its element. This belongs to the edit; if nothing has moved, it is the edit.
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
   const unsigned long edits = document.history.revision();
@@ -430,7 +425,7 @@ void Pointer::brush_on(Workspace& w, const PointerInput& input) {
         *w.interaction.brushing);
 }
 
-// For a finished box or lasso.
+// Selects the elements in the finished box or lasso.
 void Pointer::select_inside(Workspace& w, const PointerInput& input) {
   const auto inside =
       gesture_ == Gesture::lassoing
@@ -444,7 +439,8 @@ void Pointer::select_inside(Workspace& w, const PointerInput& input) {
 bool Pointer::soften_by_wheel(Workspace& w, float steps) {
   document::SoftSelection& soft = w.handling.soft;
   const bool shapes = w.interaction.drag->grip().shaping.shape != interact::Shape::none;
-  if (!soft.on || steps == 0 || shapes) return false;  // shapes depend on the original vertices
+  if (!soft.on || steps == 0 || shapes)
+    return false;  // bend, twist and taper depend on the original vertices
   soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), document::SoftSelection::least_radius,
                            document::SoftSelection::largest_radius);
   w.interaction.drag->soften(w.document, soft, mirror_of(w));
@@ -486,7 +482,7 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::none);
 }
 
-// A click on a gizmo handle selects the element below it. Without one, the selection is unchanged.
+// A click on a gizmo handle selects the element under the handle. If there is none, the selection stays.
 void Pointer::click(Workspace& w) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && w.document.model.surface) {
@@ -502,7 +498,7 @@ void Pointer::click(Workspace& w) {
   set_selection(w.document, std::move(selection));
 }
 
-// Requests the context menu of the selection; selects the element under the cursor first if it is unselected.
+// Requests the context menu. If the element under the cursor is not selected, selects it first.
 void Pointer::ask_for_menu(Workspace& w) {
   const auto hovered = w.interaction.hovered;
   if (hovered && !w.document.selection.contains(*hovered)) {
@@ -527,8 +523,8 @@ void Pointer::cancel(Workspace& w) {
   if (w.interaction.drag) w.interaction.drag->cancel(w.document);
   if (w.interaction.stroke) w.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
-    return finish(w, Gesture::ignored);  // nothing was selected yet
-  // Elements removed in the meantime are not selected again.
+    return finish(w, Gesture::ignored);  // the selection is unchanged
+  // Do not select elements again that were removed during the gesture.
   const auto& before = selection_before_.indices();
   const bool all_there =
       before.empty() || before.back() < element_count(w.document, selection_before_.kind());

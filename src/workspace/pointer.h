@@ -1,5 +1,4 @@
-// Converts mouse, modifiers and typed characters of a frame into hovering, selecting, transforming and camera
-// motion.
+// Mouse and keyboard input in the view: hovering, selecting, transforming and camera motion.
 #pragma once
 
 #include <array>
@@ -15,43 +14,40 @@ namespace viete::workspace {
 
 enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 
-/// The pointer in one frame. Positions in logical pixels from the top left of the window.
+/// The input of one frame. Positions are in logical pixels from the top left of the window.
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
   bool double_click = false;  ///< second press of a double click of the left button
   float wheel = 0;            ///< steps, positive away from the user
   bool shift = false, ctrl = false, alt = false;
-  bool over_view = true;  ///< false while a panel is under the pointer or has captured it
-  bool escape = false;    ///< Esc was pressed in this frame
-  bool enter = false;     ///< Enter was pressed in this frame
-  bool backspace = false;
-  std::string typed;  ///< characters typed in this frame
+  bool over_view = true;  ///< false while a panel is under the pointer or uses the mouse
+  bool escape = false, enter = false, backspace = false;  ///< pressed in this frame
+  std::string typed;                                      ///< characters typed in this frame
 };
 
-/// Arms a selection tool: the next left drag draws its shape, even on vertices and the gizmo. Arming the same
-/// shape again disarms it. The brush stays armed after a drag.
+/// Arms a selection tool: the next left drag draws its shape, even if it starts on a vertex or the gizmo.
+/// If the tool is armed already, disarms it. The brush stays armed after a drag.
 void arm(Workspace& workspace, interact::SelectShape shape);
-/// Ends the armed tool.
 void disarm(Workspace& workspace);
 
 /// The current gizmo of the selection; nullopt if there is no gizmo or the cage is hidden.
 std::optional<interact::Gizmo> gizmo_of(const Workspace& workspace);
 
-/// The current grip. Requires a selection.
+/// The current grip. The selection must not be empty.
 interact::Grip grip_of(const Workspace& workspace);
 
 /// The axis widget, if it is shown.
 std::optional<interact::AxisWidget> axis_widget_of(const Workspace& workspace);
 
-/// The position of a pivot placed by a click: the posed cage's vertex under the cursor, else the point on
-/// the model, else at the depth of the camera's target; in file coordinates.
+/// The position of a pivot for a click, in file coordinates: the vertex of the posed cage under the cursor.
+/// If there is none, the point of the model, or a point at the depth of the camera's target.
 mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);
 
 /// Caches the Sight of the current view.
 class SightCache {
 public:
-  /// Null if hidden elements can be selected too.
+  /// Null if elements behind the model or the cage can be selected too.
   const interact::Sight* of(const Workspace& workspace);
 
 private:
@@ -76,15 +72,14 @@ class Pointer {
 public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
-  /// Call once per frame. Left click selects (Shift adds, Ctrl removes). Left drag on a gizmo handle
-  /// transforms, on an element moves the selection, elsewhere draws a box. It also draws a box on unselected
-  /// faces, on unselected elements too dense to click between, and with Shift (adds) or Ctrl (removes). An
-  /// armed tool has priority. Middle, right or Alt+left drag orbits, with Shift pans, with Ctrl zooms; the
-  /// wheel zooms to the cursor. Right click requests the context menu. With Tool::paint left drag paints the
-  /// mask, with Ctrl the full share; Shift and wheel change the radius. A double click centers the view on
-  /// the point under it. Interaction::grab makes the selection follow the cursor until a click, or, if begun
-  /// on a shape's handle, until the button is released. During a transform characters set constraint and
-  /// amount, Ctrl snaps, Shift slows down, Enter confirms, and Esc or the right button cancels.
+  /// Call once per frame. A left click selects (Shift adds, Ctrl removes). A left drag on a gizmo handle
+  /// transforms, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl, on unselected
+  /// faces and on dense unselected elements it draws a box too. An armed tool has priority. With Tool::paint,
+  /// a left drag paints the mask (Ctrl: the full share); Shift and wheel change the radius. A middle, right
+  /// or Alt+left drag orbits, with Shift pans, with Ctrl zooms; the wheel zooms to the cursor. A right click
+  /// requests the context menu, a double click centers the view. With Interaction::grab, the selection
+  /// follows the cursor until a click. During a transform, characters set constraint and amount, Ctrl snaps,
+  /// Shift slows, Enter confirms, and Esc or the right button cancels.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True during a gesture that began in the view.
@@ -142,10 +137,10 @@ private:
   glm::vec2 press_{0, 0};
   std::optional<interact::Pick> grabbed_;
   std::optional<interact::Constraint> handle_;
-  std::optional<interact::SelectShape> shape_;  // armed at the press
+  std::optional<interact::SelectShape> shape_;  // the armed tool at the press
   bool crowded_ = false;
   document::SelectMode mode_ = document::SelectMode::replace;
-  bool clicked_ = false, again_ = false;  // the last press was a click; this one makes it a double click
+  bool clicked_ = false, again_ = false;  // the last press was a click; this press makes a double click
   document::Selection selection_before_;
   document::Revision surfaces_ = 0;
   document::Revision cage_ = 0;

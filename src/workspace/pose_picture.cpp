@@ -8,9 +8,9 @@ namespace viete::workspace {
 
 namespace {
 
-constexpr std::size_t most_faces = 3000;  // beyond this, illegible and slow
+constexpr std::size_t most_faces = 3000;  // thumbnails of larger cages are slow and illegible
 
-// Fits both sets of points.
+// A view that shows both sets of points.
 PictureView view_of(std::vector<mesh::Point> rest, const std::vector<mesh::Point>& posed, glm::vec2 size) {
   rest.insert(rest.end(), posed.begin(), posed.end());
   return {{-32, 18}, {rest, size, 3}};
@@ -50,7 +50,7 @@ namespace {
 
 constexpr int pixels_per_point = 2, shades = 7;
 
-// Depth-tested shading of front-facing triangles.
+// Draws shaded triangles with a depth buffer.
 class Raster {
 public:
   explicit Raster(glm::vec2 size)
@@ -59,7 +59,7 @@ public:
         depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
         tones_(depth_.size(), 0.0f) {}
 
-  // Corners: x and y in pixels, z towards the viewer. Tiny triangles cover at least one pixel.
+  // The corners have x and y in pixels, and z towards the viewer. A triangle covers at least one pixel.
   void add(const std::array<mesh::Vec3, 3>& t, float tone) {
     const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});
@@ -137,7 +137,7 @@ std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<co
       const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
       return mesh::Vec3{on.x, on.y, z};
     };
-    // Open models show back faces too.
+    // Back faces are visible in open models.
     const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
     raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
   }

@@ -1,4 +1,4 @@
-// Thumbnails of poses: the model's shape if the pose has one, otherwise the cage.
+// Thumbnails of poses. They show the model if the pose has a shape of the model, otherwise the cage.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,15 +13,14 @@
 
 namespace viete::workspace {
 
-/// Logical pixels.
+/// The size of a thumbnail in logical pixels.
 inline constexpr glm::vec2 pose_picture_size{56, 42};
 
-/// All at the same scale for comparison: that of the cage at rest, or of the pose if it is larger. Empty for
-/// a cage with very many faces.
+/// The posed cage. The cage at rest would fit into the picture too. Empty for a cage with very many faces.
 std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose,
                                        document::UpAxis up);
 
-/// Creates each picture on first use and caches it as long as the pose is in use elsewhere.
+/// Caches the picture of each pose as long as the pose is in use elsewhere.
 class PosePictures {
 public:
   const std::vector<PictureShape>& of(const document::Document& document, const document::SharedPose& pose,
@@ -40,11 +39,11 @@ private:
   std::map<const document::WholePose*, Picture> pictures_;
 };
 
-/// At the scale of the model at rest, or of the shape if it is larger. Empty without triangles.
+/// A shape of the model. The model at rest would fit into the picture too. Empty without triangles.
 std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
                                         document::UpAxis up, glm::vec2 size);
 
-/// Rotated to the view's orientation.
+/// The points rotated so that Y is up.
 std::vector<mesh::Point> upright(std::span<const mesh::Point> points, document::UpAxis up);
 
 }  // namespace viete::workspace

@@ -29,7 +29,8 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width) {
     const bool alone = column == layout.last || layout.is_folded(other(column));
     if (layout.is_folded(column) || !(both || alone)) continue;
     const float taken = shown[index(other(column))];
-    const float kept = both && column == layout.last ? PanelLayout::least_width : taken;  // for the other
+    const float kept =
+        both && column == layout.last ? PanelLayout::least_width : taken;  // room for the other column
     shown[index(column)] =
         std::min(layout.width[index(column)], std::max(PanelLayout::least_width, room - kept));
   }
@@ -76,7 +77,7 @@ constexpr std::array<std::string_view, 2> column_words = {"tools", "methods"};
 
 }  // namespace
 
-// Found by their arguments, see json_codec.h.
+// json_codec.h finds these functions by their arguments.
 
 static void code(const files::JsonField& f, RecentFile& recent) {
   f.needed("file", recent.file);

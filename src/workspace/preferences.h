@@ -17,7 +17,7 @@ namespace viete::workspace {
 /// The side columns: tools on the left; methods, timings and the deformer on the right.
 enum class Column { tools, methods };
 
-/// Logical pixels. As arranged by the user; small windows show only a part.
+/// The user's layout of the panels, in logical pixels. Small windows show only a part.
 struct PanelLayout {
   static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< minimum view width between the columns
@@ -25,9 +25,9 @@ struct PanelLayout {
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
-  Column last = Column::methods;         ///< last opened: the one shown if only one fits
+  Column last = Column::methods;         ///< the column that is shown if only one fits
   bool timeline = false;                 ///< shown below the view, between the columns
-  std::map<std::string, bool> sections;  ///< opened or closed sections by title; true: open
+  std::map<std::string, bool> sections;  ///< by title; true: open
 
   bool is_folded(Column column) const { return folded[static_cast<std::size_t>(column)]; }
 
@@ -41,23 +41,23 @@ struct ColumnWidths {
 };
 ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 
-/// From the top of the view to the status bar.
+/// The height from the top of the view to the status bar.
 float column_height(const document::Viewport& viewport);
 
-/// The part of the window without columns, bars, timeline and a row of notices of this height. Without panels
-/// only the notices are subtracted.
+/// The view: the part of the window without columns, bars, timeline and a row of notices of height `notice`.
+/// Without panels, only the row of notices is subtracted.
 document::Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels,
                                 float notice = 0);
 
-/// Shows a hidden column, replacing the other if both do not fit; folds a visible one.
+/// Shows or hides a column. A shown column replaces the other column if they do not both fit.
 void toggle_column(PanelLayout& layout, Column column, float window_width);
 
 /// Clamps the width to its limits and to the minimum width of the view.
 void set_width(PanelLayout& layout, Column column, float width, float window_width);
 
-/// A session, or a model with its cage; absolute paths.
+/// A session, or a model with its cage.
 struct RecentFile {
-  std::filesystem::path file, cage;  ///< cage may be empty
+  std::filesystem::path file, cage;  ///< absolute paths; `cage` may be empty
 
   friend bool operator==(const RecentFile&, const RecentFile&) = default;
 };
@@ -75,16 +75,16 @@ struct Preferences {
   PanelLayout layout;
   Keymap keymap;
 
-  /// Inserts at the front. Paths are made absolute.
+  /// Inserts a file at the front. Makes its paths absolute.
   void add(const RecentFile& file);
 
   friend bool operator==(const Preferences&, const Preferences&) = default;
 };
 
-/// Throws base::Error if the file exists and is damaged; a missing file gives the defaults.
+/// Reads the preferences. A missing file gives the defaults. Throws base::Error if the file is damaged.
 Preferences read_preferences(const std::filesystem::path& file);
 
-/// Atomic. Throws base::Error.
+/// Replaces the file atomically. Throws base::Error.
 void write_preferences(const std::filesystem::path& file, const Preferences& preferences);
 
 }  // namespace viete::workspace

@@ -14,7 +14,7 @@ std::string title_before(const std::string& work, Asked kind) {
 
 Question ask_before_closing(const std::string& work, const std::string& why) {
   return {Asked::close, title_before(work, Asked::close),
-          "These edits could not be backed up for recovery:", why};
+          "These edits could not be saved for recovery:", why};
 }
 
 Question ask_before_opening(const std::string& work, const std::string& why) {
@@ -41,7 +41,7 @@ Question ask_to_locate(std::string_view key, const std::string& problem) {
 
 Question ask_to_remove_fins(const std::string& problem) {
   return {Asked::fins, "Open the cage without its fins?",
-          "Fins, faces that stick out, can be removed on opening. The file does not change.", problem};
+          "Fins are faces that stick out. Viete can remove them and leaves the file unchanged.", problem};
 }
 
 Question ask_before_discarding(std::size_t count) {

@@ -17,13 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Runs a writing step if the file may be written, including `own`, its source. Reports errors as messages.
+// Writes a file with `step`, if it overwrites no open file except `own`. Reports success and errors.
 template <class Step>
 bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == document::the_session;
-    const bool anew = session && path == w.saved.session;  // in any state
+    const bool anew = session && path == w.saved.session;  // the session's own file may have any content
     check_output(path, session ? files::Content::session : files::Content::surface, files_open(w, own),
                  anew ? files::Force::given : files::Force::none);
     step();
@@ -36,12 +36,12 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
   }
 }
 
-// True if the pose is that of the keys at this frame: playback changes nothing worth saving.
+// True if the pose comes from the keys at this frame, so that it need not be saved.
 bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// Or they differ only in their poses, which come from the keys.
+// True if the probes equal the saved probes. If `by_time`, ignores their poses, which come from the keys.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.saved.state.probes.all;
@@ -50,7 +50,7 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.saved.state.probes;
 }
 
-// An unkeyed pose is saved in the stored list, or as the stored pose.
+// True if the timeline is saved. An unkeyed pose can be saved in the list Timeline::unkeyed, or as the pose.
 bool same_timeline(const Workspace& w) {
   document::Timeline now = w.document.timeline;
   if (now == w.saved.state.timeline) return true;
@@ -135,7 +135,7 @@ void mark_saved(Workspace& w) {
   mark_pose_saved(w);
 }
 
-// Not for probes: the file of a pose does not include them.
+// Does not include probes, because the file of a pose does not contain them.
 void mark_pose_saved(Workspace& w) {
   w.saved.put_pose(real_pose(w.document));
 }

@@ -12,7 +12,7 @@ namespace viete::workspace {
 
 namespace {
 
-// The element under the cursor may be of another kind then.
+// Undo and redo can change the kind of the elements, so the hovered element is reset.
 template <void (*Step)(document::Document&)>
 void take_step(Workspace& w) {
   Step(w.document);
@@ -110,12 +110,12 @@ void add_select_commands(CommandTable& table) {
             {key('I'), true}, without_drag<has_elements>, invert_selection);
   table
       .add("select_linked", {"Select linked", "Linked"},
-           "Select everything connected to the selection or the element under the pointer.", {key('L')},
+           "Select everything connected to the selection or to the element under the pointer.", {key('L')},
            without_drag<has_selection_or_hover>, select_linked)
       .or_by({key('L'), true});
   table.add("select_box", {"Box select", "Box"},
-            "Select with a box, started anywhere. Shift adds, Ctrl removes.", {key('B')}, can_draw_selection,
-            arms(interact::SelectShape::box));
+            "Select with a box. The drag can start anywhere. Shift adds, Ctrl removes.", {key('B')},
+            can_draw_selection, arms(interact::SelectShape::box));
   table.add("select_lasso", {"Lasso select", "Lasso"},
             "Select by drawing a line around elements. Shift adds, Ctrl removes.", {key('B'), false, true},
             can_draw_selection, arms(interact::SelectShape::lasso));
@@ -142,7 +142,7 @@ void add_select_commands(CommandTable& table) {
             "Save the selection as a named set to select again later.", without_drag<has_selection_of_cage>,
             change_groups<document::save_set>);
   table.add("toggle_select_visible", {"Select visible only", "Visible only"},
-            "Select only elements that neither model nor cage hides.", {key('Z')}, always,
+            "Select only elements that are not behind the model or the cage.", {key('Z')}, always,
             switches(&document::ViewOptions::select_visible));
 }
 

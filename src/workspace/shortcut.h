@@ -9,8 +9,7 @@
 
 namespace viete::workspace {
 
-/// Key codes of all events, from the window on (GLFW's numbers). Letters (uppercase), digits and . , - = /
-/// have their ASCII code.
+/// Key codes with GLFW's numbers. Uppercase letters, digits and . , - = / have their ASCII code.
 enum class Key : int {
   none = 0,
   space = 32,
@@ -67,13 +66,12 @@ struct Shortcut {
   friend bool operator==(const Shortcut&, const Shortcut&) = default;
 };
 
-/// Each key with its name, once.
+/// All keys with their names.
 std::span<const std::pair<Key, std::string>> all_keys();
 
 /// "Ctrl+Shift+Z"; empty for Key::none.
 std::string text(const Shortcut& shortcut);
-/// Parses the format of text(), in any case and order of Ctrl, Shift and Alt; nullopt for an unknown key. ""
-/// is Key::none.
+/// Parses the result of text(); ignores case and the order of modifiers. Nullopt for an unknown key.
 std::optional<Shortcut> shortcut_of(std::string_view text);
 
 }  // namespace viete::workspace

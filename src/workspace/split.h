@@ -1,4 +1,4 @@
-// The views of one document, each with its own blend, method and colour map.
+// The views of one document, each with its own deformer, method and map.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,12 +18,12 @@ namespace viete::workspace {
 struct View : document::SideWay {
   FieldView shown{};
   FrameStats stats{};
-  /// Error of the fused frame, or of its initial guess for a stitched model, against double, in diagonals of
-  /// the cage; measured in the background; 0 if staged.
+  /// Error of a frame in single precision against double precision, in diagonals of the cage. For a stitched
+  /// model, the error of the initial guess. Measured in the background; 0 if frames use double precision.
   double fused_error = 0;
-  std::optional<double> exp_error{};  ///< largest relative error of sampled matrices; nullopt: none used
+  std::optional<double> exp_error{};  ///< largest relative error of sampled exponentials; nullopt: none used
   bool binding = false;
-  std::string problem{};  ///< why it shows no model
+  std::string problem{};  ///< why the view shows no model
 };
 
 struct Split {
@@ -36,22 +36,21 @@ struct Split {
 
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }
-  /// All but the first.
+  /// All views but the first.
   std::span<View> sides() { return std::span(views).subspan(1); }
   std::span<const View> sides() const { return std::span(views).subspan(1); }
 };
 
-/// Position and size of a view as fractions of the whole: offset from the top left.
+/// Position (from the top left) and size of a view, as fractions of the whole.
 struct Pane {
   glm::vec2 at{0, 0}, size{1, 1};
 };
 Pane pane_of(const Split& split, std::size_t view);
-/// The viewport of the view's camera.
 document::Viewport viewport_of(const Split& split, const document::Viewport& whole, std::size_t view);
 /// The view at a position in the window.
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place);
 
-/// Replaces the views and activates the first one.
+/// Replaces the views and activates the first view.
 void put_ways(Split& split, const document::SideWays& ways);
 
 }  // namespace viete::workspace

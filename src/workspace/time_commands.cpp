@@ -17,7 +17,7 @@ constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
     "Open a cage, add a probe or import shapes first, and leave cage editing (Tab)."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
-                                    "Choose a pose in the list first. Add pose adds the current one."};
+                                    "Choose a pose in the list first. Add pose adds the current pose."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
                             "All weights are 0 %: move the slider of a pose first."};
 constexpr Condition has_time{[](const Workspace& w) {
@@ -25,7 +25,7 @@ constexpr Condition has_time{[](const Workspace& w) {
                                       !is_dragging(w);
                              },
                              "No keys yet: pose the model and set a key (I)."};
-// Keys of the keyboard that change time do nothing where time is not seen.
+// Shortcuts that change the frame work only while the timeline is shown.
 constexpr Condition shows_time{[](const Workspace& w) {
                                  return has_model(w) && w.preferences.layout.timeline &&
                                         !is_editing_cage(w.document) && !is_dragging(w);
@@ -43,9 +43,9 @@ constexpr Condition has_selected_keys{
     "Select keys in the timeline first."};
 constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
-    "Select keys in the timeline first and keep the pointer over it."};
+    "Select keys in the timeline first and keep the pointer over the timeline."};
 
-// Reports an edit that fails, without a change.
+// Runs an edit. If it fails, shows the error.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -69,7 +69,7 @@ void remove(Workspace& w) {
   w.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.chosen_pose, left - 1));
 }
 
-// Opens the timeline, and fits all keys if it was closed.
+// Sets keys, and opens the timeline if it is closed.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
     const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();
@@ -143,7 +143,6 @@ void change_play(Workspace& w, const auto& change) {
   set_play(w.document, play);
 }
 
-// Fits the playback range to the first and last key.
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });
@@ -157,11 +156,12 @@ void add_time_commands(CommandTable& table) {
   table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
   table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
             has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
-  table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current one.",
+  table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current pose.",
             has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
-  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits stay.", has_mix,
+  table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
+            has_mix,
             [](Workspace& w) { change_mix(w, [&] { return clear_mix(w.document, w.playback.vectors); }); });
   table.heading("Time");
   table.add("play", "Play", "Play or stop the animation.", {Key::space}, has_time,
@@ -172,8 +172,8 @@ void add_time_commands(CommandTable& table) {
   table.add("set_camera_key", {"Set camera key", "Camera key"},
             "Set a key for the current camera at this frame.", {key('I'), false, true}, can_key_camera,
             key_camera);
-  table.add("turntable", {"Set turntable", "Turntable"},
-            "Orbit the camera once around the model over the playback range. Replaces other camera keys.",
+  table.add("turntable", {"Create turntable", "Turntable"},
+            "Add camera keys that orbit the model once in the playback range. Replaces other camera keys.",
             can_key_camera, key_turntable);
   table.add("delete_keys", {"Delete selected keys", "Delete keys"},
             "Delete the selected keys. The shortcut works while the pointer is over the timeline.",
@@ -198,7 +198,7 @@ void add_time_commands(CommandTable& table) {
                                   change_play(w, [&](document::Playing& play) { play.repeat = repeat; });
                                 });
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
-            "Set a key at this frame after each edit, once there is a key.", always,
+            "Set a key at this frame after each edit. Works only if there is a key already.", always,
             switches(&Playback::auto_key, &Workspace::playback));
   table.add("toggle_straight", {"Linear interpolation", "Linear"},
             "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "

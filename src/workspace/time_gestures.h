@@ -10,20 +10,20 @@ namespace viete::workspace {
 
 /// Selected frames with a key.
 std::vector<int> selected_keys(const Workspace& workspace);
-/// The keys whose easing is shown and edited: selected ones with a successor, or else the last one at or
-/// before the current frame.
+/// The frames of the keys whose easing is edited: the selected keys that have a next key. If there are none,
+/// the last key at or before the current frame.
 std::vector<int> eased_keys(const Workspace& workspace);
 
-/// A press on a frame: on a key (of either kind) selects it, toggles it with `add`, and starts dragging the
-/// selection; elsewhere starts a box.
+/// A mouse press at a frame. On a key, selects the key and starts to drag the selected keys; with `add`, only
+/// toggles the key. Elsewhere, starts a box selection.
 void press_keys(Workspace& workspace, double frame, std::optional<int> key, bool add);
 /// A press in the ruler: goes to the frame.
 void press_ruler(Workspace& workspace, double frame);
 void press_pan(Workspace& workspace, double frame);
-/// Continues a drag. `frame` is the frame under the mouse in the frame window at the press.
+/// Continues a drag to the frame under the mouse. For a pan, use the frames that were visible at the press.
 void drag_time(Workspace& workspace, double frame);
 void release_time(Workspace& workspace);
-/// Esc: restores the state before the press.
+/// Cancels a drag: restores the state before the press.
 void cancel_time(Workspace& workspace);
 
 }  // namespace viete::workspace

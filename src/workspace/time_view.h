@@ -8,7 +8,7 @@
 
 namespace viete::workspace {
 
-/// The frames at its edges, possibly fractional.
+/// The range of visible frames.
 struct FrameWindow {
   static constexpr double least_length = 4;
 
@@ -25,26 +25,26 @@ struct TimeView {
   struct Drag {
     What what;
     double pressed;               ///< the frame at the press
-    document::Timeline before{};  ///< for What::keys: the timeline then
+    document::Timeline before{};  ///< for What::keys: the timeline at the press
     std::vector<int> frames{};    ///< for What::keys: the dragged frames
     bool moved = false;
-    FrameWindow seen{};           ///< for What::pan: the window then
-    std::vector<int> selected{};  ///< for What::box: the selection then
+    FrameWindow seen{};           ///< for What::pan: the visible frames at the press
+    std::vector<int> selected{};  ///< for What::box: the selection at the press
   };
   FrameWindow seen;
   std::vector<int> selected;  ///< frames of pose and camera keys, ascending
   std::optional<Drag> drag;
-  bool hovered = false;  ///< the pointer is over the timeline, so Delete removes keys
-  bool fitted = false;   ///< `seen` was fitted to this document
+  bool hovered = false;  ///< the pointer is over the timeline
+  bool fitted = false;   ///< `seen` fits the document's timeline
 };
 
-/// The playback range and all keys, with a margin.
+/// The range that shows the playback range and all keys, with a margin.
 FrameWindow fitting(const document::Timeline& timeline);
-/// Zooms about the frame at that fraction of the width; factor > 1 zooms out.
+/// Zooms about the frame at the fraction `share` of the width. A factor above 1 zooms out.
 FrameWindow zoomed(const FrameWindow& seen, double share, double factor);
-/// Frames between ruler lines, for about `lines` of them: 1, 2, 5, 10, 20 ...
+/// The number of frames between ruler lines, for about `lines` lines: 1, 2, 5, 10, 20 ...
 int ruler_step(const FrameWindow& seen, double lines);
 
-/// Frames with a key of either kind, ascending.
+/// Frames with a pose key or a camera key, ascending.
 std::vector<int> key_frames(const document::Timeline& timeline);
 }  // namespace viete::workspace

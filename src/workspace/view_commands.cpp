@@ -70,7 +70,7 @@ void add_camera_commands(CommandTable& table) {
            {[](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); },
             [](const Workspace& w) { return w.camera.pose().orthographic; }})
       .or_by({key('O')});
-  table.add("toggle_z_up", "Z up", "Show Z as the up axis, otherwise Y. Saved files keep their axes.",
+  table.add("toggle_z_up", "Z up", "Use Z as the up axis. When off, Y is up. Files keep their axes.",
             {key('U')}, always,
             {[](Workspace& w) {
                w.camera.set_up(w.camera.pose().up == document::UpAxis::z ? document::UpAxis::y
@@ -91,7 +91,7 @@ void add_view_commands(CommandTable& table) {
   table.add("toggle_model", {"Show model", "Model"}, "Show the model.", {key('M')}, always,
             switches(&document::ViewOptions::model));
   table.add("toggle_deformed", {"Show deformation", "Deformed"},
-            "Show the deformed model, otherwise the model at rest.", {key('N')}, always,
+            "Show the deformed model. When off, show the model at rest.", {key('N')}, always,
             switches(&document::ViewOptions::deformed));
   table.add("toggle_cage", {"Show cage", "Cage"}, "Show the cage and the probes.", {key('C')}, always,
             switches(&document::ViewOptions::cage));
@@ -151,7 +151,7 @@ constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].sho
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
                                "Inspect a vertex first."};
 
-// Opens the vertex inspector, wherever the columns are.
+// Opens the vertex inspector, and its column if it is hidden.
 void show_sum_at(Workspace& w, std::uint32_t vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
@@ -210,7 +210,7 @@ void add_split_commands(CommandTable& table) {
         });
   }
   table.add("toggle_linked_cameras", {"Link cameras", "Linked cameras"},
-            "Use one camera for all views, otherwise one each.", is_split,
+            "Use one camera for all views. When off, each view has its own camera.", is_split,
             {[](Workspace& w) { w.split.linked = !w.split.linked; },
              [](const Workspace& w) { return w.split.linked; }});
 }

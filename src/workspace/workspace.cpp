@@ -18,7 +18,6 @@ std::vector<glm::vec3> in_view(const document::Space& space, std::span<const mes
   return seen;
 }
 
-// The corners of the box of used vertices: stray vertices must not enlarge it.
 std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   std::vector<mesh::Point> points;
   for (int i = 0; i < 8; ++i) {
@@ -33,7 +32,7 @@ mesh::Bounds cube_around(const mesh::Point& center, double half) {
   return {center - way, center + way};
 }
 
-// The positions used by the cage's elements; unused vertices are ignored.
+// The posed positions of all vertices that belong to triangles of the cage.
 std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
   for (const auto& t : cage.surface.triangles) {
@@ -106,7 +105,7 @@ float offer_height(const Workspace& w) {
 void frame_all(Workspace& w, bool eased) {
   const document::Document& document = w.document;
   if (!document.model.surface) return;
-  // A cage encloses its model: its vertices cover both.
+  // A cage encloses its model.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
   w.camera.frame(in_view(document.space, points), w.viewport, eased, offer_height(w));
@@ -122,7 +121,7 @@ void frame_selection(Workspace& w, bool eased) {
 }
 
 void frame_worst(Workspace& w) {
-  constexpr double share = 0.06;  // fraction of the model's diagonal, on either side
+  constexpr double share = 0.06;  // half the size of the visible part, in diagonals of the model
   const auto& surface = *w.document.model.surface;
   const std::size_t worst = w.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
@@ -169,7 +168,7 @@ void begin_widget_edit(Workspace& w) {
                           w.making.wish,       w.preferences.layout, w.opened};
 }
 
-// Keeps a cage that is being generated: it follows the settings and is not part of the edit.
+// During cage generation the document is not restored, because the new cage follows the settings anyway.
 void cancel_widget_edit(Workspace& w) {
   if (!w.before_widget_edit || w.before_widget_edit->opened != w.opened) return;
   BeforeWidgetEdit before = *std::exchange(w.before_widget_edit, std::nullopt);

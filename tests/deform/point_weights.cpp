@@ -295,7 +295,7 @@ TEST_CASE("inconsistent_faces_give_the_weights_of_consistent_ones") {
     Bound b(model, viete::mesh::from_triangles(sound.positions, triangles), mean_values, 2, Blend::linear);
     CHECK(b.error(motion) < 1e-12);
     REQUIRE(b.binding->warnings.size() == 1);
-    CHECK(b.binding->warnings[0].starts_with("mean value coordinates flip or ignore "));
+    CHECK(b.binding->warnings[0].find("flipped or ignored for mean value coordinates") != std::string::npos);
     auto posed = sound.positions;
     posed[3] = posed[3] + Vec3{0.4, 0.2, 0.1};
     CHECK(largest_distance(b.deform({posed, {}}), reference.deform({posed, {}})) < 1e-12);

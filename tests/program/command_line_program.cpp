@@ -215,7 +215,7 @@ TEST_CASE("a_radius_leaves_far_vertices_where_they_are_and_bad_ones_are_refused"
   }
   CHECK(2 * last < std::ssize(rest));
   f.refused("render " + in_cage + " -o x.png --deformer mean-value --radius 3", 1,
-            "radius: these weights have no radius; omit it, or choose weights cutoff");
+            "radius: these weights have no radius; omit it, or choose the weights cutoff");
 }
 
 TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
@@ -262,7 +262,7 @@ TEST_CASE("info_names_edges_with_more_than_two_faces_and_says_that_a_cage_has_a_
   const auto alone = f.viete("info fin.obj"), around = f.viete("info model.obj --cage fin.obj");
   CHECK(mentions(alone, "1 edge with more than two faces\n"));
   CHECK(mentions(alone, "edge 6-7\n"));
-  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles meet at edge 6-7"));
+  CHECK(mentions(around, "finding     the cage has a fin: an odd number of triangles share edge 6-7"));
   CHECK(mentions(around, "cage: 1 edge with more than two faces"));
   CHECK_FALSE(mentions(f.viete("info model.obj --cage cage.obj"), "has a fin"));
 }

@@ -111,7 +111,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
     d.move(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0));
     d.frame();
     REQUIRE(d.workspace().interaction.handle);
-    return ui::mouse_text(d.workspace()).find("slightly change the model's shape") != std::string::npos;
+    return ui::mouse_text(d.workspace()).find("changes the model's shape slightly") != std::string::npos;
   };
   d.select_whole_cage();
   CHECK_FALSE(advises());  // the cage is at rest
@@ -154,7 +154,7 @@ TEST_CASE("a_field_takes_a_number_and_names_the_reason_for_refusing_another") {
   d.enter("transform_y", "90");
   CHECK(test::largest_distance(d.mesh(), turned(before, test::selection_center(d.document()), 90)) < 1e-12);
   d.enter("transform_y", "1e15");
-  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum at once");
+  CHECK(d.last_message() == "Rotated by 360,000 degrees, the maximum for one step");
 }
 
 TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {

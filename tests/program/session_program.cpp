@@ -103,14 +103,14 @@ TEST_CASE("a_moved_model_and_cage_are_named_to_every_command_that_takes_a_sessio
        {"render a.viete --size 64x48 -o a.png", "deform a.viete -o a.ply",
         "animate a.viete --turntable --frames 1-1 --size 64x48 -o a_#.png", "view a.viete"}) {
     const Outcome refused = said(line);
-    CHECK_MESSAGE(mentions(refused, "small.ply: there is no such file; give it with --model FILE"),
+    CHECK_MESSAGE(mentions(refused, "small.ply: there is no such file; name the file with --model FILE"),
                   refused.text);
     const Outcome done = said(line + " --model new.ply");
     CHECK_MESSAGE(done.code == 0, line << done.text);
   }
   fs::rename(small.cage, folder / "grid.obj");
   CHECK(mentions(said("deform a.viete -o b.ply --model new.ply"),
-                 "there is no such file; give it with --cage FILE"));
+                 "there is no such file; name the file with --cage FILE"));
   CHECK(said("deform a.viete -o b.ply --model new.ply --cage grid.obj").code == 0);
   CHECK(file_bytes(folder / "b.ply") == file_bytes(folder / "a.ply"));
   CHECK(said("deform a.viete -o new.ply --model new.ply --cage grid.obj").code == 1);

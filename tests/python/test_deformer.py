@@ -261,7 +261,7 @@ class Arrays(WithFolder):
             (lambda: viete.Deformer(self.model, self.faces, CUBE * 1e80, CUBE_FACES), viete.Error, "the cage: it has a coordinate of size 1e"),
             (lambda: viete.ShapeSpace(self.model, self.faces, [self.model * 3]).mix([1000]), viete.Error, "nearer to 0"),
             (lambda: self.bound(radius=100, way="local"), viete.Error, "choose 0.001 to 10"),
-            (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose weights cutoff"),
+            (lambda: self.bound(way="smooth", radius=0.2), viete.Error, "choose the weights cutoff"),
             (lambda: self.bound(threads=100000), viete.Error, "choose 0 to 1024"),
             (lambda: viete.make_cage(self.model, self.faces, margin=0), viete.Error, "choose 0.0005 to 0.2"),
             (lambda: viete.make_cage(self.model, self.faces, triangles=-5), ValueError, "12 to 20000"),
