@@ -271,16 +271,18 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
     torn = std::max(torn, report.torn), of_torn += report.torn > 0;
   }
   std::vector<std::string> notes;
-  const auto add = [&notes](std::size_t shapes, const std::string& count, const char* text) {
-    const std::string where = base::counted(shapes, "shape");
-    notes.push_back(shapes == 1 ? count + text : "in " + where + ", up to " + count + text);
+  const auto text = [](std::size_t most, std::size_t shapes) {
+    const std::string number = base::with_thousands(most);
+    return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
   };
   if (folded > 0)
     notes.push_back("triangles that fold over or collapse and therefore follow their neighbours: " +
                     text(folded, of_folded));
   if (torn > 0)
-    add(of_torn, base::counted(torn, "pair") + " of neighbouring triangles",
-        " rotated more than 180 degrees relative to each other; the rotation direction there is ambiguous");
+    notes.push_back(
+        "pairs of neighbouring triangles that rotate more than 180 degrees relative to each other, where the "
+        "rotation direction is ambiguous: " +
+        text(torn, of_torn));
   return notes;
 }
 

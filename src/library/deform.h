@@ -98,10 +98,10 @@ public:
   /// Computes the model's vertices from the cage's vertices, three numbers for each. Double gives the same
   /// bits as `viete deform`. Float uses compressed weights, as the window does, and is three to nine times as
   /// fast. The error is then up to 1e-4, usually 1e-5, of the larger diagonal of the cage at rest and posed,
-  /// plus rounding. If `normals` is not empty, it gets a unit vector for each vertex. If `turns` is not null,
-  /// it must have the value of the previous pose (at first empty): a rotation vector for each part of the
-  /// cage, with full turns. It gets the value of this pose. If it is null, each part uses the shortest
-  /// rotation.
+  /// plus rounding. If `normals` is not empty, it gets a unit vector for each vertex (float: within 1e-4). If
+  /// `turns` is not null, it must have the value of the previous pose (at first empty): a rotation vector for
+  /// each part of the cage, with full turns. It gets the value of this pose. If it is null, each part uses
+  /// the shortest rotation.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
               std::vector<Point3>* turns = nullptr);
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},

@@ -204,8 +204,9 @@ void Deformer::deform(std::span<const double> cage, std::span<float> positions, 
         within &= std::abs(x) <= largest;  // false for NaN
         positions[3 * v + k] = static_cast<float>(x);
       }
-      if (!normals.empty())
-        std::copy_n(vertices[v].normal, 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
+      if (normals.empty()) continue;
+      const mesh::Vec3 normal = base::unpack_normal(vertices[v].normal);
+      std::copy_n(normal.begin(), 3, normals.begin() + static_cast<std::ptrdiff_t>(3 * v));
     }
     if (!within) fits = false;
   });

@@ -88,7 +88,7 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   REQUIRE(notes.size() == 1);
   CHECK(notes[0] == "triangles that fold over or collapse and therefore follow their neighbours: 36");
   s.mixed({{flat, 0.5}, {flat, 0.25}}, false, &notes);
-  CHECK(mentions(notes.at(0), "in 2 shapes, up to 36 triangles folded"));
+  CHECK(mentions(notes.at(0), "up to 36 in each of 2 shapes"));
   notes.clear();
   s.mixed({{flat, 0.5}}, true, &notes);
   CHECK(notes.empty());
