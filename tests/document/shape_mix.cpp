@@ -93,5 +93,5 @@ TEST_CASE("notes_about_shapes_are_shown_once") {
   s.mixed({{flat, 0.5}}, true, &notes);
   CHECK(notes.empty());
   const deform::ShapeReport reports[] = {{0, 0, 3}, {0, 0, 0}, {0, 0, 1200}};
-  CHECK(mentions(shape_notes(reports).at(0), "in 2 shapes, up to 1,200 pairs of neighbouring"));
+  CHECK(mentions(shape_notes(reports).at(0), "up to 1,200 in each of 2 shapes"));
 }
