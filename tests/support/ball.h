@@ -1,13 +1,10 @@
 // A workspace with a ball of 2,562 vertices as model, in a larger ball as cage.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <map>
 #include <numbers>
-#include <utility>
 #include <vector>
 
+#include "support/shapes.h"
 #include "workspace/workspace.h"
 
 namespace viete::test {
@@ -17,32 +14,12 @@ inline mesh::Surface ball(double radius, int levels = 4) {
   std::vector<mesh::Point> points = {{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0},
                                      {0, -1, g}, {0, 1, g}, {0, -1, -g}, {0, 1, -g},
                                      {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
-  std::vector<mesh::Triangle> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
-                                           {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
-                                           {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
-                                           {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
-  for (int level = 0; level < levels; ++level) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
-    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
-      const auto [at, added] =
-          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(points.size()));
-      if (added)
-        points.push_back(
-            {points[a][0] + points[b][0], points[a][1] + points[b][1], points[a][2] + points[b][2]});
-      return at->second;
-    };
-    std::vector<mesh::Triangle> finer;
-    for (const auto& [a, b, c] : triangles) {
-      const std::uint32_t ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    triangles = std::move(finer);
-    for (auto& p : points) {
-      const double length = std::hypot(p[0], p[1], p[2]);
-      for (double& x : p) x *= radius / length;
-    }
-  }
-  return mesh::from_triangles(std::move(points), triangles);
+  const std::vector<mesh::Triangle> triangles = {{0, 11, 5}, {0, 5, 1},  {0, 1, 7},   {0, 7, 10}, {0, 10, 11},
+                                                 {1, 5, 9},  {5, 11, 4}, {11, 10, 2}, {10, 7, 6}, {7, 1, 8},
+                                                 {3, 9, 4},  {3, 4, 2},  {3, 2, 6},   {3, 6, 8},  {3, 8, 9},
+                                                 {4, 9, 5},  {2, 4, 11}, {6, 2, 10},  {8, 6, 7},  {9, 8, 1}};
+  for (auto& p : points) p = (1 / norm(p)) * p;
+  return moved(sphere_from(points, triangles, levels), radius);
 }
 
 inline workspace::Workspace ball_workspace(int levels = 4) {

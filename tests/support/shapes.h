@@ -9,8 +9,6 @@
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -54,11 +52,8 @@ inline Surface cube() {
   return s;
 }
 
-/// The unit sphere: an octahedron subdivided `levels` times, with 8 * 4^levels triangles.
-inline Surface sphere(int levels) {
-  std::vector<Point> points = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  std::vector<Triangle> triangles = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4},
-                                     {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+/// The unit sphere: triangles with vertices on it, each subdivided into 4^levels triangles.
+inline Surface sphere_from(std::vector<Point> points, std::vector<Triangle> triangles, int levels) {
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -80,6 +75,13 @@ inline Surface sphere(int levels) {
     triangles = std::move(finer);
   }
   return mesh::from_triangles(points, triangles);
+}
+
+/// The unit sphere: an octahedron subdivided `levels` times, with 8 * 4^levels triangles.
+inline Surface sphere(int levels) {
+  return sphere_from({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                     {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}},
+                     levels);
 }
 
 /// A torus about the z axis with radii 2 and 0.5. If `open`, a ring of quads is missing, which leaves two
