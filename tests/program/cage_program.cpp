@@ -1,6 +1,5 @@
 // viete cage makes cages that the other commands accept.
 #include <utility>
-#include <vector>
 
 #include "formats/read.h"
 #include "formats/write.h"
@@ -13,36 +12,30 @@ using namespace viete::test;
 
 namespace {
 
-struct CageFolder : TemporaryFolder {
+struct CageFolder : WorkFolder {
   CageFolder() { formats::write(*this / "model.obj", cube(1)); }
-  Outcome run(const std::string& arguments) const {
-    return test::run(arguments, "cd " + quoted(path()) + " &&");
-  }
 };
 
 }  // namespace
 
 TEST_CASE("a_generated_cage_deforms_its_model_and_passes_the_checks") {
   const CageFolder files;
-  const Outcome made = files.run("cage " + quoted(dragon) + " -o made.obj --triangles 120");
-  CHECK(made.code == 0);
+  const Outcome made = files.done("cage " + quoted(dragon) + " -o made.obj --triangles 120");
   CHECK(mentions(made, "made a cage of 1"));
   const mesh::Surface read = formats::read(files / "made.obj").surface;
   CHECK(read.triangles.size() <= 120);
   CHECK(mesh::summarize(read).closed());
-  const Outcome info = files.run("info " + quoted(dragon) + " --cage made.obj");
-  CHECK(info.code == 0);
-  CHECK_FALSE(mentions(info, "outside"));
-  CHECK(files.run("deform " + quoted(dragon) + " made.obj --pose made.obj -o same.ply").code == 0);
+  CHECK_FALSE(mentions(files.done("info " + quoted(dragon) + " --cage made.obj"), "outside"));
+  files.done("deform " + quoted(dragon) + " made.obj --pose made.obj -o same.ply");
 }
 
 TEST_CASE("boxes_and_quads_are_written_in_every_format") {
   const CageFolder files;
   for (const char* name : {"box.obj", "box.ply", "box.off", "box.stl"}) {
-    CHECK(files.run(std::string("cage model.obj --kind box --cells 2x3x1 --margin 5 -o ") + name).code == 0);
+    files.done(std::string("cage model.obj --kind box --cells 2x3x1 --margin 5 -o ") + name);
     CHECK(formats::read(files / name).surface.triangles.size() == 44);
   }
-  CHECK(files.run("cage model.obj --quads --triangles 60 -o quads.obj").code == 0);
+  files.done("cage model.obj --quads --triangles 60 -o quads.obj");
   const mesh::Surface quads = formats::read(files / "quads.obj").surface;
   CHECK(quads.polygon_count() < quads.triangles.size());
 }
@@ -55,13 +48,12 @@ TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   for (auto& p : far.positions) p = {1e50 * (p[0] - 1e7), 1e50 * p[1], 1e50 * p[2]};
   formats::write(files / "large.obj", far);
   for (const char* model : {"far.obj", "large.obj"}) {
-    const Outcome refused = files.run(std::string("cage ") + model + " --triangles 60 -o made.glb");
-    CHECK(refused.code == 1);
-    CHECK(mentions(refused, "made.glb: glTF's 7 digits"));
+    files.refused(std::string("cage ") + model + " --triangles 60 -o made.glb", 1,
+                  "made.glb: glTF's 7 digits");
     CHECK_FALSE(fs::exists(files / "made.glb"));
-    CHECK(files.run(std::string("cage ") + model + " --triangles 60 -o made.ply --force").code == 0);
+    files.done(std::string("cage ") + model + " --triangles 60 -o made.ply --force");
   }
-  CHECK(files.run("cage model.obj --triangles 60 -o made.glb").code == 0);
+  files.done("cage model.obj --triangles 60 -o made.glb");
 }
 
 TEST_CASE("invalid_cage_settings_and_models_give_an_error") {
@@ -85,7 +77,7 @@ TEST_CASE("invalid_cage_settings_and_models_give_an_error") {
       {"missing.obj", "there is no such file"},
   };
   for (const auto& [arguments, said] : cases) {
-    const Outcome outcome = files.run(std::string("cage ") + arguments + " -o made.obj");
+    const Outcome outcome = files.viete(std::string("cage ") + arguments + " -o made.obj");
     CHECK_MESSAGE(outcome.code != 0, arguments);
     CHECK_MESSAGE(outcome.code != 128, arguments);
     CHECK_MESSAGE(mentions(outcome, said), arguments << '\n' << outcome.text);
