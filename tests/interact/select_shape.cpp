@@ -126,8 +126,7 @@ TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
   };
   round(80);
   REQUIRE(hand.w.interaction.lasso);
-  hand.input.escape = true;
-  hand.step();
+  hand.press_escape();
   hand.release();
   CHECK(hand.selected() == 0);
   round(80);
@@ -148,12 +147,10 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   hand.move(middle);
   const float radius = hand.w.interaction.select_radius;
   const CameraPose camera = hand.w.camera.pose();
-  hand.input.wheel = 1;
-  hand.step();
+  hand.turn_wheel(1);
   CHECK(hand.w.interaction.select_radius > radius);
   CHECK(hand.w.camera.pose() == camera);
-  hand.input.wheel = -1000;
-  hand.step();
+  hand.turn_wheel(-1000);
   CHECK(hand.w.interaction.select_radius == least_select_radius);
   hand.w.interaction.select_radius = 30;
 
@@ -170,8 +167,7 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   hand.begin(middle, middle + glm::vec2(0, 100));
   CHECK(hand.w.document.selection != before);
   CHECK_FALSE(test::run_command(hand.w, "select_none"));
-  hand.input.escape = true;
-  hand.step();
+  hand.press_escape();
   hand.release();
   CHECK(hand.w.document.selection == before);
   CHECK(test::run_command(hand.w, "stop_selecting"));

@@ -27,6 +27,8 @@ struct Mouse {
   void move(glm::vec2 to) { input.position = to, step(); }
   void press(int b = workspace::left_button) { input.down[b] = true, step(); }
   void release(int b = workspace::left_button) { input.down[b] = false, step(); }
+  void turn_wheel(float steps) { input.wheel = steps, step(); }
+  void press_escape() { input.escape = true, step(); }
   void click(glm::vec2 at) { move(at), press(), release(); }
   void begin(glm::vec2 from, glm::vec2 to, int b = workspace::left_button) {
     move(from), press(b);

@@ -68,12 +68,7 @@ TEST_CASE("esc_or_the_right_button_during_a_drag_restores_exactly") {
     const auto before = m.w.document.pose.positions;
     m.begin(m.vertex(7), m.vertex(7) + glm::vec2(40, 40));
     CHECK(m.w.document.pose.positions != before);
-    if (by_escape) {
-      m.input.escape = true;
-      m.step();
-    } else {
-      m.press(right_button);
-    }
+    by_escape ? m.press_escape() : m.press(right_button);
     CHECK(m.w.document.pose.positions == before);
     CHECK(m.selected() == std::vector<std::uint32_t>{1});
     m.move({500, 500});
@@ -286,16 +281,12 @@ TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
     for (std::size_t v = 0; v < now.size(); ++v) count += now[v] != rest[v];
     return count;
   };
-  const auto turn = [&](float steps) {
-    m.input.wheel = steps;
-    m.step();
-  };
   m.begin(m.vertex(7), m.vertex(7) + glm::vec2(30, -20));
   CHECK(moved() == 1);
-  for (int i = 0; i < 40; ++i) turn(1);
+  for (int i = 0; i < 40; ++i) m.turn_wheel(1);
   CHECK(m.w.handling.soft.radius > 1);
   CHECK(moved() > 1);
-  for (int i = 0; i < 60; ++i) turn(-1);
+  for (int i = 0; i < 60; ++i) m.turn_wheel(-1);
   CHECK(moved() == 1);
   m.release();
   CHECK(test::edit_count(m.w.document.history) == 1);
