@@ -44,11 +44,7 @@ struct Probed {
 };
 
 Transform quarter(const glm::dvec3& pivot) {
-  Transform t;
-  t.pivot = pivot;
-  t.axis = {0, 0, 1};
-  t.degrees = 90;
-  return t;
+  return {.pivot = pivot, .axis = {0, 0, 1}, .degrees = 90};
 }
 
 }  // namespace
@@ -95,10 +91,8 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(deform::norm(probe_center(p.document(), 0) - mesh::Point{0, 1, 0}) < 1e-15);
   CHECK(deform::norm(p.probe().pose.turn - mesh::Point{0, 0, std::acos(-1.0) / 2}) < 1e-15);
   CHECK(p.probe().place == mesh::Point{1, 0, 0});
-  Transform t;
-  t.shift = {0.5, 0, 0};
-  t.factors = {2, 1, 1};
-  REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), t));
+  REQUIRE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()),
+                              {.factors = {2, 1, 1}, .shift = {0.5, 0, 0}}));
   const auto m = linear_part(p.probe().pose);
   CHECK(m[1] == doctest::Approx(-2).epsilon(1e-12));
   CHECK(m[3] == doctest::Approx(1).epsilon(1e-12));
@@ -121,18 +115,14 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
 TEST_CASE("whole_turns_of_a_probe_count_and_what_leaves_its_range_moves_nothing") {
   Probed p;
   p.add({0, 0, 0});
-  Transform t = quarter({0, 0, 0});
-  t.degrees = 540;
-  REQUIRE(transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), t));
+  REQUIRE(transform_selection(p.document(), Tool::rotate, test::plain_grip(p.document()), {.degrees = 540}));
   CHECK(p.probe().pose.turn[2] == doctest::Approx(3 * std::acos(-1.0)).epsilon(1e-13));
   const Probe before = p.probe();
-  Transform far;
-  far.shift = {1e30, 0, 0};
-  CHECK_FALSE(transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), far));
+  CHECK_FALSE(
+      transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), {.shift = {1e30, 0, 0}}));
   CHECK(p.probe() == before);
-  Transform grow;
-  grow.factors = {1e12, 1, 1};
-  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()), grow));
+  CHECK(transform_selection(p.document(), Tool::scale, test::plain_grip(p.document()),
+                            {.factors = {1e12, 1, 1}}));
   CHECK(is_probe_stretch(p.probe().pose.stretch));
 }
 
@@ -154,9 +144,7 @@ TEST_CASE("locked_probes_stay_whatever_is_done_to_them") {
   CHECK(p.probe().pose.move == mesh::Point{0, 0.3, 0});
   p.select({0, 1});
   const Probe locked = p.probe();
-  Transform t;
-  t.shift = {1, 0, 0};
-  transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), t);
+  transform_selection(p.document(), Tool::move, test::plain_grip(p.document()), {.shift = {1, 0, 0}});
   CHECK(p.probe() == locked);
   CHECK(p.probe(1).pose.move == mesh::Point{1, 0, 0});
   CHECK(test::run_command(p.w, "remove_probe"));

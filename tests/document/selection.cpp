@@ -99,9 +99,7 @@ TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.size() == 12);
-  Transform t;
-  t.shift = {1, 0, 0};
-  CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), t));
+  CHECK(transform_selection(w.document, Tool::move, test::plain_grip(w.document), {.shift = {1, 0, 0}}));
   CHECK(w.document.pose.positions[7] == w.document.cage->surface.positions[7]);
   CHECK(w.document.pose.positions[5] != w.document.cage->surface.positions[5]);
   CHECK(test::run_command(w, "show_hidden"));

@@ -65,10 +65,8 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.pose.turns = {{0, 1e-9, 0}};
   CHECK_FALSE(has_unsaved_edits(w));
-  Transform turn;
-  turn.degrees = 360;
   w.document.selection.select_all(w.document.pose.positions.size());
-  transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), turn);
+  transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), {.degrees = 360});
   CHECK(w.document.pose.positions == w.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));

@@ -6,17 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
 #include <random>
 
-#include "base/error.h"
 #include "document/brush.h"
 #include "document/edit.h"
 #include "document/probes.h"
 #include "document/record.h"
 #include "files/json_codec.h"
 #include "files/open.h"
-#include "formats/read.h"
 #include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/files.h"
@@ -372,10 +369,7 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
   for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
     Workspace w = worked(files);
     w.view.cage = true;
-    Transform t;
-    t.shift = {amount, 0, 0};
-    t.factors = {1, amount, 1};
-    t.degrees = amount;
+    const Transform t{.factors = {1, amount, 1}, .degrees = amount, .shift = {amount, 0, 0}};
     for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
       transform_selection(w.document, tool, test::plain_grip(w.document), t);
     frame_selection(w, false);

@@ -50,10 +50,7 @@ void check_near(const glm::dvec3& a, const glm::dvec3& b, double tolerance = 1e-
 }
 
 Transform quarter_about(const Grip& grip, int axis) {
-  Transform t;
-  t.axis = grip.anchor.axes[axis];
-  t.degrees = 90;
-  return t;
+  return {.axis = grip.anchor.axes[axis], .degrees = 90};
 }
 
 // A strip of quads along x, folded in the middle, so that the ends of the strip are near each other.
@@ -148,9 +145,7 @@ TEST_CASE("in_a_mirror_the_other_side_moves_as_its_image") {
   document.selection.apply(std::array{37u}, SelectMode::replace);  // at (9, 1, -1); its partner is 38
   const Grip grip = grip_of(document, {.mirror = MirrorPlane::z}, &*mirror, Camera());
   CHECK(vertices_of(grip) == std::vector<std::uint32_t>{37, 38});
-  Transform t;
-  t.shift = {0.25, 2, -0.5};
-  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0.25, 2, -0.5}}));
   CHECK(document.pose.positions[37] == mesh::Point{9.25, 3, -1.5});
   CHECK(document.pose.positions[38] == mesh::Point{9.25, 3, 1.5});
   undo(document);
@@ -166,9 +161,7 @@ TEST_CASE("one_side_leads_if_both_are_selected") {
   CHECK(leading_vertices(document, &*mirror) == std::vector<std::uint32_t>{36, 37});
   const Grip grip = grip_of(document, {}, &*mirror, Camera());
   check_near(grip.anchor.center, {9, 0, -1});
-  Transform t;
-  t.shift = {0, 0, -1};
-  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, -1}}));
   for (std::uint32_t v = 36; v < 40; ++v) CHECK(std::abs(document.pose.positions[v][2]) == 2);
 }
 
@@ -187,9 +180,7 @@ TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
                       }()};
   select(document, 36, 40);
   const Grip grip = grip_of(document, {}, &mirror, Camera());
-  Transform t;
-  t.shift = {0.5, 0.5, 3};
-  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0.5, 0.5, 3}}));
   CHECK(document.pose.positions[38] == mesh::Point{9.5, 1.5, 0});
   CHECK(document.pose.positions[36] == mesh::Point{9.5, -0.5, 2});
 }
@@ -201,9 +192,7 @@ TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   handling.soft = {.on = true, .radius = 4 / document.space.diagonal(), .curve = SoftCurve::linear};
   const Grip grip = grip_of(document, handling, nullptr, Camera());
   CHECK(grip.vertices.size() == 16);  // rings 6 to 9
-  Transform t;
-  t.shift = {0, 0, 2};
-  REQUIRE(transform_selection(document, Tool::move, grip, t));
+  REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, 2}}));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
   CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // moved by three quarters of 2
   CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // moved by a quarter of 2

@@ -26,10 +26,7 @@ Document selected_cube() {
 }
 
 Transform turn(double degrees, glm::dvec3 axis = {0, 1, 0}) {
-  Transform t;
-  t.axis = axis;
-  t.degrees = degrees;
-  return t;
+  return {.axis = axis, .degrees = degrees};
 }
 
 void apply(const Transform& t, const std::vector<mesh::Point>& from, std::vector<mesh::Point>& to) {
@@ -70,10 +67,7 @@ TEST_CASE("turns_keep_lengths_and_scales_keep_the_pivot") {
   auto to = from;
   apply(turn(37, glm::normalize(glm::dvec3(1, -2, 0.5))), from, to);
   CHECK(mesh::norm(to[0]) == doctest::Approx(std::sqrt(14.0)).epsilon(1e-14));
-  Transform s;
-  s.pivot = {4, 4, 4};
-  s.factors = {2, 1, 0.5};
-  apply(s, from, to);
+  apply({.pivot = {4, 4, 4}, .factors = {2, 1, 0.5}}, from, to);
   CHECK(to[0] == mesh::Point{-2, 2, 3.5});
   CHECK(to[1] == from[1]);
 }

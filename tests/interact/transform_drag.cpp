@@ -216,9 +216,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   d.w.document.selection.select_all(8);
   d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
                  d.input.cursor, d.w.camera);
-  d.type("4");
-  d.type("0");
-  d.type("0");
+  for (const char* key : {"4", "0", "0"}) d.type(key);
   CHECK(d.w.document.pose.turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   d.drag->type('x');  // with another axis, turns are counted from 0
   d.update();
