@@ -6,7 +6,6 @@
 #include <cmath>
 #include <numeric>
 #include <set>
-#include <string>
 #include <vector>
 
 #include "sym3/double_double.h"

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "app/terminal_progress.h"
 
 using namespace viete;

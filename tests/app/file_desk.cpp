@@ -9,7 +9,6 @@
 #include <thread>
 #include <utility>
 
-#include "document/edit.h"
 #include "document/pose_edit.h"
 #include "formats/write.h"
 #include "support/files.h"

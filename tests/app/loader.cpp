@@ -4,7 +4,6 @@
 
 #include <utility>
 
-#include "document/edit.h"
 #include "support/files.h"
 #include "workspace/saving.h"
 

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <thread>
 
-#include "base/error.h"
 #include "support/folder.h"
 #include "support/text.h"
 

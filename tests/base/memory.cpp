@@ -1,10 +1,8 @@
 #include <doctest/doctest.h>
 #include <cstdint>
 #include <cstring>
-#include <initializer_list>
 #include <limits>
 #include <new>
-#include <string>
 
 #include "base/error.h"
 #include "base/memory.h"

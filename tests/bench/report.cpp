@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <regex>

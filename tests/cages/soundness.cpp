@@ -6,7 +6,6 @@
 #include "cages/models.h"
 #include "cages/soundness.h"
 #include "cages/subject.h"
-#include "mesh/defects.h"
 #include "mesh/summary.h"
 
 using namespace viete;

@@ -85,8 +85,6 @@ TEST_CASE("flat_closed_cages_and_cages_without_area_are_refused") {
   CHECK_THROWS_AS(make_cage(viete::mesh::Surface{}), viete::base::Error);
 }
 
-using namespace viete;
-
 namespace {
 
 std::shared_ptr<const Cage> bent_tube() {

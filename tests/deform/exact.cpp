@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <fstream>
-#include <limits>
 
 #include "base/error.h"
 #include "deform/bound.h"

@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <span>
 
-#include "base/error.h"
 #include "deform/bound.h"
 #include "deform/point_weights.h"
 
 using namespace viete::test;
-using viete::sym3::Method;
 
 namespace {
 

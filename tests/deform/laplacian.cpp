@@ -1,6 +1,5 @@
 #include <doctest/doctest.h>
 #include <Eigen/SparseCore>
-#include <algorithm>
 #include <cmath>
 
 #include "deform/laplacian.h"

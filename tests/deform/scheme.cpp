@@ -1,7 +1,5 @@
 #include <doctest/doctest.h>
-#include <algorithm>
 #include <set>
-#include <string>
 
 #include "base/error.h"
 #include "deform/scheme.h"

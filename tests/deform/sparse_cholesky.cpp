@@ -1,7 +1,6 @@
 #include <doctest/doctest.h>
 #include <Eigen/Cholesky>
 #include <Eigen/SparseCore>
-#include <numeric>
 
 #include "base/error.h"
 #include "deform/laplacian.h"

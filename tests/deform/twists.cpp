@@ -3,7 +3,6 @@
 
 #include "deform/bound.h"
 
-using namespace viete;
 using namespace viete::test;
 
 namespace {

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include "deform/maps.h"
-#include "document/edit.h"
 #include "support/commands.h"
 #include "support/edits.h"
 #include "support/files.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "mesh/winding_number.h"

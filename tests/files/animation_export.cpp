@@ -6,7 +6,6 @@
 #include <cmath>
 #include <set>
 #include <thread>
-#include <tuple>
 
 #include "base/error.h"
 #include "deform/scheme.h"

@@ -2,11 +2,8 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "base/error.h"
 #include "deform/pose_io.h"
-#include "document/edit.h"
 #include "files/animation_export.h"
 #include "files/open.h"
 #include "formats/morph_keys.h"

@@ -18,7 +18,6 @@
 #include "support/posed_cube.h"
 #include "support/text.h"
 #include "workspace/apply_opened.h"
-#include "workspace/playing.h"
 #include "workspace/saving.h"
 
 using namespace viete;

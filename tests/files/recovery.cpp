@@ -4,8 +4,6 @@
 
 #include <set>
 
-#include "base/process.h"
-#include "document/edit.h"
 #include "document/pose_edit.h"
 #include "files/session.h"
 #include "support/files.h"

@@ -5,7 +5,6 @@
 #include <numeric>
 #include <random>
 
-#include "base/error.h"
 #include "formats/morph_keys.h"
 #include "formats/point_cache.h"
 #include "formats/read.h"

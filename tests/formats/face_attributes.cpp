@@ -1,9 +1,6 @@
 // Reads, keeps and converts face colours and face texture coordinates.
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <sstream>
-
 #include "formats/write.h"
 #include "support/shapes.h"
 

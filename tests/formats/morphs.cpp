@@ -12,7 +12,6 @@
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;
-using test::GltfJson;
 using test::GltfParts;
 using test::holds;
 

@@ -1,5 +1,3 @@
-#include "formats/codecs.h"
-
 #include <doctest/doctest.h>
 
 #include "formats/mtl.h"

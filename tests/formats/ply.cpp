@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <bit>
 
 #include "mesh/triangulation.h"

@@ -1,9 +1,6 @@
-#include "formats/codecs.h"
-
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <bit>
 
 #include "support/shapes.h"
 

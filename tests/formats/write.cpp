@@ -8,7 +8,6 @@
 #include "mesh/triangulation.h"
 #include "support/shapes.h"
 
-namespace fs = std::filesystem;
 using namespace viete;
 using namespace viete::formats;
 using namespace viete::mesh;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "document/camera.h"
-#include "document/edit.h"
 #include "interact/grip.h"
 #include "interact/placing.h"
 #include "support/cube.h"

@@ -3,13 +3,11 @@
 #include <doctest/doctest.h>
 
 #include <map>
-#include <numeric>
 #include <random>
 
 #include "mesh/point_index.h"
 #include "mesh/triangle.h"
 
-using namespace viete;
 using namespace viete::mesh;
 
 namespace {

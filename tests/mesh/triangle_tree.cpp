@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
-#include <random>
 
 #include "mesh/triangle.h"
 #include "mesh/winding_number.h"

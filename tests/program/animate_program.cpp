@@ -47,7 +47,6 @@ struct AnimatedDragon : TemporaryFolder {
   std::string line(const std::string& rest) const {
     return "animate " + quoted(dragon) + " " + quoted(cage) + " --keys k_##.obj " + rest;
   }
-  Outcome animate(const std::string& rest) const { return run(line(rest), "cd " + quoted(path()) + " &&"); }
 };
 
 }  // namespace

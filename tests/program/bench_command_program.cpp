@@ -1,6 +1,5 @@
 // viete bench: short runs of all benchmarks, with their files and tables.
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>

@@ -14,8 +14,6 @@ using What = files::OpenRequest::What;
 
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Bound : Driver {
   test::TemporaryFolder folder;
 

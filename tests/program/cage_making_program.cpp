@@ -30,7 +30,6 @@ struct Maker : Driver {
   }
   // Runs frames until the cage has the current settings and is bound.
   void finish() {
-    frame();
     finish_making();
     frame(2);
     viewer().finish_binding();
@@ -176,7 +175,6 @@ TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
   const auto pose = d.document().pose.positions;
   workspace::find_command("set_key")->run(d.workspace());
   d.click("make_cage");
-  d.frame();
   d.finish_making();
   d.frame(3);
   CHECK(d.document().cage != cage);
@@ -218,7 +216,6 @@ TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
   test::put_file(folder / "point.obj", "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n");
   Maker d(folder / "point.obj");
   d.click("make_cage");
-  d.frame();
   d.finish_making();
   d.frame(3);
   CHECK_FALSE(d.document().has_cage());
@@ -266,7 +263,6 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   d.frame(2);
   REQUIRE(workspace::mirror_of(d.workspace())->unpaired() > 0);
   d.click("make_symmetric_cage");
-  d.frame();
   d.finish_making();
   d.frame(2);
   CHECK(workspace::mirror_of(d.workspace())->unpaired() == 0);

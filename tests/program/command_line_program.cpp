@@ -1,15 +1,12 @@
 // The command line: subcommands, outputs, errors and exit codes.
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <vector>
 
 #include "formats/read.h"
 #include "formats/write.h"
 #include "program/command_line.h"
-#include "render/image.h"
 #include "support/cube.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"

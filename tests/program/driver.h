@@ -22,7 +22,6 @@
 #include "program/dragon.h"
 #include "program/no_pixels.h"
 #include "support/distance.h"
-#include "ui/input.h"
 #include "workspace/command.h"
 
 namespace viete::test {

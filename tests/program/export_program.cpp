@@ -7,7 +7,6 @@
 #include "support/commands.h"
 #include "support/pictures.h"
 #include "support/text.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using namespace test;

@@ -5,7 +5,6 @@
 #include <numbers>
 
 #include "deform/scheme.h"
-#include "document/edit.h"
 #include "document/pose_edit.h"
 #include "interact/shaping.h"
 #include "program/driver.h"
@@ -15,7 +14,6 @@
 #include "support/pictures.h"
 #include "ui/panels.h"
 #include "workspace/pointer.h"
-#include "workspace/saving.h"
 
 using namespace viete;
 using test::Driver;

@@ -3,7 +3,6 @@
 
 #include "program/driver.h"
 #include "ui/help_overlay.h"
-#include "workspace/menus.h"
 
 using namespace viete;
 using test::Driver;

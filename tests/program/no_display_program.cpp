@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "program/command_line.h"
-#include "render/image.h"
 #include "support/pictures.h"
 
 using namespace viete;

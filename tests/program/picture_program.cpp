@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <functional>
 
-#include "document/edit.h"
 #include "document/pose_edit.h"
 #include "document/probes.h"
 #include "formats/write.h"

@@ -1,6 +1,5 @@
 // Probes with simulated events, with and without a cage: added by a key, moved by the gizmo, set in the
 // panel.
-#include <cmath>
 #include <numbers>
 
 #include "document/pose_edit.h"

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "document/edit.h"
 #include "document/probes.h"
 #include "formats/read.h"
 #include "formats/write.h"

@@ -1,7 +1,5 @@
 // Named poses and the timeline with simulated events: save, mix, set keys, play, move keys.
-#include <cmath>
 
-#include "document/edit.h"
 #include "document/time_edit.h"
 #include "program/driver.h"
 #include "workspace/playing.h"

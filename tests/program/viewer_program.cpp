@@ -1,5 +1,4 @@
 // The viewer with simulated events: drags, methods, deformers, files and the camera.
-#include <cmath>
 
 #include "document/edit.h"
 #include "document/pose_edit.h"

@@ -4,14 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <string>
 #include <utility>
 
 #include "formats/point_cache.h"
 #include "formats/write.h"
 #include "support/cube.h"
 #include "support/folder.h"
-#include "support/text.h"
 #include "workspace/apply_opened.h"
 
 namespace viete::test {

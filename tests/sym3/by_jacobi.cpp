@@ -2,7 +2,6 @@
 #include <cmath>
 #include <limits>
 #include <type_traits>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/double_double.h"

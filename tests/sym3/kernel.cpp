@@ -1,10 +1,8 @@
 #include <doctest/doctest.h>
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <set>
-#include <vector>
 
 #include "sym3/arranged.h"
 #include "sym3/call_kernel.h"

@@ -1,6 +1,5 @@
 #include "sym3/polar.h"
 
-#include <cstring>
 #include <limits>
 #include <vector>
 

@@ -10,7 +10,6 @@
 #include "support/cube.h"
 #include "support/edits.h"
 #include "workspace/menus.h"
-#include "workspace/saving.h"
 #include "workspace/workspace.h"
 
 using namespace viete;

@@ -6,7 +6,6 @@
 
 #include "workspace/command.h"
 
-using namespace viete;
 using namespace viete::workspace;
 
 namespace {

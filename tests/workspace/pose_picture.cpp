@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-
 #include "support/cube.h"
 #include "support/shapes.h"
 #include "workspace/picture_view.h"

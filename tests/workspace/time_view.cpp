@@ -3,7 +3,6 @@
 
 #include <doctest/doctest.h>
 
-#include "document/edit.h"
 #include "document/time_edit.h"
 #include "support/commands.h"
 #include "support/cube.h"

@@ -2,8 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-
 #include "document/edit.h"
 #include "support/posed_cube.h"
 #include "workspace/messages.h"
