@@ -9,12 +9,6 @@
 
 namespace viete::deform {
 
-/// The number of free bytes that bind() needs, at most 2^63. For the fused engine this is an upper bound. If
-/// the weights can be compressed (affine maps only), it assumes that compression leaves a quarter of their
-/// size. Weights along the surface need memory for all vertices before compression.
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
-                          const Weighting& weighting = {});
-
 /// Binds for the staged engine, in time proportional to vertices times handles. The result does not depend on
 /// the number of threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient, if the
 /// model has no vertices, or if weights along the surface are wanted and the model has no triangles.

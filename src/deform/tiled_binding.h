@@ -99,6 +99,12 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 /// True if compression may be worth its cost for these sizes. (It never is for handles that only move.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
+/// The number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine this is an
+/// upper bound. If the weights can be compressed (affine maps only), it assumes that compression leaves a
+/// quarter of their size. Weights along the surface need memory for all vertices before compression.
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
+                          const Weighting& weighting = {});
+
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles or, if compressed, of floats.
 /// Weights with a radius are stored as lists. Others are compressed with `tolerance` (0: never) if a sample
 /// of leaves predicts cheaper frames. `storage` overrides both. Results do not depend on the number of

@@ -1,7 +1,7 @@
 #include "document/binding_plan.h"
 
 #include "base/text.h"
-#include "deform/bind.h"
+#include "deform/tiled_binding.h"
 #include "deform/binding.h"
 #include "deform/cage_state.h"
 

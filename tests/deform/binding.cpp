@@ -9,6 +9,7 @@
 #include "deform/bound.h"
 #include "deform/factoring.h"
 #include "deform/shapes.h"
+#include "deform/tiled_binding.h"
 
 using namespace viete::test;
 

@@ -90,7 +90,7 @@ TEST_CASE("other_faces_collapsed_elements_and_odd_turns_warn") {
   viete::formats::write(folder / "faces.obj", viete::mesh::from_triangles(box().positions, t));
   read(folder / "faces.obj", cage, warnings);
   REQUIRE(warnings.size() == 1);
-  CHECK(mentions(warnings[0], "faces differ"));
+  CHECK(mentions(warnings[0], "differ from the faces of the cage"));
 
   auto collapsed = box();
   collapsed.positions.assign(8, {1, 1, 1});

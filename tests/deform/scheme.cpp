@@ -125,7 +125,7 @@ TEST_CASE("incompatible_choices_are_rejected_with_the_reason") {
       FAIL("was not refused");
     } catch (const viete::base::Error& error) {
       CHECK(mentions(error.what(), "cannot be combined"));
-      CHECK(mentions(error.what(), "are weights of cage vertices"));
+      CHECK(mentions(error.what(), "need the linear blend"));
     }
   }
 }

@@ -49,7 +49,7 @@ TEST_CASE("a_cage_beyond_the_files_precision_is_not_written") {
   formats::write(files / "large.obj", far);
   for (const char* model : {"far.obj", "large.obj"}) {
     files.refused(std::string("cage ") + model + " --triangles 60 -o made.glb", 1,
-                  "made.glb: glTF's 7 digits");
+                  "made.glb: glTF stores coordinates with 7 digits");
     CHECK_FALSE(fs::exists(files / "made.glb"));
     files.done(std::string("cage ") + model + " --triangles 60 -o made.ply --force");
   }

@@ -171,7 +171,7 @@ TEST_CASE("a_window_closes_at_once_when_edits_are_kept_and_asks_when_they_are_no
     if (can_keep) {
       REQUIRE(wait_until([&] { return viewer.finished(); }));
       CHECK(viewer.exit_code() == 0);
-      CHECK(test::file_bytes(log).find("unsaved edits were saved") != std::string::npos);
+      CHECK(test::file_bytes(log).find("unsaved edits were backed up") != std::string::npos);
       continue;
     }
     desktop.rest(at_work);
