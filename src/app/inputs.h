@@ -61,11 +61,11 @@ CLI::Option* add_output_options(
     CLI::App& app, Output& output,
     const std::string& text = "Mesh file to write; the extension sets the format");
 
-/// Call after parsing. Throws CLI::ParseError if an input is missing, or if the session already contains it.
-/// Throws base::Error if settings cannot be combined.
+/// Call after parsing. Throws CLI::ParseError if an input is missing, or if an input is given that the
+/// session already contains. Throws base::Error if settings cannot be combined.
 void check_usage(const Inputs& inputs);
 
-/// Opens the inputs and calls `check`. Throws base::Error, also if a needed cage is missing.
+/// Opens the inputs and calls `check`. Throws base::Error if this fails or a needed cage is missing.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
 /// As above, and calls check_output() twice: before reading, and when all input files are known. `also`: one

@@ -161,7 +161,7 @@ void Viewer::follow_notices() {
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
-// New messages belong to the current document.
+// Removes messages about a replaced model or cage. Hides messages whose time has ended.
 void Viewer::scope_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();

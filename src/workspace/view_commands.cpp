@@ -178,7 +178,7 @@ void add_map_commands(CommandTable& table) {
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
             {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
              [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});
-  table.add("frame_worst", "Frame largest value", "Zoom to the vertex with the largest value of the map.",
+  table.add("frame_worst", "Zoom to largest value", "Zoom to the vertex with the largest value of the map.",
             has_map, frame_worst);
   table.add("pick_vertex", {"Inspect vertex", "Inspect"},
             "Show weights, matrices and the result of each method for the vertex under the pointer.",

@@ -137,7 +137,7 @@ struct About {
   std::string kernel;     ///< kernel of the matrix exponential
   std::string renderer;   ///< OpenGL renderer
   bool software = false;  ///< software rendering on the CPU
-  /// A model with more triangles is drawn with fewer in motion.
+  /// While the picture moves, a model with more triangles than this is drawn simplified.
   std::size_t moving_triangles = std::numeric_limits<std::size_t>::max();
 };
 

@@ -1,4 +1,5 @@
-// Derivatives of every kernel: error bounds, and equal bits for one or many matrices, directions and layouts.
+// Tests derivatives with every kernel: their error bounds, and that a batch, several directions and every
+// layout give the bits of single calls.
 #include "sym3/derivative.h"
 
 #include <algorithm>
