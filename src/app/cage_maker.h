@@ -18,7 +18,7 @@ namespace viete::app {
 class CageMaker {
 public:
   /// Call once per frame. Puts a finished cage into the document, unless a drag is running, and starts the
-  /// next one.
+  /// next generation.
   void follow(workspace::Workspace& workspace, bool no_drag);
   /// Cancels the generation and shows a message. The cage stays until the settings change.
   void stop(workspace::Workspace& workspace);

@@ -76,7 +76,6 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), co
 /// The files named on the command line.
 FilesInUse files_read(const Inputs& inputs);
 
-/// Prints each note as one line to stderr.
 void print_notes(const std::vector<std::string>& notes);
 /// Prints the summary of written frames as one line to stdout.
 void print_summary(const Output& output, const std::string& summary);
@@ -92,7 +91,7 @@ struct OpenedShapes {
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const files::FrameSteps* frames = nullptr);
 
-/// An export of the document's deformed model to this output.
+/// Returns an export of the document's deformed model to this output.
 files::Export export_to(const Output& output, const files::Opened& opened);
 
 /// Writes the frames, and prints notes and a summary.
@@ -103,7 +102,7 @@ int write_frames(const Output& output, const files::AnimationExport& what);
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// Runs `write`. If Ctrl+C cancels it, throws base::Error with this advice.
+/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with this advice.
 int run_cancellable(const Output& output, const std::function<int()>& write,
                     const char* advice = "no file was changed");
 

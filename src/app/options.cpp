@@ -72,8 +72,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force,
-               "Also replace input files, and files whose content is of another kind than the output");
+  app.add_flag("--force", force, "Also replace input files, and files with content of another kind");
 }
 
 files::Force force_of(bool given) {

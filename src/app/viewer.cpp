@@ -59,7 +59,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   if (gl.software && options.may_be_coarse) workspace_.about.moving_triangles = options.moving_triangles;
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // then the example is not offered
+  } catch (const std::exception&) {  // without the bundled model, offers no example
   }
   place_viewport();
 }

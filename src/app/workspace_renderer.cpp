@@ -390,7 +390,7 @@ constexpr std::size_t most = 20000;  // the largest number of drawn elements; mo
 void FindingMarks::collect(const workspace::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
-  // Numbers only the vertices of shown elements, so that no others are updated.
+  // Numbers only the vertices of shown elements, so that only these vertices are updated.
   used_.clear();
   std::unordered_map<std::uint32_t, std::uint32_t> numbers;
   const auto number = [&](std::uint32_t vertex) {

@@ -109,7 +109,6 @@ public:
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
-  /// Updates the positions of the cage.
   void set_cage(const workspace::Workspace& workspace);
   /// Updates the colours and highlights of the cage.
   void set_hand(const workspace::Workspace& workspace);

@@ -32,8 +32,7 @@ template <class Options>
 void add_json_options(CLI::App& command, Options& options) {
   add_file_option(command, "--json", options.json, "Write the numbers to this JSON file");
   add_force_option(command, options.force);
-  const std::string name = command.get_name();
-  add_examples(command, {"bench " + name + " --json " + name + ".json"});
+  add_examples(command, {"bench " + command.get_name() + " --json " + command.get_name() + ".json"});
 }
 
 constexpr std::size_t paper_count = 10'000'000;

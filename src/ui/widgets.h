@@ -84,7 +84,7 @@ void command_button(const Context& ui, std::string_view command, float width = 0
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
 /// Like command_row(), with the button `chosen` marked.
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
-/// A checkbox that runs a toggling command. Shows `value`, or without it the state of the command.
+/// A checkbox that runs a toggling command. Shows `value`, or the state of the command if `value` is missing.
 void command_toggle(const Context& ui, std::string_view command, std::optional<bool> value = {});
 
 /// The command's hint and key, and the reason if the command is disabled.
@@ -115,7 +115,7 @@ void hint(const std::string& text);
 bool wants_hint();
 
 /// If Esc is pressed, closes the open popup, or cancels the active widget and restores its value. Returns
-/// true if it did so. Call it before other uses of Esc in a frame.
+/// true if something was closed or cancelled. Call it before other uses of Esc in a frame.
 bool take_escape(workspace::Workspace& workspace);
 
 /// A field that shows `value`. Returns the typed number when the field loses the focus by Enter or a click

@@ -1,5 +1,4 @@
-// Tests derivatives with every kernel: their error bounds, and that a batch, several directions and every
-// layout give the bits of single calls.
+// Tests error bounds of derivatives with every kernel, and that batches in any layout equal single calls.
 #include "sym3/derivative.h"
 
 #include <algorithm>
