@@ -41,7 +41,7 @@ public:
   /// Call after each frame. Measures times and errors of the methods.
   void follow_frame(workspace::Workspace& workspace, LiveModel& model, bool moves);
 
-  /// Updates the vertex inspector, in less than a millisecond. Returns true if its data changed.
+  /// Updates the vertex inspector, in less than a millisecond. Returns true if the shown data changed.
   bool follow_vertex(workspace::Workspace& workspace, const LiveModel& model);
   bool vertex_is_due(const workspace::Workspace& workspace, const LiveModel& model) const;
 

@@ -20,7 +20,7 @@
 
 namespace viete::app {
 
-/// True if a drag changes the cage's rest shape. The model then stays at rest.
+/// True if a drag changes the cage's rest shape. During such a drag, the model stays at rest.
 inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
@@ -85,7 +85,7 @@ public:
             document.probes,
             document.shape};
   }
-  /// The number of frames computed so far. Measurements use it to identify a frame.
+  /// The number of frames computed so far. Measurements identify a frame by this number.
   unsigned long frames() const { return frames_; }
   /// True if a frame was computed since the last call.
   bool take_news() { return std::exchange(news_, false); }

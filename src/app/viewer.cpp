@@ -271,7 +271,7 @@ void Viewer::deform(workspace::FrameTimes& times) {
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
-// The drawn model; empty if it is at rest. A side view without a frame shows the frame of the first view.
+// The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.
 document::PosedModel Viewer::posed_in(std::size_t view) const {
   const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
   if (!workspace_.view.deformed || !model.ran()) return {};

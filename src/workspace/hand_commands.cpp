@@ -24,7 +24,7 @@ Value& place(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::SoftDistance>) return h.soft.distance;
 }
 
-// If the cage has no such plane of symmetry, shows a message and changes nothing.
+// Sets the mirror plane. If the cage has no plane of symmetry, shows a message and changes nothing.
 void choose(Workspace& w, document::MirrorPlane plane) {
   document::MirrorCache wanted;
   wanted.follow(w.document.cage, plane);

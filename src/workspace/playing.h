@@ -45,7 +45,7 @@ void start_playing(Workspace& workspace);
 void stop_playing(Workspace& workspace);
 
 /// Advances playback by `seconds`, shows edits of the timeline, and with auto_key sets keys for edits of the
-/// pose. Call it once per frame of the window. An unkeyed edit stops playback, so that it stays visible.
+/// pose. Call it once per frame of the window. Unkeyed edits stop playback, so that they stay visible.
 void follow_time(Workspace& workspace, double seconds);
 
 /// The pose of the keys or weights, computed linearly if the document uses log space, and vice versa; null if

@@ -1,4 +1,4 @@
-// Thumbnails of poses. They show the model if the pose has a shape of the model, otherwise the cage.
+// Thumbnails of poses. If a pose has a shape of the model, the thumbnail shows the model, otherwise the cage.
 #pragma once
 
 #include <glm/glm.hpp>

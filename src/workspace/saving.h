@@ -37,7 +37,7 @@ void mark_pose_saved(Workspace& workspace);
 
 files::Session session_of(const Workspace& workspace);
 
-/// All open files, except the file described by `own`, which is about to be overwritten.
+/// All open files, except the file described by `own`, which the caller is about to overwrite.
 document::FilesInUse files_open(const Workspace& workspace, std::string_view own = {});
 
 /// The file name of the session, or of the model if there is no session: "dragon.ply".

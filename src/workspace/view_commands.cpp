@@ -151,7 +151,7 @@ constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].sho
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
                                "Inspect a vertex first."};
 
-// Opens the vertex inspector, and its column if it is hidden.
+// Opens the vertex inspector. If the column of the inspector is hidden, shows the column.
 void show_sum_at(Workspace& w, std::uint32_t vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
