@@ -196,7 +196,8 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// For measuring, staged weights are computed up to this size. Larger weights wait until a method needs them.
+// Before a measurement, the weights of the staged engine are computed if they fit in this many bytes. If not,
+// they are computed when a method needs them.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {

@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The binding of the timed frames. It includes staged weights unless they are very large.
+  /// The binding of the timed frames. It includes the staged weights if they are not very large.
   std::shared_ptr<const deform::Binding> binding;
 };
 
@@ -26,7 +26,7 @@ struct MethodTimings {
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
 /// Times and errors of all compared methods for these matrices. Times are medians of CPU time. Errors are
-/// relative to a reference with 106 bits. The errors of a method are NaN if the error of one matrix is NaN.
+/// relative to a reference with 106 bits. If an error of a method is NaN, all its errors are NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// Restarts measurements when their input changes, and stores the results in the workspace. Not thread-safe.
@@ -41,7 +41,7 @@ public:
   /// Call after each frame. Measures times and errors of the methods.
   void follow_frame(workspace::Workspace& workspace, LiveModel& model, bool moves);
 
-  /// Updates the vertex inspector, in less than a millisecond. Returns true if its data changed.
+  /// Updates the vertex inspector, in less than a millisecond. Returns true if the shown data changed.
   bool follow_vertex(workspace::Workspace& workspace, const LiveModel& model);
   bool vertex_is_due(const workspace::Workspace& workspace, const LiveModel& model) const;
 

@@ -72,7 +72,7 @@ void check_output(const AnimateOptions& options, FilesInUse files, const files::
   check_output(options.output.file, frames, files, force_of(options.output.force));
 }
 
-// Opens the document and applies the options for its timeline.
+// Opens the document and applies the options to the timeline.
 files::Opened opened_for(const AnimateOptions& options, void (*check)(const files::Opened&)) {
   files::Opened opened = open(options.inputs, check);
   document::Document& document = *opened.document;

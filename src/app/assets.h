@@ -8,7 +8,7 @@
 namespace viete::app {
 
 /// The first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative to the
-/// program, and source_assets(). If there is none, throws base::Error with the searched folders.
+/// program, and source_assets(). If no folder contains it, throws base::Error with the searched folders.
 std::filesystem::path assets_folder();
 
 struct BundledModel {

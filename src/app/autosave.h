@@ -11,11 +11,11 @@
 namespace viete::app {
 
 /// $XDG_STATE_HOME/viete, or ~/.local/state/viete if the variable is not an absolute path (see the XDG base
-/// directory specification). Empty if there is no home folder; then nothing is stored.
+/// directory specification). If there is no home folder, the path is empty and nothing is stored.
 std::filesystem::path state_folder();
 
 /// Writes the whole session to a recovery file in the background, after each finished edit and each later
-/// change of settings. Changes of the camera, transform settings and the current frame alone write nothing. A
+/// change of settings. If only the camera, transform settings or the current frame change, writes nothing. A
 /// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
 /// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
 /// original file until the next edit. If a write fails, shows a message and tries again after the next edit.
@@ -33,7 +33,7 @@ public:
   bool has_news() const;
   /// Writes the current edits and waits, with one retry. If this fails, returns false; see problem().
   bool keep_now(workspace::Workspace& workspace);
-  /// As keep_now(), then renames the file to keep it. Call before another document is opened.
+  /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);
   /// Call when a document with recovered edits is closed unchanged. The next start does not offer its file.
   void close_recovered(workspace::Workspace& workspace);

@@ -14,11 +14,11 @@
 namespace viete::app {
 
 /// Generates a preview for each change of the settings in workspace.making, and a full-quality cage when the
-/// settings stay unchanged. A cage of full quality comes with its binding. Not thread-safe.
+/// settings stay unchanged. For a cage of full quality, also binds the model. Not thread-safe.
 class CageMaker {
 public:
   /// Call once per frame. Puts a finished cage into the document, unless a drag is running, and starts the
-  /// next one.
+  /// next generation.
   void follow(workspace::Workspace& workspace, bool no_drag);
   /// Cancels the generation and shows a message. The cage stays until the settings change.
   void stop(workspace::Workspace& workspace);

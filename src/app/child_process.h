@@ -9,9 +9,9 @@
 
 namespace viete::app {
 
-/// Runs a program and returns its lines of output without progress. words: the program and its arguments. If
-/// the program fails, throws base::Error with its message. If `progress` is cancelled, stops the program and
-/// throws base::Cancelled. Thread-safe.
+/// Runs a program and returns the lines of its output, except progress lines. words: the program and its
+/// arguments. If the program fails, throws base::Error with its message. If `progress` is cancelled, stops
+/// the program and throws base::Cancelled. Thread-safe.
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress);
 
 /// Opens the page in a browser and returns at once. Throws base::Error if no browser can be started.

@@ -41,7 +41,7 @@ struct Program {
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
-/// The program `viete`. For `bench` and `report` it executes the program `viete-bench`.
+/// Runs the program `viete`. For `bench` and `report`, executes the program `viete-bench`.
 Program viete_program();
 
 /// Parses the command line and runs its command. Returns the exit code; errors go to stderr.

@@ -41,8 +41,8 @@ private:
   deform::ExactDeformer deformer_;
 };
 
-// How strongly each vertex follows the selection: its displacement divided by a small displacement of the
-// selected elements.
+// How strongly each vertex follows the selection: the displacement of the vertex divided by a small
+// displacement of the selected elements.
 struct Influence {
   FrameInput frame;
   document::Selection selection;

@@ -17,7 +17,7 @@ namespace viete::app {
 struct FieldSubject {
   const document::Document& document;
   analysis::Field field;
-  const ViewModel& model;  ///< before its first frame, slow fields are not computed
+  const ViewModel& model;  ///< slow fields are computed after the first frame of this model
   sym3::Method method;
   document::PosedModel posed, first;  ///< the model in this view and in the first view; empty: at rest
 };

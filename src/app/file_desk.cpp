@@ -68,7 +68,7 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   follow_dialog(w.browser, w);
 }
 
-// A file browser stays open until its request is done. For long work, a progress bar replaces it.
+// A file browser stays open until its request is done. During long work, a progress bar replaces the browser.
 void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;

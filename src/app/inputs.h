@@ -61,11 +61,11 @@ CLI::Option* add_output_options(
     CLI::App& app, Output& output,
     const std::string& text = "Mesh file to write; the extension sets the format");
 
-/// Call after parsing. Throws CLI::ParseError if an input is missing, or if the session already contains it.
-/// Throws base::Error if settings cannot be combined.
+/// Call after parsing. Throws CLI::ParseError if an input is missing, or if an input is given that the
+/// session already contains. Throws base::Error if settings cannot be combined.
 void check_usage(const Inputs& inputs);
 
-/// Opens the inputs and calls `check`. Throws base::Error, also if a needed cage is missing.
+/// Opens the inputs and calls `check`. Throws base::Error if this fails or a needed cage is missing.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
 /// As above, and calls check_output() twice: before reading, and when all input files are known. `also`: one
@@ -76,7 +76,6 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), co
 /// The files named on the command line.
 FilesInUse files_read(const Inputs& inputs);
 
-/// Prints each note as one line to stderr.
 void print_notes(const std::vector<std::string>& notes);
 /// Prints the summary of written frames as one line to stdout.
 void print_summary(const Output& output, const std::string& summary);
@@ -92,7 +91,7 @@ struct OpenedShapes {
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const files::FrameSteps* frames = nullptr);
 
-/// An export of the document's deformed model to this output.
+/// Returns an export of the document's deformed model to this output.
 files::Export export_to(const Output& output, const files::Opened& opened);
 
 /// Writes the frames, and prints notes and a summary.
@@ -103,7 +102,7 @@ int write_frames(const Output& output, const files::AnimationExport& what);
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// Runs `write`. If Ctrl+C cancels it, throws base::Error with this advice.
+/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with this advice.
 int run_cancellable(const Output& output, const std::function<int()>& write,
                     const char* advice = "no file was changed");
 

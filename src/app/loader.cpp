@@ -9,7 +9,7 @@ namespace viete::app {
 
 namespace {
 
-// A copy without the undo history, which may be large and is not needed here.
+// A copy without the undo history. The history may be large, and is not needed here.
 document::Document without_history(const document::Document& document) {
   document::Document copy;
   copy.model = document.model;

@@ -28,7 +28,7 @@ struct ModelLooks {
 
 /// Converts colours, materials and images. normals: the vertex normals at rest. Reads image files; skips
 /// damaged images. A triangle is flat shaded if its group is flat in the file, or if the file's normals at
-/// its corners are equal to its own normal at a sharp edge. Thread-safe.
+/// its corners equal the normal of the triangle at a sharp edge. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 

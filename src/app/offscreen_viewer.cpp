@@ -167,7 +167,8 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
   auto* compare = command.add_option("--compare", options.compare,
-                                     "Views side by side: 2 to 4 deformers or methods, or log,straight");
+                                     "Views side by side: 2 to 4 deformers, 2 to 4 methods, or log,straight "
+                                     "(interpolation in log space and of vertex positions)");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }

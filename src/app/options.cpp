@@ -72,7 +72,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Also replace input files and files of other kinds");
+  app.add_flag("--force", force, "Also replace input files, and files with content of another kind");
 }
 
 files::Force force_of(bool given) {

@@ -47,7 +47,6 @@ void add_force_option(CLI::App& app, bool& force);
 /// Converts the value of --force. Errors suggest this option, except in a child process of the window.
 files::Force force_of(bool given);
 
-/// Adds --method WORD.
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
 /// Adds a number of the deformer, for example --radius PERCENT.
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked);

@@ -9,7 +9,7 @@
 
 namespace viete::app {
 
-/// While this object exists, Ctrl+C and SIGTERM cancel the work: its next progress report throws
+/// While this object exists, Ctrl+C and SIGTERM cancel the work: the next progress report throws
 /// base::Cancelled. A second signal at least two seconds later ends the program at once. If stderr is a
 /// terminal, one line shows the task, its progress and the remaining time. Otherwise, if $VIETE_PROGRESS is
 /// set, prints a line such as "37 %" for every percent. Must be created before other threads, which inherit

@@ -32,7 +32,7 @@ void check_first_word(const std::string& word, const CLI::App& app) {
       exit_usage);
 }
 
-// Replaces this process by the program viete-bench, which is in the same folder.
+// Replaces this process by the program viete-bench in the folder of viete.
 [[noreturn]] void exec_bench(const std::vector<std::string>& arguments) {
   const std::string program = program_folder() / "viete-bench";
   std::vector<char*> words = {const_cast<char*>(program.c_str())};

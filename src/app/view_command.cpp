@@ -45,7 +45,7 @@ ViewerOptions viewer_options(const platform::Window& window) {
   return options;
 }
 
-// A viewer in a window, which is redrawn if something changes.
+// A viewer in a window. The window is redrawn if something changes.
 class WindowViewer {
 public:
   explicit WindowViewer(platform::Window& window)

@@ -68,7 +68,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
   return {new_surfaces, new_cage};
 }
 
-// The document's cage, or its substitute if there is none.
+// The document's cage, or the substitute if the document has no cage.
 std::shared_ptr<const deform::Cage> LiveModel::cage_of(const document::Document& document) {
   if (document.has_cage()) return document.cage;
   if (!no_cage_) no_cage_ = std::make_shared<const deform::Cage>(deform::no_cage(document.model.bounds));
@@ -196,7 +196,7 @@ void LiveModel::take_carried(document::Document& document) {
   }
 }
 
-// A pin is drawn where the deformed model would be if the shape had the vertex at the pin's target.
+// Maps the pin's target from the shape to the drawn model, in the way the pinned vertex is mapped.
 document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
@@ -236,7 +236,7 @@ mesh::Point LiveModel::vertex(const document::Document& document, std::size_t in
 
 namespace {
 
-// The document's pose interpolated in the other way, or null on an error.
+// The document's pose with the other interpolation (linear or log space), or null on an error.
 document::SharedPose other_pose(workspace::Workspace& w) {
   try {
     return workspace::pose_by_other_blending(w);

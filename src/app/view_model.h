@@ -20,7 +20,7 @@
 
 namespace viete::app {
 
-/// True if a drag changes the cage's rest shape. The model then stays at rest.
+/// True if a drag changes the cage's rest shape. During such a drag, the model stays at rest.
 inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
@@ -31,8 +31,8 @@ class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
 
-  /// Call before a frame. If a drag has ended or moves other vertices, returns true. The next frame must then
-  /// be complete.
+  /// Call before a frame. Returns true if a drag has ended or moves other vertices. In this case, the next
+  /// frame must be complete.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
@@ -85,7 +85,7 @@ public:
             document.probes,
             document.shape};
   }
-  /// The number of frames computed so far. Measurements use it to identify a frame.
+  /// The number of frames computed so far. Measurements identify a frame by this number.
   unsigned long frames() const { return frames_; }
   /// True if a frame was computed since the last call.
   bool take_news() { return std::exchange(news_, false); }
@@ -154,8 +154,8 @@ public:
   void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
   /// Deforms the model if the pose, blend or method has changed since the last frame, or a drag has ended.
-  /// Returns true if the model was deformed. The first frame after a binding fills caches, so its times are
-  /// not representative, and the next call repeats it.
+  /// Returns true if the model was deformed. The first frame after a binding fills caches, so the times of
+  /// this frame are not representative. The next call repeats the frame.
   bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.
@@ -163,7 +163,7 @@ public:
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// Replaces the binding by a binding of the same weights for more methods. Later deformers use it.
+  /// Replaces the binding by a binding of the same weights for more methods, also for later deformers.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }

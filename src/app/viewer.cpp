@@ -59,7 +59,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   if (gl.software && options.may_be_coarse) workspace_.about.moving_triangles = options.moving_triangles;
   try {
     workspace_.example = bundled_model().loop;
-  } catch (const std::exception&) {  // then the example is not offered
+  } catch (const std::exception&) {  // without the bundled model, offers no example
   }
   place_viewport();
 }
@@ -161,7 +161,7 @@ void Viewer::follow_notices() {
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
-// New messages belong to the current document.
+// Removes messages about a replaced model or cage. Hides messages whose time has ended.
 void Viewer::scope_messages() {
   auto& messages = workspace_.messages;
   const auto& now = workspace_.document.revisions();
@@ -271,7 +271,7 @@ void Viewer::deform(workspace::FrameTimes& times) {
   workspace_.posed = posed_in(workspace_.split.active);
 }
 
-// The drawn model; empty if it is at rest. A side view without a frame shows the frame of the first view.
+// The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.
 document::PosedModel Viewer::posed_in(std::size_t view) const {
   const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
   if (!workspace_.view.deformed || !model.ran()) return {};

@@ -49,7 +49,6 @@ public:
   ui::Recorder& recorder() { return recorder_; }
 
   void resize(glm::ivec2 logical_size);
-  /// Opens files dropped on the window.
   void drop(std::vector<std::filesystem::path> files);
   glm::ivec2 device_size() const;
 
@@ -157,7 +156,7 @@ private:
   double last_change_ = 0, last_frame_ = 0;  ///< wall seconds of the view's last change and of the last frame
   double last_motion_ = 0;                   ///< wall seconds of the last picture with motion
   bool refines_ = false, moves_ = false;     ///< in this frame: the view is refined, the view moves
-  unsigned settle_frames_ = 3;               ///< frames to draw; ImGui needs a few to compute sizes
+  unsigned settle_frames_ = 3;               ///< frames to draw; ImGui needs some frames to compute sizes
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
   bool at_rest_ = false;  ///< true: the view shows the model at rest

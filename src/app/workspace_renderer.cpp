@@ -200,7 +200,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.split, v, view)));
   part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
-  // Back faces of a closed surface are not drawn, which halves the time of software rendering.
+  // If a surface is closed, omits back faces. This halves the time of software rendering.
   const auto& summary = w.document.model.summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
@@ -390,7 +390,7 @@ constexpr std::size_t most = 20000;  // the largest number of drawn elements; mo
 void FindingMarks::collect(const workspace::Workspace& w) {
   std::vector<render::Triangle> triangles;
   std::vector<render::Segment> segments;
-  // Numbers only the vertices of shown elements, so that no others are updated.
+  // Numbers only the vertices of shown elements, so that only these vertices are updated.
   used_.clear();
   std::unordered_map<std::uint32_t, std::uint32_t> numbers;
   const auto number = [&](std::uint32_t vertex) {

@@ -109,7 +109,6 @@ public:
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
-  /// Updates the positions of the cage.
   void set_cage(const workspace::Workspace& workspace);
   /// Updates the colours and highlights of the cage.
   void set_hand(const workspace::Workspace& workspace);
@@ -171,7 +170,7 @@ public:
   ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
-  /// Draws the picture, unless it already shows this drawing in this quality. Returns true if it draws.
+  /// If the picture does not show this drawing in this quality yet, draws the picture and returns true.
   bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
   const render::Framebuffer& picture() const { return picture_; }
 

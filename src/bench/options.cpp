@@ -32,6 +32,7 @@ template <class Options>
 void add_json_options(CLI::App& command, Options& options) {
   add_file_option(command, "--json", options.json, "Write the numbers to this JSON file");
   add_force_option(command, options.force);
+  add_examples(command, {"bench " + command.get_name() + " --json " + command.get_name() + ".json"});
 }
 
 constexpr std::size_t paper_count = 10'000'000;
@@ -187,7 +188,6 @@ void add_matrix_bench(CLI::App& command, Action& action, const MatrixBench& benc
 void add_bench_command(CLI::App& app, Action& action) {
   auto* command = app.add_subcommand("bench", bench_text);
   command->require_subcommand(1);
-  add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
   for (const MatrixBench& bench : matrix_benches)
     add_matrix_bench(*command->add_subcommand(bench.name, bench.text), action, bench);
   add_sized_bench(*command->add_subcommand("frame", "Measure the time of a frame by engine, cage and stage"),
@@ -196,6 +196,7 @@ void add_bench_command(CLI::App& app, Action& action) {
                   {300}, 5, bench_bind);
   add_modes_bench(
       *command->add_subcommand("modes", "Measure exactness, distortion and cost of every deformer"), action);
+  add_examples(*command, {"bench exp --json exp.json", "bench frame --json frame.json"});
 }
 
 }  // namespace viete::bench

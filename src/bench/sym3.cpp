@@ -37,7 +37,7 @@ using sym3::SymView;
 constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
 const std::string planes_text = ", planes in the second cache, per matrix";
 
-/// A case that computes all matrices by calls for single matrices.
+/// A case that calls the function once per matrix.
 template <class In, class Out, class Function>
 RoundCase one_by_one(const char* name, const std::vector<In>& in, std::vector<Out>& out, Function function) {
   return {name, in_cache,

@@ -148,8 +148,8 @@ private:
     double volume;
   };
 
-  // With few triangles, the result depends on the position of the grid. Then tries two grids and continues
-  // with the smaller volume.
+  // With few triangles, the result depends on the position of the grid. In this case, makes a draft on each
+  // of two grids. Finishes the draft with the smaller volume, or the other draft if the result is not sound.
   std::optional<Shell> carefully_made(const Offset& from, double gap) {
     std::optional<Offset> other;
     if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
@@ -199,7 +199,7 @@ private:
   }
 
   // Alternates collapses and tightening. Returns false if the requested number of triangles was not reached.
-  // `share` is the fraction of the attempt's progress.
+  // Advances the attempt's progress by the fraction `share`.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));

@@ -120,7 +120,7 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
   r = {out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8]};
 }
 
-// The number of vectors of doubles fitted at once, which hides the latency of divisions.
+// Maps are fitted for this many register vectors at once. Two vectors hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
 // The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a

@@ -33,7 +33,7 @@ const ProbeMixEntry& entry(ProbeMix mix);
 /// Returns the weight at a distance in radii: 1 at 0, then decreasing. From 1 on, only `endless` is above 0.
 double weight_at(Falloff falloff, double radii);
 
-/// The range of one part of a probe's motion.
+/// How far from the probe one part of its motion (rotation, stretch or translation) acts.
 struct Influence {
   Falloff falloff = Falloff::smooth;
   double radius = 1;  ///< in the file's unit; positive

@@ -48,16 +48,16 @@ public:
   /// For each probe, the model's vertex that is nearest at rest.
   std::span<const std::uint32_t> anchors() const { return anchors_; }
 
-  /// Sets the deformed positions of the anchors, before the probes move them. Until the next call, the
-  /// positions of move() are relative to this origin.
+  /// Sets the positions that the deformer gives to the anchors, without the motion of the probes. Until the
+  /// next call, positions passed to move() are relative to `origin`.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
   /// Thread-safe. positions.size() == vertices.size().
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// The absolute places of the probes on the displayed model, after carry() and all motions but their own.
+  /// The absolute places of the probes on the displayed model, moved by carry() and by all other probes.
   std::vector<mesh::Point> places() const;
-  /// The places after the last carry() alone, relative to its origin.
+  /// The places of the probes after the last carry(), relative to its `origin`, not moved by any probe.
   std::span<const Vec3> carried() const { return places_; }
 
 private:

@@ -32,7 +32,8 @@ void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Runs links 4 and 5 for all vertices, from their sums. If `error`, returns the error of place_vertices().
+/// Runs links 4 and 5 for all vertices, given their sums. If `error` is true, returns the largest relative
+/// difference of the exponentials, as place_vertices() does; otherwise 0.
 double place_sums(const VertexBlock& block, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 

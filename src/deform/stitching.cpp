@@ -231,7 +231,7 @@ private:
 
 }  // namespace
 
-// Computes rows of the triangle's stiffness matrix times its corners.
+// Returns the first two rows of K X. K is the triangle's stiffness matrix, the rows of X are its corners.
 std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }

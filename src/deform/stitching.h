@@ -53,7 +53,7 @@ struct Stitching {
   std::vector<std::uint32_t> rotated_as;
   /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling.
   std::vector<Vec3> cotangents;
-  /// g of the first two corners of each triangle; the three g sum to 0.
+  /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`: 3 t + corner of its triangles t
   std::vector<Pin> pins;

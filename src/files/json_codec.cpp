@@ -184,7 +184,8 @@ document::SharedShape shape_of_bytes(const JsonReader& json) {
   std::vector<mesh::Point> points(bytes.size() / (3 * sizeof(T)));
   for (std::size_t n = 0; n < 3 * points.size(); ++n) {
     const auto x = static_cast<double>(formats::number_of_bytes<T>(bytes.data() + n * sizeof(T)));
-    if (!(std::abs(x) <= mesh::largest_coordinate)) json.fail("a coordinate is not finite or beyond 1e100");
+    if (!(std::abs(x) <= mesh::largest_coordinate))
+      json.fail("a coordinate is not a finite number up to 1e100");
     points[n / 3][n % 3] = x;
   }
   return std::make_shared<const std::vector<mesh::Point>>(std::move(points));

@@ -152,7 +152,7 @@ static void code(const JsonField& f, document::Handling& handling) {
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
 }
 
-// Reads or writes members of the enclosing object. "stretched" is the log of the stretch.
+// Reads or writes the pose as members of the object that contains it. "stretched": log of the stretch.
 static void code(const JsonField& f, deform::ProbePose& pose) {
   f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
   if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {

@@ -245,7 +245,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Matches the vertices without a face in their order in the file.
+  // Matches the remaining vertices, which have no face, in the order of the file.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {

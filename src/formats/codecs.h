@@ -47,7 +47,7 @@ void write_off(const Content& content, TextWriter& out);
 
 /// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
 /// one vertex (0 and -0 are equal). Vertices are in the order of their first corner. Rewriting the file keeps
-/// the attributes of triangles and updates the normals of moved triangles, except 0 0 0.
+/// the attributes of triangles, and updates the normals of moved triangles. Normals 0 0 0 stay 0 0 0.
 ReadResult read_stl(const Source& source);
 /// True if the size matches the triangle count of a binary STL exactly, or if the text starts with "solid".
 bool looks_like_stl(const Source& source);

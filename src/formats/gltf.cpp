@@ -197,7 +197,8 @@ private:
     return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
-  // The material if it transforms its texture coordinates; otherwise -1. Such materials share no vertices.
+  // Returns the index of the material if it transforms texture coordinates, otherwise -1. Primitives share
+  // vertices only if this index is equal.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
     return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }
@@ -253,7 +254,7 @@ private:
       if (moves) p = map.of_point(p);
       if (!is_place(p))
         accessors_.fail("accessor", accessor,
-                        "position " + std::to_string(i / 3) + " is not finite or beyond 1e100");
+                        "position " + std::to_string(i / 3) + " is not a finite number up to 1e100");
       points.push_back(p);
     }
   }

@@ -30,7 +30,7 @@ public:
 
   GltfPlace place(int accessor) const;
 
-  /// Returns the first `components` numbers of each element. Normalized integers become at most 1 in size.
+  /// Returns the first `components` numbers of each element. Normalized integers become 0 to 1 or -1 to 1.
   std::vector<double> numbers(int accessor, std::size_t components) const;
 
   /// Returns unsigned integers. Throws base::Error too if an integer is `limit` or more.

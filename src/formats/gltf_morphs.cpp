@@ -188,7 +188,7 @@ private:
             {numbers[3 * k], numbers[3 * k + 1], numbers[3 * k + 2]});
         if (!is_place(p))
           accessors_.fail("accessor", piece.positions,
-                          "morphed position " + std::to_string(k) + " is not finite or beyond 1e100");
+                          "morphed position " + std::to_string(k) + " is not a finite number up to 1e100");
         result[v] = p;
       }
     }

@@ -35,7 +35,7 @@ public:
   const std::string& name() const { return name_; }                ///< animation name; may be empty
   const std::vector<double>& seconds() const { return seconds_; }  ///< key times, ascending; may be empty
   const std::vector<std::string>& targets() const { return targets_; }  ///< a non-empty name for each target
-  const std::vector<std::string>& notes() const { return notes_; }      ///< differences from the file
+  const std::vector<std::string>& notes() const { return notes_; }      ///< what was ignored or changed
 
   /// The positions of the surface at a key, or with only this target at full weight. Callers interpolate
   /// linearly between keys. Throws base::Error if the file contains invalid data.

@@ -203,7 +203,7 @@ std::vector<mesh::Point> PointCache::frame(std::size_t number) const {
       points[v][k] = number_of_bytes<float>(&bytes[12 * v + 4 * k], order_of(head_.format));
     if (!is_place(points[v]))
       throw base::Error(name_ + ": frame " + std::to_string(number),
-                        "the position of point " + std::to_string(v) + " is not finite or beyond 1e100",
+                        "the position of point " + std::to_string(v) + " is not a finite number up to 1e100",
                         "export the point cache again");
   }
   return points;

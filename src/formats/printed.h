@@ -21,7 +21,7 @@ public:
   /// Learns from a word of the file, normally a number.
   void learn(std::string_view word);
 
-  /// Sets the least number of significant digits of a number of this size.
+  /// Ensures enough decimals that a number of this size has at least `significant` digits.
   void keep(int significant, double size);
 
   /// Prints with decimals or an exponent as learned, and with the largest number of digits learned. If all

@@ -5,8 +5,8 @@
 // q and C = adj B are as in exp-inl.h. With g^2 = p / 3 and the angle t of 2 g^3 exp(3 i t) = |q| + i sqrt(D
 // / 27), the eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t), times the sign of q. The
 // discriminant D is a sum of squares of minors of (I, B, C). Since nothing is subtracted, close eigenvalues
-// are as accurate, relative to the largest, as any others. Newton's form is f(B) = f(b) + f[b,c] (B - b) +
-// f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
+// are as accurate as any others; errors are relative to the largest eigenvalue. Newton's form is f(B) = f(b)
+// + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
 #undef VIETE_SYM3_SPECTRAL_INL_H

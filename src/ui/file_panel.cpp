@@ -166,7 +166,7 @@ void filter_row(const Context& ui) {
   format_buttons(ui, formats, own_row);
 }
 
-// Returns the clicked entry. A click changes the list, so it is handled after drawing.
+// Returns the clicked entry. A click changes the list, so the click is handled after drawing.
 std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const Browser::Entry*>& entries,
                                       bool moved) {
   std::optional<std::size_t> clicked;

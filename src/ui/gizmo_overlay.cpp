@@ -79,7 +79,7 @@ private:
     if (gizmo_.tool == interact::Tool::scale) {
       painter_.line(square(gizmo_.center, interact::gizmo_center - 1), c, width, true);
     } else {
-      // A diamond, because the hovered vertex already has a ring.
+      // Draws a diamond, because the hovered vertex already has a ring.
       painter_.line(diamond(gizmo_.center, interact::gizmo_center + 1), c, width, true);
     }
   }

@@ -155,7 +155,8 @@ void reset_all_button(const Context& ui) {
   workspace::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
-  const char* what = brings ? "Restore the changes that were just reset." : "Reset all keys to the keymap.";
+  const char* what =
+      brings ? "Bring back your own keys that were just reset." : "Reset all keys to the keymap.";
   if (!button(ui, brings ? "Restore changes" : "Reset all", "reset_keys", what, {0, 0},
               brings || !keymap.changes().empty()))
     return;

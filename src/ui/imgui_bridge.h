@@ -28,7 +28,7 @@ inline int imgui_key(int code) {
 #endif
 }
 
-/// True if the key was pressed in this frame; with `repeat` also for key repeats.
+/// True if the key was pressed in this frame. If `repeat` is true, key repeats count too.
 inline bool key_pressed(workspace::Key key, bool repeat = false) {
   const int k = imgui_key(static_cast<int>(key));
   return k > 0 && ImGui::IsKeyPressed(static_cast<ImGuiKey>(k), repeat);

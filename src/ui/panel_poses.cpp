@@ -108,7 +108,7 @@ void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
   });
   if (done.moved) wish.weight = std::pair(row, 0.01 * std::round(static_cast<double>(slid)));
   if (done.typed) wish.weight = std::pair(row, 0.01 * *done.typed);
-  hint("Weight of this pose. 0 % has no effect, 100 % is the full pose; other values extrapolate.");
+  hint("Weight of this pose. 0 %: no effect. 100 %: the full pose. Values outside this range extrapolate.");
   ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
   if (const auto typed =
           number_field(ui, id + "/typed", percent, percent_width, "Weight in percent, from -200 to 300."))

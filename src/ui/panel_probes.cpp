@@ -101,7 +101,7 @@ void panel_probes(const Context& ui) {
   command_toggle(ui, "toggle_locked", locked);
 }
 
-// Draws the probes in the view: three axes for each probe, and a circle with the radius if it is selected.
+// Draws the probes in the view: three axes for each probe, and a circle with the radius for selected probes.
 
 namespace {
 

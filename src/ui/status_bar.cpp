@@ -32,7 +32,7 @@ std::string shape_words(const interact::TransformDrag& drag) {
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// Rotating a whole posed cage can change the model's shape slightly: see the manual, blending.
+// If a whole posed cage is rotated, the model's shape can change slightly: see the manual, blending.
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
   return w.tool == interact::Tool::rotate && d.has_cage() &&

@@ -103,7 +103,7 @@ void frame_shown(const Context& ui) {
   }
 }
 
-// A part of a row. If it does not fit, the menu at the end of the row contains it.
+// A part of a row. If the part does not fit, the menu at the end of the row contains it.
 struct ToolPiece {
   float width, gap;
   std::function<void()> draw;

@@ -120,7 +120,7 @@ float top_of(std::size_t index) {
   return y;
 }
 
-// The number of tools that fit. If some do not fit, a button for the others must fit too.
+// The number of tools that fit. If a tool does not fit, a button for the remaining tools must fit.
 std::size_t fitting_tools(float height) {
   const auto fits = [&](std::size_t slots) {
     return top_of(slots - 1) + tool_size + 2 * strip_top <= height;

@@ -40,7 +40,7 @@ int filter_number(ImGuiInputTextCallbackData* data) {
   return known ? 0 : 1;
 }
 
-// The text of a field in the last frame. Some versions of ImGui lose it when another widget gets the focus.
+// The text of a field in the last frame. Some versions of ImGui lose this text when the focus changes.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
   const auto typed = ui.workspace.typed.find(name);
   if (typed == ui.workspace.typed.end()) return otherwise;
@@ -200,7 +200,7 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// True for panels behind a titled or modal dialog. They show no tooltips, which would cover the dialog.
+// True for panels behind a titled or modal dialog. There, tooltips would cover the dialog.
 bool is_behind_dialog() {
   const ImGuiContext& g = *GImGui;
   const ImGuiWindow* own = g.CurrentWindow->RootWindow;
@@ -377,7 +377,7 @@ namespace {
 
 constexpr int frames_to_focus = 4;
 
-// The field that replaces a slider. It gets the keyboard focus after the mouse button is released.
+// The field that replaces a slider. The field gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
   workspace::TypedSlider& typing = ui.workspace.typed_slider;
   typing.frame = ImGui::GetFrameCount();

@@ -64,8 +64,8 @@ void record(const Context& ui, const std::string& name, bool enabled = true);
 bool button(const Context& ui, const char* label, const std::string& name, const std::string& tip,
             ImVec2 size = {0, 0}, bool enabled = true);
 void checkbox(const Context& ui, const char* label, const std::string& name, bool& on, const char* tip);
-/// Begins a drop-down list. If it returns true, add entries and call ImGui::EndCombo(). The tooltip is shown
-/// while the list is closed.
+/// Begins a drop-down list. If the result is true, add entries and call ImGui::EndCombo(). The tooltip is
+/// shown while the list is closed.
 bool begin_list(const Context& ui, const std::string& name, const char* shown, const std::string& tip);
 bool list_entry(const Context& ui, std::string_view label, const std::string& name, bool chosen,
                 std::string_view tip);
@@ -84,7 +84,7 @@ void command_button(const Context& ui, std::string_view command, float width = 0
 void command_row(const Context& ui, std::initializer_list<std::string_view> commands);
 /// Like command_row(), with the button `chosen` marked.
 void command_choice(const Context& ui, std::initializer_list<std::string_view> commands, std::size_t chosen);
-/// A checkbox that runs a toggling command. Shows `value`, or without it the state of the command.
+/// A checkbox that runs a toggling command. Shows `value`, or the state of the command if `value` is missing.
 void command_toggle(const Context& ui, std::string_view command, std::optional<bool> value = {});
 
 /// The command's hint and key, and the reason if the command is disabled.
@@ -105,7 +105,7 @@ void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// Like note(), with a height of at least this number of lines, so that items below do not move.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
 /// Breaks the text at spaces into lines of at most this width. A longer word gets its own line. ImGui would
-/// also break "3.7e-16" at its point.
+/// also break "3.7e-16" at the point.
 std::string wrapped(const std::string& text, float width);
 /// Truncates a text to the width, with "..." at the end.
 std::string shortened(std::string text, float width);
@@ -115,7 +115,7 @@ void hint(const std::string& text);
 bool wants_hint();
 
 /// If Esc is pressed, closes the open popup, or cancels the active widget and restores its value. Returns
-/// true if it did so. Call it before other uses of Esc in a frame.
+/// true if something was closed or cancelled. Call it before other uses of Esc in a frame.
 bool take_escape(workspace::Workspace& workspace);
 
 /// A field that shows `value`. Returns the typed number when the field loses the focus by Enter or a click

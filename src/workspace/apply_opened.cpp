@@ -75,7 +75,7 @@ void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   }
 }
 
-// Adds opened poses, shapes or keys to the document as one edit. Returns false if there are none.
+// Adds opened poses, shapes or keys to the document as one edit. Returns false if nothing was added.
 bool take_poses(Workspace& w, files::Opened& opened) {
   const std::string name = opened.file.filename().string();
   const auto add = [&](const auto& put, const std::string& done) {

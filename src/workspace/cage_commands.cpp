@@ -101,8 +101,8 @@ void add_cage_commands(CommandTable& table) {
             "Divide each face of the cage into about four smaller faces.", can_edit_cage,
             change_cage<document::subdivide_cage>);
   table.add("mirror_cage", {"Mirror cage", "Mirror"},
-            "Replace one half of the cage by the mirror image of the half with the selection, or of the half "
-            "with larger coordinates.",
+            "Make the cage symmetric: the half with the selection is kept and mirrored. Without a "
+            "selection, the half with larger coordinates is kept.",
             can_edit_cage, change_cage<document::mirror_cage>);
   table.add("fit_cage", {"Fit cage to model", "Fit"}, "Move and scale the cage to fit the model.",
             can_edit_cage, change_cage<document::fit_cage>);

@@ -31,8 +31,8 @@ public:
     return rows_.emplace_back(Command{std::move(effect), std::move(name), std::move(label.words),
                                       std::move(label.brief), std::move(hint), enabled, group_, shortcut});
   }
-  /// Adds a command for one value of a choice, in a submenu. Elsewhere the submenu's title precedes its
-  /// label.
+  /// Adds a command for one value of a choice, in a submenu. Outside the submenu, the submenu's title
+  /// precedes the command's label.
   void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
               const Condition& enabled, Effect effect) {
     const std::string brief(label);

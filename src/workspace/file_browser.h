@@ -103,7 +103,7 @@ bool filters_by_path(const FileBrowser& browser);
 std::filesystem::path typed_path(const FileBrowser& browser);
 /// typed_path(), with an extension that fits the purpose if it has none.
 std::filesystem::path chosen_file(const FileBrowser& browser);
-/// The reason why chosen_file() cannot be opened or written; empty if none is known.
+/// The reason why chosen_file() cannot be opened or written; empty if no reason is known.
 std::string problem_of_name(const FileBrowser& browser);
 /// "OBJ, PLY or OFF".
 std::string format_list(const FileBrowser& browser);

@@ -18,7 +18,6 @@ const fs::path& file_of_cage(const document::Document& document) {
   return in_file ? document.cage_file.path : document.model.path;
 }
 
-// Opens the browser in the folder of `file`.
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
@@ -40,7 +39,6 @@ void browse_for_model(Workspace& w) {
   show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
-// Opens the browser in the folder of the cage.
 template <Purpose For>
 void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));

@@ -5,7 +5,7 @@
 
 namespace viete::workspace {
 
-/// Saves to the session's file, or opens the browser if there is none.
+/// Saves to the session's file. If the session has no file, opens the browser.
 void save(Workspace& workspace);
 void browse_to_save_session(Workspace& workspace);
 /// Opens the browser in the session's folder to find a missing model or cage. `unopened` must be set.

@@ -71,7 +71,7 @@ struct MethodStats {
 /// Times of one deformation of the current pose with each method, in the order of compared_methods.
 struct MethodTimes {
   std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
-  bool measured = false;  ///< all methods were measured in the background; false: only those of frames
+  bool measured = false;  ///< true: background measurement of all methods; false: only times of frames
 };
 
 /// The last computed values of the map that colours the model.

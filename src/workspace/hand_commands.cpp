@@ -24,7 +24,7 @@ Value& place(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::SoftDistance>) return h.soft.distance;
 }
 
-// If the cage has no such plane of symmetry, shows a message and changes nothing.
+// Sets the mirror plane. If the cage has no plane of symmetry, shows a message and changes nothing.
 void choose(Workspace& w, document::MirrorPlane plane) {
   document::MirrorCache wanted;
   wanted.follow(w.document.cage, plane);
@@ -157,7 +157,7 @@ Effect uses() {
   return {use, [](const Workspace& w) { return w.tool == Use; }};
 }
 
-// Adds a probe or pin at the point of the model under the cursor. If there is none, uses the view's center.
+// Adds a probe or pin at the point of the model under the cursor, or otherwise at the view's center.
 template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   const glm::vec2 middle = w.viewport.middle();

@@ -23,7 +23,6 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
-// The title of the menu that contains the command.
 std::string_view title_of(const Command& command) {
   for (const Title& title : titles) {
     if (std::ranges::count(title.groups, command.group) > 0) return title.title;

@@ -24,17 +24,17 @@ void go_to_key(Workspace& workspace, bool forward);
 /// The weight of each named pose in the current pose, from the sliders or from the keys at this frame.
 std::vector<double> shown_weights(const Workspace& workspace);
 
-/// Runs an edit that replaces the pose. Stores the previous pose in Timeline::unkeyed if it is neither a key
-/// nor a named pose.
+/// Runs an edit that replaces the pose. Stores the previous pose in Timeline::unkeyed if this pose is neither
+/// a key nor a named pose.
 void replace_pose(Workspace& workspace, const std::function<void()>& edit);
 /// Stops playback and applies a named pose with replace_pose().
 void apply_pose(Workspace& workspace, std::size_t pose);
 
-/// Stops playback and runs a change of weights. If it returns false, shows that the result is too large.
+/// Stops playback and runs a change of weights. If that fails, shows that the result is too large.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);
 
 /// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show`, and if the
-/// document's pose is that of its keys, shows the last of these poses.
+/// document's pose equals the pose of the keys, shows the last of these poses.
 void add_unkeyed_to_undo(Workspace& workspace, bool show);
 
 /// Opens the timeline and makes all keys visible.
@@ -45,7 +45,7 @@ void start_playing(Workspace& workspace);
 void stop_playing(Workspace& workspace);
 
 /// Advances playback by `seconds`, shows edits of the timeline, and with auto_key sets keys for edits of the
-/// pose. Call it once per frame of the window. An unkeyed edit stops playback, so that it stays visible.
+/// pose. Call it once per frame of the window. Unkeyed edits stop playback, so that they stay visible.
 void follow_time(Workspace& workspace, double seconds);
 
 /// The pose of the keys or weights, computed linearly if the document uses log space, and vice versa; null if

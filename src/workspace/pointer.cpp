@@ -18,7 +18,7 @@ document::SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
 }
 
-// If `small`, a vertex or probe is under the cursor, and a handle that is only near has no priority.
+// small: a vertex or probe is under the cursor. In this case, a handle that is only near is ignored.
 std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::
   return handle || small ? handle : pick_handle(*gizmo, cursor, true);
 }
 
-// False for edges and faces, because one of them is almost always near a handle.
+// False for edges and faces, because an edge or a face is almost always near a handle.
 bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) {
   const document::ElementKind kind = w.document.selection.kind();
   return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
@@ -316,7 +316,7 @@ void Pointer::press_armed(Workspace& w, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& w, const PointerInput& input) {
-  // A key may have changed the kind of elements, or removed the pressed element. Its index is invalid then.
+  // A key may have changed the kind of elements, or removed the pressed element. If so, its index is invalid.
   const document::ElementKind kind = w.document.selection.kind();
   const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
@@ -350,7 +350,7 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
   }
 }
 
-// Faces and dense vertices cover the whole cage. To allow boxes there, only selected ones can be dragged.
+// Faces and dense vertices cover the whole cage. To allow boxes there, only selected elements can be dragged.
 bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
   const document::Selection& selection = w.document.selection;
@@ -407,7 +407,7 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::ignored);
 }
 
-// The drag may have selected its element. This belongs to the edit; if nothing has moved, it is the edit.
+// The drag may have selected the pressed element. The edit includes this selection even if nothing moved.
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
   const unsigned long edits = document.history.revision();
@@ -482,7 +482,7 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::none);
 }
 
-// A click on a gizmo handle selects the element under the handle. If there is none, the selection stays.
+// A click on a gizmo handle selects the element under the handle. If none is there, the selection stays.
 void Pointer::click(Workspace& w) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && w.document.model.surface) {

@@ -72,14 +72,14 @@ class Pointer {
 public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
-  /// Call once per frame. A left click selects (Shift adds, Ctrl removes). A left drag on a gizmo handle
-  /// transforms, on an element moves the selection, elsewhere draws a box. With Shift or Ctrl, on unselected
-  /// faces and on dense unselected elements it draws a box too. An armed tool has priority. With Tool::paint,
-  /// a left drag paints the mask (Ctrl: the full share); Shift and wheel change the radius. A middle, right
-  /// or Alt+left drag orbits, with Shift pans, with Ctrl zooms; the wheel zooms to the cursor. A right click
-  /// requests the context menu, a double click centers the view. With Interaction::grab, the selection
-  /// follows the cursor until a click. During a transform, characters set constraint and amount, Ctrl snaps,
-  /// Shift slows, Enter confirms, and Esc or the right button cancels.
+  /// Call once per frame. A left click selects (Shift adds, Ctrl removes). A left drag from a gizmo handle
+  /// transforms, from an element moves the selection, from elsewhere draws a box. It also draws a box with
+  /// Shift or Ctrl, on unselected faces and on dense unselected elements. An armed tool has priority. With
+  /// Tool::paint, a left drag paints the mask (Ctrl: the full share); Shift and wheel change the radius. A
+  /// middle, right or Alt+left drag orbits; it pans with Shift and zooms with Ctrl. The wheel zooms to the
+  /// cursor. A right click requests the context menu, a double click centers the view. With
+  /// Interaction::grab, the selection follows the cursor until a click. During a transform, characters set
+  /// constraint and amount, Ctrl snaps, Shift slows, Enter confirms, and Esc or the right button cancels.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True during a gesture that began in the view.

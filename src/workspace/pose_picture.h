@@ -1,4 +1,4 @@
-// Thumbnails of poses. They show the model if the pose has a shape of the model, otherwise the cage.
+// Thumbnails of poses. If a pose has a shape of the model, the thumbnail shows the model, otherwise the cage.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -16,7 +16,7 @@ namespace viete::workspace {
 /// The size of a thumbnail in logical pixels.
 inline constexpr glm::vec2 pose_picture_size{56, 42};
 
-/// The posed cage. The cage at rest would fit into the picture too. Empty for a cage with very many faces.
+/// The posed cage, scaled so that the cage at rest fits too. Empty for a cage with very many faces.
 std::vector<PictureShape> pose_picture(const deform::Cage& cage, const deform::Pose& pose,
                                        document::UpAxis up);
 
@@ -39,7 +39,7 @@ private:
   std::map<const document::WholePose*, Picture> pictures_;
 };
 
-/// A shape of the model. The model at rest would fit into the picture too. Empty without triangles.
+/// A shape of the model, scaled so that the model at rest fits too. Empty without triangles.
 std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<const mesh::Point> shape,
                                         document::UpAxis up, glm::vec2 size);
 

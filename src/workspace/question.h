@@ -37,7 +37,7 @@ Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);
 
-/// The number of answers of a question: the first two, or all three.
+/// The number of answers of a question: 2 if only the first two are used, otherwise 3.
 std::size_t answer_count(Question::Kind kind);
 /// The caption of an answer's button.
 const char* label(Question::Kind kind, Answer answer);

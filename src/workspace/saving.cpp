@@ -36,7 +36,7 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
   }
 }
 
-// True if the pose comes from the keys at this frame, so that it need not be saved.
+// True if the pose comes from the keys at this frame. Such a pose need not be saved.
 bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }

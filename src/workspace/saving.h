@@ -12,7 +12,7 @@
 namespace viete::workspace {
 
 /// Writes the session, or the posed cage with its whole turns, atomically. A message reports the file or the
-/// error. Returns true on success. Marks all edits as saved, or only those of the pose.
+/// error. Returns true on success. Marks all edits as saved, or only the edits of the pose.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest. Afterwards the cage belongs to this file.
@@ -27,9 +27,9 @@ bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& se
 /// The title of the window: the name of the session or model, with a star for unsaved edits.
 std::string window_title(const Workspace& workspace);
 
-/// True if cage, pose, named poses, keys, probes, mask, selection sets or deformer settings differ from those
-/// that were opened or saved last. The pose counts only if it is not the timeline's pose at this frame. The
-/// method, camera, view and selection do not count: a session stores them, but losing them loses no work.
+/// True if cage, pose, named poses, keys, probes, mask, selection sets or deformer settings differ from the
+/// state that was opened or saved last. The pose counts only if it is not the timeline's pose at this frame.
+/// The method, camera, view and selection do not count: a session stores them, but losing them loses no work.
 bool has_unsaved_edits(const Workspace& workspace);
 /// Marks the document, or only its pose, as saved.
 void mark_saved(Workspace& workspace);
@@ -37,7 +37,7 @@ void mark_pose_saved(Workspace& workspace);
 
 files::Session session_of(const Workspace& workspace);
 
-/// All open files, except the file described by `own`, which is about to be overwritten.
+/// All open files, except the file described by `own`, which the caller is about to overwrite.
 document::FilesInUse files_open(const Workspace& workspace, std::string_view own = {});
 
 /// The file name of the session, or of the model if there is no session: "dragon.ply".

@@ -66,7 +66,6 @@ struct Shortcut {
   friend bool operator==(const Shortcut&, const Shortcut&) = default;
 };
 
-/// All keys with their names.
 std::span<const std::pair<Key, std::string>> all_keys();
 
 /// "Ctrl+Shift+Z"; empty for Key::none.

@@ -45,7 +45,7 @@ constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
     "Select keys in the timeline first and keep the pointer over the timeline."};
 
-// Runs an edit. If it fails, shows the error.
+// Runs an edit. If the edit fails, shows the error.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -69,7 +69,7 @@ void remove(Workspace& w) {
   w.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.chosen_pose, left - 1));
 }
 
-// Sets keys, and opens the timeline if it is closed.
+// Sets keys. If the timeline is closed, opens the timeline.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
     const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();

@@ -10,8 +10,8 @@ namespace viete::workspace {
 
 /// Selected frames with a key.
 std::vector<int> selected_keys(const Workspace& workspace);
-/// The frames of the keys whose easing is edited: the selected keys that have a next key. If there are none,
-/// the last key at or before the current frame.
+/// The frames of the keys whose easing is edited: the selected keys that have a next key. If no such key is
+/// selected, the last key at or before the current frame.
 std::vector<int> eased_keys(const Workspace& workspace);
 
 /// A mouse press at a frame. On a key, selects the key and starts to drag the selected keys; with `add`, only

@@ -151,7 +151,7 @@ constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].sho
 constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
                                "Inspect a vertex first."};
 
-// Opens the vertex inspector, and its column if it is hidden.
+// Opens the vertex inspector. If the column of the inspector is hidden, shows the column.
 void show_sum_at(Workspace& w, std::uint32_t vertex) {
   w.vertex.vertex = vertex;
   w.vertex.appearing = true;
@@ -178,7 +178,7 @@ void add_map_commands(CommandTable& table) {
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
             {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
              [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});
-  table.add("frame_worst", "Frame largest value", "Zoom to the vertex with the largest value of the map.",
+  table.add("frame_worst", "Zoom to largest value", "Zoom to the vertex with the largest value of the map.",
             has_map, frame_worst);
   table.add("pick_vertex", {"Inspect vertex", "Inspect"},
             "Show weights, matrices and the result of each method for the vertex under the pointer.",

@@ -93,7 +93,7 @@ struct TypedSlider {
   int waits = 0;  ///< frames until the request for the keyboard focus fails
 };
 
-/// Requests to the program, which handles and clears them once a frame.
+/// Requests to the program. Once a frame, the program handles and clears the requests.
 struct Requests {
   bool quit = false;
   bool screenshot = false;
@@ -137,7 +137,7 @@ struct About {
   std::string kernel;     ///< kernel of the matrix exponential
   std::string renderer;   ///< OpenGL renderer
   bool software = false;  ///< software rendering on the CPU
-  /// A model with more triangles is drawn with fewer in motion.
+  /// While the picture moves, a model with more triangles than this is drawn simplified.
   std::size_t moving_triangles = std::numeric_limits<std::size_t>::max();
 };
 
@@ -267,7 +267,7 @@ document::CameraPose last_camera_of(const Workspace& workspace, std::size_t view
 /// The views as stored in a session.
 document::SideWays ways_of(const Workspace& workspace);
 
-/// Stores the state at a mouse press, which cancel_widget_edit() restores.
+/// Stores the state at a mouse press, so that cancel_widget_edit() can restore this state.
 void begin_widget_edit(Workspace& workspace);
 void cancel_widget_edit(Workspace& workspace);
 
@@ -279,7 +279,7 @@ void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Moves the camera to the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
-/// Highlights a finding and requests to move the camera to it. Hides the finding if it is highlighted.
+/// Highlights a finding and moves the camera to it. If the finding is highlighted already, hides it.
 void toggle_finding(Workspace& workspace, std::size_t index);
 /// Highlights only the next (1) or previous (-1) element of the finding; continues at the other end.
 void step_element(Workspace& workspace, int step);

@@ -370,7 +370,7 @@ TEST_CASE("invalid_gltf_is_rejected_with_its_place") {
       {"/asset/version", "1.0", "glTF 1.0 is not supported"},
       {"/extensionsUsed", {"KHR_draco_mesh_compression"}, "compressed (KHR_draco_mesh_compression)"},
       {"/extensionsRequired", {"VENDOR_magic"}, "requires the extension VENDOR_magic"},
-      {"/nodes/0/translation", {1e200, 0, 0}, "is not finite or beyond 1e100"}};
+      {"/nodes/0/translation", {1e200, 0, 0}, "is not a finite number up to 1e100"}};
   for (const auto& [pointer, value, said] : rows) {
     GltfParts bad = good;
     bad.json[GltfJson::json_pointer(pointer)] = value;

@@ -1,4 +1,4 @@
-// Derivatives of every kernel: error bounds, and equal bits for one or many matrices, directions and layouts.
+// Tests error bounds of derivatives with every kernel, and that batches in any layout equal single calls.
 #include "sym3/derivative.h"
 
 #include <algorithm>
