@@ -1,4 +1,4 @@
-// Calls functions of kernels and splits batches into chunks. Internal.
+// Calls kernel functions and splits batches into chunks. Internal.
 #pragma once
 
 #include "sym3/kernel.h"
@@ -18,7 +18,7 @@ const KernelFunctions<T>& functions(const Kernel& k) {
   }
 }
 
-/// A callable of a range of items, without its type.
+/// A type-erased callable that processes a range of items.
 struct RangeTask {
   void (*run)(const void* context, const Range& range);
   const void* context;
@@ -31,7 +31,7 @@ RangeTask task_of(const Call& call) {
           &call};
 }
 
-/// Processes items [0, count) with the batch's executor. `bytes` is the total size of all reads and writes.
+/// Processes items [0, count) with the batch's executor. `bytes` is the number of bytes read and written.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
 

@@ -1,4 +1,4 @@
-// Converts between Sym3, Eigen's matrices and Voigt vectors. The only header that needs Eigen.
+// Converts between Sym3, Eigen's matrices and Voigt vectors. No other header needs Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,8 +47,8 @@ Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
 }
 
-/// The tangent stiffness in Voigt order. Its product with a strain is the derivative of the stress. It is
-/// symmetric up to rounding.
+/// The tangent stiffness in Voigt order. The product with a strain is the derivative of the stress. The
+/// matrix is symmetric up to rounding.
 template <class T>
 Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {
   Eigen::Matrix<T, 6, 6> m;
