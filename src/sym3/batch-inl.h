@@ -38,7 +38,7 @@ struct InPlanes {
     for (int k = 0; k < N; ++k) put<streaming>(d, e[k], v.plane[k] + i);
   }
   template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // the hardware prefetches
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // hardware does it
 };
 
 static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
