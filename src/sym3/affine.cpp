@@ -124,7 +124,7 @@ WeightSum sum_of(std::span<const double> weights) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // if smaller, the residual decreases until only rounding errors remain
+  constexpr double near_the_end = 1e-6;  // below it, the residual decreases until only rounding errors remain
   const auto [shift, total] = sum_of(weights);
   const auto [least, most] = std::ranges::minmax_element(weights);
   AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};

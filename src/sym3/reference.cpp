@@ -120,7 +120,7 @@ Matrix exp_reference(const Sym3<double>& s) {
 
 double relative_error(const Sym3<double>& computed, const Sym3<double>& s) {
   const Matrix exact = exp_reference(s);
-  const double unit = std::max({exact.xx.hi, exact.yy.hi, exact.zz.hi});  // the largest entry of a positive definite matrix is on the diagonal
+  const double unit = std::max({exact.xx.hi, exact.yy.hi, exact.zz.hi});  // no entry is larger
   const auto error = [unit](double x, const Real& y) { return ((x - y.hi) - y.lo) / unit; };
   const Sym3<double> difference = {error(computed.xx, exact.xx), error(computed.xy, exact.xy),
                                    error(computed.xz, exact.xz), error(computed.yy, exact.yy),
