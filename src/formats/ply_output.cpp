@@ -9,8 +9,8 @@ namespace viete::formats {
 
 namespace {
 
-// Writes positions in double, vertex normals, colours, and texture points: per vertex or, if vertices have
-// several, per face.
+// Writes positions in double, vertex normals, colours and texture points. If a vertex has several texture
+// points, they are written for each face, otherwise for each vertex.
 class PlyOutput {
 public:
   PlyOutput(const Content& content, TextWriter& out)
