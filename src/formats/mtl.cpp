@@ -108,7 +108,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// If a file with the whole text as its name exists, returns only this file. Otherwise returns a file per
+// If a file has the whole text as its name, returns only this file. Otherwise returns a file per word.
 // word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
