@@ -17,9 +17,8 @@ namespace viete::files {
 /// The contents of a session file. Only the keys format, version and model are required. Unknown keys are
 /// ignored, because newer programs may write them. An invalid value is an error.
 ///
-/// After reading, `cage` is null, and `model` and `cage_file` have only path and content. If the cage has no
-/// file, `cage_file` also has the surface. An empty pose means the pose of the keys or, without keys, the
-/// rest pose.
+/// After reading, `cage` is null, and `model` and `cage_file` have only path and content. A cage without a
+/// file also has the surface. An empty pose means the pose of the keys or, without keys, the rest pose.
 struct Session : document::DocumentState {
   document::OpenedSurface model;
   std::filesystem::path origin;  ///< absolute path of the session with these unsaved edits; or empty

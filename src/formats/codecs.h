@@ -50,11 +50,9 @@ void write_off(const Content& content, TextWriter& out);
 /// one vertex (0 and -0 are equal). Vertices are in the order of their first corner. Rewriting the file keeps
 /// the attributes of triangles. It updates the normals of moved triangles, except normals 0 0 0.
 ReadResult read_stl(const Source& source);
-/// Returns true if the size exactly matches the triangle count of a binary STL, or the text starts with
-/// "solid".
+/// Returns true if the size matches the triangle count of a binary STL, or the text starts with "solid".
 bool looks_like_stl(const Source& source);
-/// Returns true if all lines of a text start with STL keywords, or if the first triangles of a binary file
-/// are plausible.
+/// Returns true if all lines start with STL keywords, or the first triangles of a binary file are plausible.
 bool is_certainly_stl(const Beginning& file);
 /// Writes triangles as text, because binary STL rounds positions to float. Does not write unused vertices.
 void write_stl(const Content& content, TextWriter& out);
@@ -63,8 +61,7 @@ void write_stl(const Content& content, TextWriter& out);
 /// them by their nodes. Morph targets have their default weights; skins and animations are not applied.
 /// Coincident vertices of a node become one vertex, even if their normals or texture points differ. Points
 /// and lines become vertices without polygons. External buffers must be in the folder of source.name or
-/// below. The number of vertices and corners may exceed the number of bytes in all buffers by at most 4
-/// million.
+/// below. There may be at most 4 million more vertices and corners than bytes in all buffers.
 ReadResult read_gltf(const Source& source);
 /// Returns true for a GLB file, or for JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);

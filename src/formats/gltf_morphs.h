@@ -25,9 +25,8 @@ std::vector<double> default_weights(const GltfJson& document, const GltfPlacemen
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
-/// Returns the morph animation, or null if no primitive has targets. Uses the first animation that has
-/// weights; ignores animations of nodes. If vertices were merged, the first gives the position. Throws
-/// base::Error.
+/// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
+/// ignores animations of nodes. The first of several merged vertices gives the position. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 

@@ -32,8 +32,8 @@ class MorphClip {
 public:
   virtual ~MorphClip() = default;
 
-  const std::string& name() const { return name_; }                ///< animation name; may be empty
-  const std::vector<double>& seconds() const { return seconds_; }  ///< ascending; may be empty
+  const std::string& name() const { return name_; }                     ///< animation name; may be empty
+  const std::vector<double>& seconds() const { return seconds_; }       ///< ascending; may be empty
   const std::vector<std::string>& targets() const { return targets_; }  ///< a non-empty name for each target
   const std::vector<std::string>& notes() const { return notes_; }      ///< differences from the file
 

@@ -108,8 +108,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// If a file has the whole text as its name, returns only this file. Otherwise returns a file per word.
-// word.
+// If a file has the whole text as its name, returns this file. Otherwise returns a file for each word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);

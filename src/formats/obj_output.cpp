@@ -91,7 +91,7 @@ private:
     }
   }
 
-  std::vector<mesh::Vec3> values_;  // for each original line: its normal, the added normals
+  std::vector<mesh::Vec3> values_;    // for each original line: its normal, the added normals
   std::vector<std::uint32_t> first_;  // index in values_ of each original line's normal
   std::vector<std::uint32_t> index_;
   std::vector<std::uint32_t> corner_index_;  // empty if no lines are added

@@ -36,8 +36,7 @@ public:
 
   std::string_view format() const { return format_; }
 
-  /// Content that other formats lose, because it is not in the surface or its attributes: "animations", "12
-  /// lines".
+  /// Content that is not in the surface or its attributes; other formats lose it: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
   /// The external files that write_file() copies.
@@ -85,7 +84,7 @@ struct ReadResult {
   std::vector<std::string> warnings;  ///< problems that were ignored and their places, one line each
   std::shared_ptr<const Attributes> attributes;  ///< null if the file has no attributes
   std::shared_ptr<const Original> original;      ///< null if the file cannot be rewritten
-  std::vector<std::string> comments;  ///< without comment marks; at most 64, each up to 200 bytes
+  std::vector<std::string> comments;             ///< without comment marks; at most 64, each up to 200 bytes
 };
 
 }  // namespace viete::formats

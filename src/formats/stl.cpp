@@ -62,8 +62,7 @@ struct Layout {
   }
 };
 
-// Sets the offsets if attribute bytes follow the triangles. If not, or if they exceed the file, returns
-// false.
+// If attribute bytes follow the triangles and the file is long enough, sets the offsets and returns true.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;

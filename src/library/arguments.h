@@ -40,8 +40,7 @@ inline std::string plain(double value) {
   return text;
 }
 
-/// Returns the table's value for this name. If the name is not valid, throws base::Error that lists the
-/// names.
+/// Returns the table's value for this name. If the name is not valid, throws base::Error with all names.
 template <class Entry>
 auto named(std::span<const Entry> table, const std::string& name, const char* what) {
   std::string names;

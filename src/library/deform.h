@@ -59,9 +59,9 @@ struct CageWish {
   std::string kind = "automatic";  ///< "automatic" or "box"
   std::size_t triangles = 200;     ///< approximate number, 12 to 20000; for automatic cages only
   double margin = 0.0015;          ///< distance to the model, as a fraction of its diagonal, 0.0005 to 0.2
-  double gap = 0.005;             ///< closes gaps up to twice this fraction of the diagonal; 0 to 0.2
-  std::string symmetry = "auto";  ///< normal of the mirror plane: "auto", "none", "x", "y" or "z"
-  bool quads = false;             ///< joins pairs of triangles into quads if the quads are good
+  double gap = 0.005;              ///< closes gaps up to twice this fraction of the diagonal; 0 to 0.2
+  std::string symmetry = "auto";   ///< normal of the mirror plane: "auto", "none", "x", "y" or "z"
+  bool quads = false;              ///< joins pairs of triangles into quads if the quads are good
   std::array<std::size_t, 3> cells{1, 1, 1};  ///< number of boxes along each axis; for box cages only
   bool own_axes = false;                      ///< aligns box cages with the model's principal axes
 };

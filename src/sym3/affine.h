@@ -68,8 +68,8 @@ Affine interpolate(const Affine& a, const Affine& b, double t);
 /// Uses the branch of log(A^-1 B) nearest to the rotation vector `near`, which may have any number of turns.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights times 2^-shift, without overflow or underflow. If the sum is 0 up to rounding, it
-/// becomes 0.
+/// The sum of weights times 2^-shift, without overflow or underflow. A sum that is 0 up to rounding becomes
+/// 0.
 struct WeightSum {
   int shift;
   double sum;
@@ -84,9 +84,9 @@ struct AffineMean {
 /// Returns the bi-invariant mean (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups, 2006):
 /// the map with sum w log(mean^-1 A) = 0 over all maps A with weights w. Requires at least one map, and one
 /// weight for each map. The weights are divided by their sum. The computation takes at most 200 steps from
-/// the map with the largest weight. If the steps do not converge (possible for maps half a turn apart), a map
-/// has no inverse, or the weights sum to 0 up to rounding, `converged` is false and the map is the last
-/// iterate.
+/// the map with the largest weight. `converged` is false and the map is the last iterate if the steps do not
+/// converge (possible for maps half a turn apart), a map has no inverse, or the weights sum to 0 up to
+/// rounding.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

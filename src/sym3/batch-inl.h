@@ -152,8 +152,7 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers. Each row has one entry
-/// of all items.
+/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers: one row per entry.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
@@ -341,8 +340,7 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Processes items in place, if the input and the output have the same layout. Processes the last items in a
-/// tile.
+/// Processes items in place if the input and the output have one layout. Processes the last items in a tile.
 template <class Way, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {

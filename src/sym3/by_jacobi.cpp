@@ -74,8 +74,7 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
 /// The row and column of each number of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// Returns (e^x - e^y) / (x - y) divided by the larger of e^x and e^y, with `distance` = |x - y|. The result
-/// is at most 1.
+/// Returns (e^x - e^y) / (x - y) over the larger of e^x and e^y, at most 1. `distance` is |x - y|.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }

@@ -41,8 +41,8 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Returns a tiny positive number that avoids divisions by 0. If it is added to 1, the sum is 1. Its square
-/// is in range.
+/// Returns a positive number so tiny that adding it to 1 gives 1. Avoids divisions by 0. The square is in
+/// range.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;

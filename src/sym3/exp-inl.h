@@ -69,9 +69,8 @@ struct Coefficients {
   V z0, z1, z2;
 };
 
-/// Computes the recurrence above. a[k] are the coefficients of the polynomial; the last coefficient is 1.
-/// Each step must wait for the previous step and therefore calls beside(step, z_{k+2}) to do other work
-/// meanwhile.
+/// Computes the recurrence above. a[k] are the coefficients of the polynomial; the last one is 1. Each step
+/// must wait for the previous step. Meanwhile, each step calls beside(step, z_{k+2}) for other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -231,8 +230,8 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
 /// rounding error of q would move two close large eigenvalues and cause an error of u times the squared
 /// spread. With the matrix, the error is proportional to the spread. Lanes without squaring use the steps of
 /// exp_quick(), so that results do not depend on other lanes. Some lanes use Jacobi's method one by one:
-/// after overflow or too many squarings, for NaN and infinities, and for diagonal matrices, where each entry
-/// is then accurate.
+/// after overflow or too many squarings, for NaN and infinities, and for diagonal matrices, to make each
+/// entry accurate.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;

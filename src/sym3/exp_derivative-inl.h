@@ -32,8 +32,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// The parts of exp(S) = z0 I + z1 A + z2 C, the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq, and
-/// derived values.
+/// Parts of exp(S) = z0 I + z1 A + z2 C, the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq, and others.
 template <class V>
 struct ExpParts {
   Six<V> a, c;

@@ -25,8 +25,7 @@ struct DepressedCubic {
   T p, q, shift;
 };
 
-/// Converts x^3 + a x^2 + b x + c as the paper does. If roots are close, cancellation makes p and q
-/// inaccurate.
+/// Converts x^3 + a x^2 + b x + c as in the paper. If roots are close, cancellation makes p and q inaccurate.
 template <class T>
 DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   const T a = -(s.xx + s.yy + s.zz);

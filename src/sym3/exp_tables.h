@@ -50,9 +50,8 @@ struct ExpTables<float> {
                                          0x1.5558b2p-5f, 0x1.123980p-7f, 0x1.6a4994p-10f};
 };
 
-/// Like ExpTables, but one degree higher, and minimax for the derivative of the polynomial. The error is 0.56
-/// u (float 0.38 u), of the derivative 1.29 u (float 0.51 u). With ExpTables, the derivative has errors of
-/// 100 u.
+/// Like ExpTables, but one degree higher, and minimax for the derivative of the polynomial. Error 0.56 u
+/// (float 0.38 u), error of the derivative 1.29 u (float 0.51 u). With ExpTables, this error is 100 u.
 template <class T>
 struct ExpDerivativeTables;
 

@@ -108,8 +108,7 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// Returns true if the eigenvalues differ by at most about 13 %. Then a series of M / mean - I converges for
-// any norm.
+// Returns true if eigenvalues differ by at most about 13 %. A series of M / mean - I then always converges.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;

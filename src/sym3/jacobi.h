@@ -30,8 +30,7 @@ inline double leading(const DoubleDouble& x) {
   return x.hi;
 }
 
-/// If an off-diagonal entry is below this fraction of the diagonal entries, it changes no digit of the
-/// result.
+/// If an off-diagonal entry is below this fraction of diagonal entries, it changes no digit of the result.
 constexpr double negligible(double) {
   return 0x1p-56;
 }

@@ -2,8 +2,7 @@
 //
 // The trace x of U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, where N and Q are the
 // squared norms of M and of its cofactors. R = (x M + cof M)(M^T M + y I)^-1 with y = (x^2 - N) / 2. Rounding
-// errors of x and of the inverse stretch R along the axes of U. One step R (3 I - R^T R) / 2 makes R
-// orthogonal again.
+// errors of x and of the inverse make R inexact. One step R (3 I - R^T R) / 2 makes R orthogonal.
 #if defined(VIETE_SYM3_POLAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_POLAR_INL_H
 #undef VIETE_SYM3_POLAR_INL_H

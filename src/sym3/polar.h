@@ -30,15 +30,13 @@ template <class T>
 Polar<T> polar(const Mat3<T>& m);
 
 /// Computes the rotations of many matrices, with the same bits as single calls with the same kernel. All
-/// layouts except `full` are allowed; planes are fastest. `in` and `rotations` must either be equal or not
-/// overlap.
+/// layouts except `full` are allowed; planes are fastest. `in` and `rotations` must be equal or not overlap.
 void polar(const MatView<const double>& in, const MatView<double>& rotations, std::size_t count,
            const Batch& batch = {});
 void polar(const MatView<const float>& in, const MatView<float>& rotations, std::size_t count,
            const Batch& batch = {});
 
-/// Computes the rotations and stretches of many matrices. `stretches` may have any layout and must not
-/// overlap other views.
+/// Computes rotations and stretches. `stretches` may have any layout and must not overlap other views.
 void polar(const MatView<const double>& in, const MatView<double>& rotations,
            const SymView<double>& stretches, std::size_t count, const Batch& batch = {});
 void polar(const MatView<const float>& in, const MatView<float>& rotations, const SymView<float>& stretches,

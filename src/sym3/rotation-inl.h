@@ -2,9 +2,8 @@
 // and special values see rotation.h.
 //
 // exp computes the quaternion of half the angle. Up to 3.24 radians, cos(sqrt h) and sin(sqrt h) / (2 sqrt h)
-// are polynomials in h = |w|^2 / 4, so small angles need no special case. log uses the tangent t of a quarter
-// of the angle and a polynomial in t^2 for atan(t) / t. Since t is at most one, small angles and half turns
-// need no special case.
+// are polynomials in h = |w|^2 / 4. log uses the tangent t of a quarter of the angle, which is at most one,
+// and a polynomial in t^2 for atan(t) / t. Therefore small angles and half turns need no special cases.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H

@@ -34,9 +34,8 @@ void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std
 /// exactly 180 degrees (symmetric to the last bit), w and -w are both valid; the result is the vector whose
 /// first nonzero component is positive. |w - exact| <= 6 u |w| if the entries of R are exact up to rounding.
 /// R need not be an exact rotation: an error E of R with |E| <= 0.1 (Frobenius norm) changes w by at most 2
-/// |E|. If R has a NaN, an infinity or an entry whose square overflows, the result is three NaN. The function
-/// computes w from the quaternion (Shepperd 1978) and the tangent of a quarter of the angle, which is at most
-/// one.
+/// |E|. If R has a NaN, an infinity or an entry whose square overflows, the result is three NaN. Computes w
+/// from the quaternion (Shepperd 1978) and the tangent of a quarter of the angle, which is at most one.
 template <class T>
 Vec3<T> log_rotation(const Mat3<T>& r);
 

@@ -20,8 +20,7 @@ struct Route {
   friend bool operator==(const Route&, const Route&) = default;
 };
 
-/// Returns the choice in double. Close to a limit, rounding may make the kernels choose differently.
-/// Thread-safe.
+/// Returns the choice in double. Close to a limit, the kernels may choose differently. Thread-safe.
 Route route(const Sym3<double>& s, Method method);
 
 }  // namespace viete::sym3

@@ -55,9 +55,8 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
 /// with trace zero: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz. The code uses sqrt 2
 /// times these coordinates.
 ///
-/// The formula 4 p^3 - 27 q^2 would have an error of u. The root of the formula, the difference of close
-/// eigenvalues, would have an error of sqrt u. The minors have an error of u, so the root of the sum also has
-/// one.
+/// The formula 4 p^3 - 27 q^2 would have an error of u. Its root, the difference of close eigenvalues, would
+/// have an error of sqrt u. The minors have an error of u, so the root of their sum also has an error of u.
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -144,8 +143,7 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// Computes log(x / y) and log(x / y) / (x - y) for positive normal x and y. `difference` is an accurate x -
-/// y.
+/// Computes log(x / y) and log(x / y) / (x - y) for positive normal x, y. `difference` is an accurate x - y.
 template <class V>
 struct LogRatio {
   V log, slope;

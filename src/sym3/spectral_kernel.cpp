@@ -10,8 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// A function of positive definite matrices. If a lane is_ordinary(), F::lanes() computes it, otherwise
-/// F::one().
+/// A function of positive definite matrices: F::lanes() for lanes with is_ordinary(), otherwise F::one().
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;

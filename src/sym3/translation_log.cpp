@@ -122,8 +122,7 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// Returns phi(Y) x with phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, from half the angle
-// theta.
+// Returns phi(Y) x with phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by theta / 2.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,
