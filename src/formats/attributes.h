@@ -23,10 +23,9 @@ inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
 /// An encoded image: an external file, or bytes in the model's file. It is decoded only to display it.
 struct ImageFile {
-  std::filesystem::path path;  ///< absolute path; empty if the image is in the model's file
-  std::shared_ptr<const std::string>
-      bytes;         ///< encoded bytes (PNG, JPEG ...) in the model's file; otherwise null
-  std::string name;  ///< for messages
+  std::filesystem::path path;                ///< absolute path; empty if the image is in the model's file
+  std::shared_ptr<const std::string> bytes;  ///< PNG, JPEG ... if it is in the model's file; otherwise null
+  std::string name;                          ///< for messages
 };
 
 struct Material {
