@@ -77,7 +77,7 @@ Plan ensembles_plan() {
            {"entries in [-1, 1]", 0, entries(-1, 1)},
            {"diagonal, [-3, 3]", 0,
             changed(entries(-3, 3), [](const Matrix& s) { return Matrix{s.xx, 0, 0, s.yy, 0, s.zz}; })},
-           {"rank one, v v^T", 0,  // has the double eigenvalue 0
+           {"rank one, v v^T", 0,  // 0 is a double eigenvalue
             changed(entries(-1, 1),
                     [](const Matrix& s) {
                       const double x = s.xx, y = s.xy, z = s.xz;

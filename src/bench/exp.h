@@ -44,7 +44,7 @@ struct ExpBench {
   bool in_float = false;
   std::string kernel;
   std::vector<BenchResult> methods;   ///< the times of `count` packed matrices
-  std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
+  std::vector<LayoutResult> layouts;  ///< sorted by layout, then by size from 1024 to `count`
 };
 
 /// Measures the paper's ensemble on one thread. Times are medians of processor time. The memory is about 100

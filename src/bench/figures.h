@@ -19,9 +19,9 @@ namespace viete::bench {
 
 struct ReportSizes {
   std::size_t matrices = 10'000'000;
-  std::size_t samples = 16'384;  ///< matrices per row of errors
+  std::size_t samples = 16'384;  ///< number of matrices for each row of errors
   std::vector<std::size_t> faces = {50, 100, 300, 600};
-  std::size_t rounds = 7;  ///< rounds of frames
+  std::size_t rounds = 7;  ///< number of rounds for the frame times
 };
 /// Returns sizes that need a tenth of the time but give more noise.
 ReportSizes quick_sizes();
@@ -42,7 +42,7 @@ struct Figures {
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
   std::vector<FrameTime> frames;       ///< frames in generated cages, for several numbers of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;  ///< named deformers
+  ModeComparison ways;  ///< results of the named deformers
   Halfway shapes;
 };
 

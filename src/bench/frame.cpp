@@ -144,7 +144,7 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// The fused engine with tiles as its only binding.
+/// The fused engine. Its binding has only tiles.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)

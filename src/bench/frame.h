@@ -19,7 +19,7 @@ struct FrameTime {
   std::size_t vertices, faces;
   std::string name;  ///< see frame_names
   int threads;
-  double cpu_ms, wall_ms;   ///< medians; processor time of the slowest thread
+  double cpu_ms, wall_ms;   ///< medians; cpu_ms is the time of the slowest thread
   double error;             ///< distance from the staged frame by QR, in cage diagonals; NaN if unknown
   std::size_t bytes;        ///< number of bytes that one frame reads
   deform::LinkTimes links;  ///< medians of wall time

@@ -20,7 +20,7 @@ struct ShapesOfModel {
   std::vector<std::vector<mesh::Point>> shapes;
 };
 
-/// Throws base::Error.
+/// Reads the model at rest and its shapes. Throws base::Error.
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes);
 

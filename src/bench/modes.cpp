@@ -79,7 +79,7 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
   double largest = 0;
   for (std::size_t v = 0; v < model.size(); ++v) {
     const double off = norm(positions[v] - moved_by(pose, middle, cage.diagonal, model[v]));
-    largest = std::isnan(largest) || off <= largest ? largest : off;  // keeps NaN
+    largest = std::isnan(largest) || off <= largest ? largest : off;  // NaN stays NaN
   }
   return largest / mesh::used_bounds(posed).diagonal();
 }
@@ -164,7 +164,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
   double largest = 0;
   for (const auto& [a, b] : pairs) {
     const double change = std::abs(norm(positions[a] - positions[b]) - norm(rest[a] - rest[b]));
-    largest = std::isnan(largest) || change <= largest ? largest : change;  // keeps NaN
+    largest = std::isnan(largest) || change <= largest ? largest : change;  // NaN stays NaN
   }
   return largest / mesh::bounds(rest).diagonal();
 }

@@ -69,7 +69,7 @@ struct WholePose {
   sym3::Mat3<double> linear;
   mesh::Vec3 shift;
 };
-/// A translation, a rigid motion, a similarity and an affine pose.
+/// Returns four poses: a translation, a rigid motion, a similarity and an affine pose.
 std::span<const WholePose> whole_poses();
 
 /// If the deviation is at most this value, a deformation reproduces a pose up to rounding.
@@ -112,7 +112,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest
 struct ModeSettings {
   std::size_t rounds = 11;
   deform::PartialChoice choice{};  ///< if set: all schemes with these choices, and mean value coordinates
-  std::optional<double> radius{};  ///< for cut-off weights
+  std::optional<double> radius{};  ///< radius of cut-off weights
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< number of solves for stitched schemes
   deform::Holding holding{};

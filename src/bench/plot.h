@@ -35,7 +35,7 @@ public:
   void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
-  /// Returns the complete document so far.
+  /// Returns a document with all that has been drawn.
   std::string document() const { return body_ + "</svg>\n"; }
 
 private:

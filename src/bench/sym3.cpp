@@ -101,7 +101,7 @@ void out_of_cache(std::size_t count, Bars& report) {
   report.check("exp of Matrix3d, from memory: / copy", faster(full.times, "fast", "copy"), 1.3, false);
 }
 
-/// Returns R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
+/// Returns R = cos a I + sin a / a W + (1 - cos a) / a^2 w w^T, W v = w x v; small angles are a case.
 sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
   const double a2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], a = std::sqrt(a2);
   const double c = std::cos(a), s = a > 1e-8 ? std::sin(a) / a : 1, f = a > 1e-8 ? (1 - c) / a2 : 0.5;
@@ -167,7 +167,7 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
   report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
 }
 
-constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
+constexpr std::size_t matrices_in_cache = 1024;  // 640 KB in double, with six directions and results
 constexpr double pow_exponent = 0.4;
 
 /// Computes derivatives as finite element codes usually do: by eigenvectors by QR and divided differences of

@@ -110,7 +110,7 @@ struct Sample {
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats can store this difference
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // large enough for floats
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -189,7 +189,7 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
                         "export numbered models (frame_####.ply), or scale the model");
 }
 
-constexpr double least_tolerance = 1e-7;  // the size of float rounding
+constexpr double least_tolerance = 1e-7;  // about the rounding error of floats
 
 // Approximates the moving model by a few morph targets.
 class MorphedModel {

@@ -161,9 +161,9 @@ void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& r
 void code(const JsonField& field, glm::ivec2& window);
 /// A list of indices. Reading sorts the list and removes duplicates.
 void code(const JsonField& field, std::vector<std::uint32_t>& value);
-/// A text of 16 hexadecimal digits.
+/// The file contains a text of 16 hexadecimal digits.
 void code(const JsonField& field, std::uint64_t& value);
-/// The index of the shape in field.shapes().
+/// The file contains the index of the shape in field.shapes().
 void code(const JsonField& field, deform::SharedShape& value);
 /// A list of {"float32": BYTES}. If a float cannot store the coordinates, {"float64": BYTES}. BYTES are x, y,
 /// z of each vertex, little-endian, in base64.

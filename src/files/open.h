@@ -54,14 +54,14 @@ struct Opened {
   std::vector<document::NamedShape> shapes;        ///< shapes to add
   std::vector<document::PoseKey> keys;             ///< keys that replace the existing keys
   std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of pose, poses and keys
-  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null: no shapes
+  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null if there are no shapes
   document::VectorCache vectors;                   ///< log vectors of the shapes
   std::string lost;  ///< names of poses lost with the previous cage: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;                  ///< the session, pose or animation
   std::optional<std::uint64_t> content;        ///< checksum of the session file
-  bool recovered = false;                      ///< true: the session is unsaved work
-  bool has_settings = false;                   ///< true: the session or request has document settings
+  bool recovered = false;                      ///< true if the session is unsaved work
+  bool has_settings = false;                   ///< true if the session or request has document settings
   std::vector<document::FileInUse> also_read;  ///< files of poses, shapes and keys
   std::vector<std::string> warnings;
   std::string taken_as;  ///< message that says how dropped files were interpreted
@@ -72,9 +72,9 @@ struct Opened {
 /// SessionFileError, for cages also deform::FinError). Thread-safe.
 ///
 /// The content and number of dropped files decide. A single file is the first of these kinds that matches:
-/// - a session, or a point cache (of the model: shapes; otherwise: keys)
+/// - a session, or a point cache: shapes if it matches the model, otherwise keys
 /// - a pose with the number of vertices and the faces of the open cage
-/// - a shape with the number of vertices and the faces of the open model, but another file
+/// - a shape with the number of vertices and the faces of the open model, but not its file
 /// - a cage, if no cage is open and the file encloses the open model with fewer vertices
 /// - a model
 /// Two files are shapes if they match the open model; otherwise a model and the cage that encloses it. If

@@ -31,11 +31,11 @@ struct ImageFile {
 struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
-  std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; multiplied by base_color
+  std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; base_color scales it
   bool repeats = true;  ///< outside [0, 1], true: the image repeats; false: its border colour continues
 };
 
-/// A range of consecutive polygons with the same object, group name, material and shading.
+/// Consecutive polygons that have one object, one group name, one material and one kind of shading.
 struct Group {
   std::uint32_t first_polygon = 0;      ///< the group ends before the first polygon of the next group
   std::string object, name;             ///< may be empty

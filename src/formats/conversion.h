@@ -1,4 +1,4 @@
-// Conversion of attributes to another format.
+// Converts attributes for another file format.
 #pragma once
 
 #include <cstdint>

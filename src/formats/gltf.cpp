@@ -398,7 +398,7 @@ private:
   std::vector<mesh::Point> points_;  // one per vertex of the file, in scene coordinates
   std::vector<Color> colors_;        // one per vertex of the file
   std::map<PieceKey, Piece> pieces_;
-  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
+  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // for each primitive
   std::vector<double> weights_;      // weights of the current placement's targets; empty if all are 0
   std::vector<mesh::Point> shaped_;  // points of this placement after applying weights_; empty if weights_ is
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;

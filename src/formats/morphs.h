@@ -18,10 +18,10 @@ struct MorphMotion {
   std::vector<double> seconds;       ///< times of the keys in ascending order
   std::vector<std::string> targets;  ///< a name for each target; a name may be empty
   std::vector<float> weights;        ///< targets.size() weights for each key
-  std::vector<char> moves;           ///< for each vertex, whether a target moves it
+  std::vector<char> moves;           ///< for each vertex, true if a target moves the vertex
   /// Returns the positions at full weight. It is called once for each target, in order.
   std::function<std::vector<mesh::Point>(std::size_t target)> positions;
-  bool normals = true;  ///< also animate normals and tangents
+  bool normals = true;  ///< true to animate normals and tangents too
 };
 
 /// If there are no keys, times do not increase, or sizes do not match, throws base::Error.

@@ -477,7 +477,7 @@ ReadResult read_ply(const Source& source) {
 
 bool looks_like_ply(const Source& source) {
   std::string_view bytes = source.bytes;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // as TextCursor does
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // skips the mark, like TextCursor
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 

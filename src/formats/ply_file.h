@@ -40,7 +40,7 @@ struct PlyHeader {
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> texture_files;  ///< from `comment TextureFile` lines, as MeshLab writes them
-  std::size_t unknown_lines = 0;           ///< skipped lines
+  std::size_t unknown_lines = 0;           ///< number of skipped lines
 
   std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
   const PlyElement* find(const std::string& name) const;

@@ -206,7 +206,7 @@ private:
       if (in_facet_) text_.fail("a facet begins within another facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
-      text_.word();  // "normal"
+      text_.word();  // skips "normal"
       if (source_.owner) normal_places_.push_back(places_of_three(text_));
     } else if (word == "endfacet") {
       end_facet();

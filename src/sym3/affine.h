@@ -68,8 +68,7 @@ Affine interpolate(const Affine& a, const Affine& b, double t);
 /// Uses the branch of log(A^-1 B) nearest to the rotation vector `near`, which may have any number of turns.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights times 2^-shift, without overflow or underflow. A sum that is 0 up to rounding becomes
-/// 0.
+/// The sum of weights times 2^-shift, without overflow or underflow. If it is 0 up to rounding, it is 0.
 struct WeightSum {
   int shift;
   double sum;

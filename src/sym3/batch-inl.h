@@ -175,7 +175,7 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
   }
 }
 
-/// True if each item of a view is nine contiguous numbers.
+/// Returns true if each item of a view is nine contiguous numbers.
 template <class T, int N>
 static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);

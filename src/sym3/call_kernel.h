@@ -24,7 +24,7 @@ struct RangeTask {
   const void* context;
 };
 
-/// A task that calls `call`, which must outlive the task.
+/// Returns a task that calls `call`. `call` must outlive the task.
 template <class Call>
 RangeTask task_of(const Call& call) {
   return {[](const void* context, const Range& range) { (*static_cast<const Call*>(context))(range); },

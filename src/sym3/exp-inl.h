@@ -122,7 +122,7 @@ static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
   return {add_to_exponent(d, x.a, shifted.a), add_to_exponent(d, x.b, shifted.b)};
 }
 
-/// True if the polynomial is valid without squaring, and e^mean is in the normal range.
+/// Returns true if the polynomial is valid without squaring and e^mean is in the normal range.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
   using C = ExpTables<hn::TFromD<D>>;

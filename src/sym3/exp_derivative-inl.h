@@ -41,7 +41,7 @@ struct ExpParts {
   V u0, u1, u2, u3;
   V t0, t1;                        ///< z0 - z1 and z1 + z2; the code multiplies them by t
   Six<V> w;                        ///< z2 A
-  V beside_x, beside_y, beside_z;  ///< z1 - w.xx and so on
+  V beside_x, beside_y, beside_z;  ///< z1 minus w.xx, w.yy, w.zz
 };
 
 /// Computes the parts for A = `a` and multiplies them by scalar.value(). Calls scalar.step(k) during
@@ -139,7 +139,7 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  hn::Mask<D> ok;        ///< lanes with is_quick()
+  hn::Mask<D> ok;        ///< lanes where is_quick() is true
   ExpParts<V> parts;     ///< the parts of S if `ok`, otherwise of A times halvings.scale
   Halvings<V> halvings;  ///< zero halvings if `ok`
 };

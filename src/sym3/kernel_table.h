@@ -14,7 +14,7 @@ struct View;
 /// Items [begin, end) of a batch; begin is a multiple of 64.
 struct Range {
   std::size_t begin, end;
-  bool stream;  ///< use non-temporal stores
+  bool stream;  ///< true for non-temporal stores
 };
 
 /// A function from N numbers to M numbers. More: the types of further parameters, such as an exponent.

@@ -55,7 +55,7 @@ Sym3<T> log_of_256_times(Sym3<T> log) {
   return log;
 }
 
-/// Converts six contiguous numbers.
+/// Converts six contiguous numbers to a matrix.
 template <class T>
 Sym3<double> from_six(const T* in) {
   return {in[0], in[1], in[2], in[3], in[4], in[5]};

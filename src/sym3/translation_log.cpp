@@ -45,7 +45,7 @@ Mat3<double> projector(const Vec3<double>& axis) {
 struct Powers {
   double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
 
-  // Multiplies by L.
+  // Returns L p.
   Vec3<double> shifted(const Vec3<double>& p) const {
     return {p[2] * t3, p[0] - p[2] * t2, p[1] + p[2] * t1};
   }
