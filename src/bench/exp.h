@@ -33,7 +33,7 @@ std::span<const ExpMethod> exp_methods();
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
-  std::vector<BenchResult> times;  ///< diag, sd, improved_sd, fast, copy
+  std::vector<BenchResult> times;  ///< for diag, sd, improved_sd, fast and copy
 };
 
 /// Measures one layout. Throws base::Cancelled.

@@ -41,7 +41,7 @@ struct Halfway {
   /// One row for each shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
   /// shape; NaN if the model encloses no volume. "volumes": this ratio at 21 even steps to the shape.
   nlohmann::json rows;
-  std::size_t most_lost = 0;           ///< shape whose volume linear interpolation reduces most
+  std::size_t most_lost = 0;           ///< row of the shape with the largest linear volume loss
   std::vector<ShapePicture> pictures;  ///< pictures from rest to this shape
 };
 /// Requires one shape or more. Throws base::Cancelled.

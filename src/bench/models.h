@@ -72,7 +72,7 @@ public:
   bool encloses() const { return volume_ != 0; }
   /// Returns the number of triangles without area. They are ignored.
   std::size_t without_area() const { return without_area_; }
-  /// Returns the part of the area at each vertex: a third of the triangles around it. The sum is 1.
+  /// Returns each vertex's part of the area: a third of the triangles around the vertex. The sum is 1.
   const std::vector<double>& vertex_shares() const { return shares_; }
 
   Distortion distortion(std::span<const mesh::Point> positions) const;

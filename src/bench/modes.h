@@ -57,7 +57,7 @@ struct Mode {
 struct ModeComparison {
   std::vector<Mode> modes;
   bool encloses = true;                 ///< true if the model has a volume to compare
-  std::size_t without_area = 0;         ///< number of triangles of the model without area, which are ignored
+  std::size_t without_area = 0;         ///< number of ignored triangles without area
   double rest_gap = 0;                  ///< gap at rest, to compare with poses
   std::vector<std::string> warnings{};  ///< warnings of the bindings, without duplicates
 };
@@ -82,9 +82,9 @@ using Deform = std::function<std::vector<mesh::Point>(const deform::Pose&)>;
 double deviation(const WholePose& pose, const deform::Cage& cage, std::span<const mesh::Point> model,
                  const Deform& deform);
 
-/// Measures how one cage vertex moves distant parts. It moves along its normal by a tenth of the cage's
-/// diagonal. Distant model vertices are more than a quarter of the diagonal away. Returns their median motion
-/// in diagonals, as the median over at most 8 cage vertices. NaN if no vertex is distant.
+/// Moves one cage vertex along its normal by a tenth of the cage's diagonal, and measures how far model
+/// vertices move that are more than a quarter of the diagonal away. Returns the median in diagonals, as the
+/// median over at most 8 cage vertices. If no vertex is that far away, returns NaN.
 double leak(const deform::Cage& cage, std::span<const mesh::Point> model, const Deform& deform);
 
 /// A point of the cage's surface: a triangle and barycentric coordinates.

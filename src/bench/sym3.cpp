@@ -34,7 +34,7 @@ using sym3::Method;
 using sym3::Sym3;
 using sym3::SymView;
 
-constexpr std::size_t in_cache = 4096;  // number of matrices: 400 KB in double, input and output
+constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB in double
 const std::string planes_text = ", planes in the second cache, per matrix";
 
 /// Makes a case that computes all matrices by calls for single matrices.

@@ -410,7 +410,7 @@ std::filesystem::path JsonReader::path() const {
   return name;
 }
 
-// Is fast for long lists: creates a JsonReader only for an invalid item.
+// Creates a JsonReader only for an invalid item, so that long lists are fast.
 std::vector<mesh::Vec3> JsonReader::places(double farthest) const {
   std::vector<mesh::Vec3> all(size());
   for (std::size_t i = 0; i < all.size(); ++i) {

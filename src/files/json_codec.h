@@ -115,7 +115,8 @@ public:
   nlohmann::ordered_json& out() const { return *out_; }
   ShapeTable& shapes() const { return *shapes_; }
 
-  /// Returns a member of an object. When reading, a missing member gives nullopt or, if needed, base::Error.
+  /// Returns a member of an object. When reading, a missing member gives nullopt or, if `needed`,
+  /// base::Error.
   std::optional<JsonField> child(const char* key, bool needed = false) const;
   /// When reading, returns the number of items. If there are more than `most`, throws base::Error. When
   /// writing, starts an empty list and returns `count`.

@@ -42,7 +42,7 @@ struct OpenRequest {
   std::vector<std::filesystem::path> files;
   /// For a model. If settings are missing, the open document or the session gives them.
   document::RequestedSettings settings{};
-  LocatedFiles located{};     ///< for a session
+  LocatedFiles located{};     ///< replacements for the files of a session
   bool without_fins = false;  ///< for What::model and What::cage: removes the fins of the cage
 };
 

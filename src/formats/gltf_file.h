@@ -20,7 +20,7 @@ namespace viete::formats {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// Constants of the specification.
+/// The component types of the glTF specification.
 enum GltfComponent {
   gltf_byte = 5120,
   gltf_unsigned_byte,

@@ -390,7 +390,7 @@ void GltfMorphs::name_targets(const MorphMotion& motion, std::size_t node, std::
   if (placed.contains("weights")) widen_list(placed, before + motion.targets.size());
   GltfJson& extras = mesh["extras"];
   if (extras.is_null()) extras = GltfJson::object();
-  if (!extras.is_object()) return;  // custom data of another program
+  if (!extras.is_object()) return;  // extras are custom data of another program
   GltfJson& names = extras["targetNames"];
   if (!names.is_array()) names = GltfJson::array();
   while (names.size() < before) names.push_back("target " + std::to_string(names.size() + 1));

@@ -24,7 +24,7 @@ constexpr TextRules off_rules{.comment = '#'};
 // The kinds of values after the position of each vertex.
 struct OffForm {
   bool normals = false, colors = false, texture = false;
-  bool more_axes = false;     //< 4OFF, nOFF
+  bool more_axes = false;     //< true for 4OFF and nOFF
   bool colors_first = false;  //< four colour components before the normal, as MeshLab writes
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }

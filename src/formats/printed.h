@@ -24,8 +24,8 @@ public:
   /// Makes print() write numbers of this size with at least `significant` digits.
   void keep(int significant, double size);
 
-  /// Prints with decimals or an exponent, and with the largest number of digits, as learned. If all learned
-  /// numbers had equally many digits, pads with zeros. room: at least 400 bytes.
+  /// Prints with decimals or with an exponent, like the learned numbers, and with their largest number of
+  /// digits. If all learned numbers had equally many digits, pads with zeros. room: at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
   /// Returns true if a and b are printed as equal text.

@@ -38,7 +38,7 @@ public:
     copied_ += word.size();
   }
 
-  /// Replaces the words of the changed components. If a component is printed as the old text, it stays.
+  /// Replaces the words of changed components. If the text of a component does not change, the word stays.
   void replace(const ThreeWords& words, const mesh::Vec3& before, const mesh::Vec3& now,
                const Printed& printed) {
     if (!mesh::changed(before, now)) return;

@@ -55,7 +55,7 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   for (const fs::path& file : companions.files) {
     const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
     std::error_code code;
-    if (!fs::is_regular_file(file, code)) continue;  // the code that uses the file reports it
+    if (!fs::is_regular_file(file, code)) continue;  // the code that uses the file reports the problem
     if (name.empty() || *name.begin() == "..") {
       stayed.insert(file.string());
       continue;

@@ -107,7 +107,8 @@ public:
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},
               std::vector<Point3>* turns = nullptr);
 
-  /// Scales the motion of each vertex in later poses by a factor from 0 to 1. If empty, nothing is scaled.
+  /// Scales the motion of each vertex in later poses by a factor from 0 to 1. If `shares` is empty, scales
+  /// nothing.
   void set_mask(std::span<const float> shares);
   /// Sets the shape to deform, three numbers for each vertex. If empty, the cage deforms the model at rest.
   void set_shape(std::span<const double> positions);
@@ -165,7 +166,7 @@ public:
   /// The first and the last frame. If the timeline has no keys, both numbers are 1.
   std::array<int, 2> range() const;
   const std::vector<std::string>& notes() const;
-  /// The model's vertices at a frame, as in `viete animate`. Without keys, the vertices of the current pose.
+  /// Returns the model's vertices at a frame, as in `viete animate`. Without keys, uses the current pose.
   std::vector<Point3> frame(double frame) const;
 
 private:

@@ -16,7 +16,7 @@ struct Executor {
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming if data is aligned, not in place, and much larger than the caches
+  automatic,  ///< streaming if the data is aligned, much larger than the caches, and not in place
   ordinary,
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };

@@ -265,7 +265,7 @@ template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   Six<V> e;
   if (HWY_LIKELY(exp_quick(d, s, e))) return e;
-  const Six<V> matrix = s;  // a reference to s would keep s in memory even if this is not called
+  const Six<V> matrix = s;  // a copy, because passing s by reference would keep s in memory
   return exp_general(d, matrix);
 }
 

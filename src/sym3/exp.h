@@ -37,9 +37,9 @@ enum class Method {
   /// method less accurate than sd. If S is finite and no term overflows, the result has no NaN.
   improved_sd,
 
-  /// The paper's formula without clamping and without the case of triple eigenvalues, misprints corrected.
-  /// Only for comparison. It gives NaN for multiples of the identity, for half of all matrices with a double
-  /// eigenvalue, and for some matrices with close eigenvalues.
+  /// The paper's formula with corrected misprints, without clamping and without a case for triple
+  /// eigenvalues. Only for comparison. It gives NaN for multiples of the identity, for half of all matrices
+  /// with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 
   /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace

@@ -32,7 +32,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// Parts of exp(S) = z0 I + z1 A + z2 C, the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq, and others.
+/// The parts of exp(S) = z0 I + z1 A + z2 C, and the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq.
 template <class V>
 struct ExpParts {
   Six<V> a, c;
@@ -232,7 +232,7 @@ static HWY_INLINE Six<V> exp_derivative(D d, const ExpPoint<D>& point, const Six
     const Six<V> quick = exp_slope(d, point.parts, e);
     if (HWY_LIKELY(hn::AllTrue(d, is_finite(d, quick)))) return quick;
   }
-  const Six<V> direction = e;  // a reference to e would keep e in memory even if this is not called
+  const Six<V> direction = e;  // a copy, because passing e by reference would keep e in memory
   return exp_derivative_general(d, point, direction);
 }
 

@@ -52,7 +52,7 @@ std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
   return viete_cosines(r / 3, -108 * f.q / (r * r * r), f.shift);
 }
 
-/// Works like viete_roots_as_printed(), but clamps k to [-1, 1]. If not r^3 > 0, returns a triple root.
+/// Works like viete_roots_as_printed(), but clamps k to [-1, 1]. If r^3 is 0 or NaN, returns a triple root.
 template <class T>
 std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
   const T r = std::sqrt(std::max(-12 * f.p, T(0)));

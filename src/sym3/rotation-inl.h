@@ -97,7 +97,7 @@ template <class D, class V>
 static HWY_INLINE HalfAngle<V> half_angle_lanes(D d, const Three<V>& w) {
   const V h = quarter_of_square(d, w);
   if (HWY_LIKELY(hn::AllTrue(d, is_small_angle(d, h)))) return half_angle_quick(d, h);
-  const Three<V> vector = w;  // a reference to w would keep w in memory even if this is not called
+  const Three<V> vector = w;  // a copy, because passing w by reference would keep w in memory
   return half_angle_general(d, vector, h);
 }
 
@@ -144,7 +144,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// Returns the first nonzero number of q. If the sign of q makes it positive, the angle is at most pi.
+/// Returns the first nonzero number of q. If this number is positive, the rotation angle is at most pi.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);

@@ -155,7 +155,7 @@ static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using C = SpectralTables<T>;
   const hn::RebindToUnsigned<D> du;
   using U = hn::TFromD<decltype(du)>;
-  // Finds k, with 2^k about the nearest power to x / y: the exponent of the difference of the bits.
+  // Finds a power 2^k close to x / y from the exponent of the difference of the bits.
   const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
   const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
   const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
