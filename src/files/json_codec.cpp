@@ -88,7 +88,7 @@ void write_word(const JsonField& field, std::string_view word) {
   field.out() = word;
 }
 
-// If a rounded number gives the same value again, writes it: 29 instead of 28.999999999999996.
+// Writes a rounded number if reading gives exactly `value` again: 29 instead of 28.999999999999996.
 void code(const JsonField& field, double& value, const Limits& limits) {
   const auto [least, most, factor] = limits;
   if (field.reads()) {

@@ -114,7 +114,7 @@ private:
     }
   }
 
-  // Returns the index of the texture's image, which an extension may give, or -1 if it is missing.
+  // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {

@@ -312,7 +312,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // If pieces differ only in texture points, they have the same primitives. Only the first piece is returned.
+  // Pieces that differ only in texture points have equal primitives. Returns only the first of these pieces.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;

@@ -107,8 +107,7 @@ public:
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},
               std::vector<Point3>* turns = nullptr);
 
-  /// Scales the motion of each vertex in later poses by a factor from 0 to 1. If `shares` is empty, scales
-  /// nothing.
+  /// Scales the motion of each vertex in later poses by a factor from 0 to 1. If empty, removes the scaling.
   void set_mask(std::span<const float> shares);
   /// Sets the shape to deform, three numbers for each vertex. If empty, the cage deforms the model at rest.
   void set_shape(std::span<const double> positions);

@@ -13,7 +13,7 @@ namespace viete::python {
 
 namespace py = pybind11;
 
-/// A contiguous, aligned array in native byte order. Views need such an array.
+/// A contiguous, aligned array in native byte order. Views need this kind of array.
 template <class T>
 using Contiguous =
     py::array_t<T, py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_>;

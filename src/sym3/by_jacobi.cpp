@@ -34,7 +34,7 @@ double exp_of(const DoubleDouble& x) {
   return std::exp(x.hi) * (1 + x.lo);
 }
 
-/// Returns x e^y. Multiplies by four factors, because e^y alone may overflow.
+/// Returns x e^y. Multiplies by four factors, because e^y as one factor may overflow.
 double times_exp(double x, const DoubleDouble& y) {
   const double part = std::exp(y.hi / 4);
   for (int k = 0; k < 4; ++k) x *= part;

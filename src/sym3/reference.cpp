@@ -63,7 +63,7 @@ Real mean_of_diagonal(const Sym3<double>& s) {
   return (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
 }
 
-/// Returns m 2^n. Multiplies in four steps, because 2^n alone may overflow.
+/// Returns m 2^n. Multiplies in four steps, because 2^n as one factor may overflow.
 Matrix times_power(Matrix m, int n) {
   const int quarter = n / 4;
   for (int i = 0; i < 3; ++i) m = scaled(m, std::ldexp(1.0, quarter));
