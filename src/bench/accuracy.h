@@ -1,4 +1,4 @@
-// Accuracy of each method for exp, by ensemble, eigenvalue gap, spread and scale.
+// Accuracy of each method for exp, by ensemble, gap between eigenvalues, spread and scale.
 #pragma once
 
 #include <cstddef>
@@ -11,24 +11,24 @@
 
 namespace viete::bench {
 
-/// Results of one method on one ensemble.
+/// Results of one method for one ensemble.
 struct Accuracy {
   double worst = 0;      ///< largest relative Frobenius error of the finite results
-  double nan_share = 0;  ///< part of the results that should be finite but are not
+  double nan_share = 0;  ///< part of the results that are not finite but should be
 };
 
 struct AccuracyTable {
-  std::string title, by;  ///< by: the meaning of the rows
+  std::string title, by;  ///< by: what the rows are, for example gaps
   struct Row {
     std::string name;
     double value = 0;             ///< the gap, spread or scale; 0 for ensembles
-    std::vector<Accuracy> cells;  ///< one per exp_methods() entry
+    std::vector<Accuracy> cells;  ///< one cell for each entry of exp_methods()
   };
   std::vector<Row> rows;
 };
 
 /// Measures all tables with `samples` matrices per row, against results of 106 bits (sym3/reference.h). In
-/// float, the input is first rounded to float, and errors refer to the rounded input. Throws base::Cancelled.
+/// float, first rounds the input to float; errors refer to the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
 /// Returns the relative errors of every method.

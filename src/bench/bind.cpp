@@ -26,10 +26,10 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
-/// One model in one cage, and all ways to bind it.
+/// One model in one cage, and all ways to bind the model.
 class BindRuns {
 public:
-  /// Plain loops need much memory. Omit them for very large models.
+  /// Simple loops need much memory. Omit them for very large models.
   BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)
@@ -77,7 +77,7 @@ private:
     for (const auto& p : model_.positions) weights(cage_, p, row);
   }
 
-  // Weighs leaf by leaf, as compression does: the full matrix never exists.
+  // Computes weights leaf by leaf, as compression does, so that the full matrix is never in memory.
   void weigh(const deform::Weighting& weighting) {
     const deform::Weigher weigher(cage_, weighting);
     std::vector<deform::Vec3> sums(deform::leaf_slots);

@@ -1,4 +1,4 @@
-// Random matrices with fixed seeds for measuring errors and times: the paper's, close eigenvalues, spreads.
+// Random matrices with fixed seeds to measure errors and times: the paper's, close eigenvalues, spreads.
 #pragma once
 
 #include <array>
@@ -14,12 +14,12 @@ namespace viete::bench::ensembles {
 using sym3::Sym3;
 using Random = std::mt19937_64;
 
-/// Replaces std::uniform_real_distribution, whose numbers differ between libraries.
+/// Returns a uniform number. std::uniform_real_distribution gives different numbers with different libraries.
 inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Returns a uniformly distributed rotation, from a quaternion that is uniform in the ball.
+/// Returns a uniformly distributed rotation, computed from a quaternion that is uniform in the ball.
 inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
@@ -45,7 +45,7 @@ Sym3<T> with_eigenvalues(const std::array<double, 3>& values, Random& random) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-/// Returns `count` matrices; matrix i is make(random, i).
+/// Returns `count` matrices. Matrix i is make(random, i).
 template <class T, class Make>
 std::vector<Sym3<T>> made(std::size_t count, unsigned seed, const Make& make) {
   Random random(seed);
@@ -56,7 +56,7 @@ std::vector<Sym3<T>> made(std::size_t count, unsigned seed, const Make& make) {
 
 inline constexpr unsigned usual_seed = 20160101;
 
-/// The paper's ensemble: S = M M^T, entries of M uniform in [-1, 1].
+/// Returns the paper's ensemble: S = M M^T, entries of M uniform in [-1, 1].
 template <class T>
 std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_seed) {
   return made<T>(count, seed, [](Random& random, std::size_t) -> Sym3<T> {
@@ -71,7 +71,7 @@ std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_see
   });
 }
 
-/// Matrices with six entries uniform in [low, high].
+/// Returns matrices with six entries, uniform in [low, high].
 template <class T>
 std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -81,7 +81,7 @@ std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count)
   });
 }
 
-/// Matrices with eigenvalues in [0, 3]: two of them `gap` apart, the third arbitrary.
+/// Returns matrices with eigenvalues in [0, 3]. Two eigenvalues are `gap` apart, the third is arbitrary.
 template <class T>
 std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -90,7 +90,7 @@ std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   });
 }
 
-/// Matrices with three eigenvalues in [0, 3], each `gap` above the one before.
+/// Returns matrices with three eigenvalues in [0, 3]. The distance to the next eigenvalue is `gap`.
 template <class T>
 std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -99,7 +99,7 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Matrices with eigenvalues from `lowest` to lowest + spread; the third is at an end, near it, or anywhere.
+/// Returns matrices with eigenvalues `lowest`, lowest + spread and a third at an end, near it, or between.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

@@ -1,4 +1,4 @@
-// Times of exp by method, layout and size, compared with a copy of the same bytes; checks of sym3's limits.
+// Times of exp by method, layout and size, and of copying the bytes. Also checks the limits of sym3.
 #pragma once
 
 #include <cstddef>
@@ -25,18 +25,18 @@ struct ExpMethod {
   sym3::Sym3<float> operator()(const sym3::Sym3<float>& s) const { return in_float(s); }
 };
 
-/// One matrix per call: Diag; Direct (Eigen's closed-form computeDirect instead of QR); SD; Improved SD as
-/// printed and guarded; Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp); Fast.
+/// The methods for one matrix: Diag; Direct (Eigen's closed-form computeDirect instead of QR); SD; Improved
+/// SD as printed and guarded; Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp); Fast.
 std::span<const ExpMethod> exp_methods();
 
-/// Times for one layout and size, all from the same interleaved run.
+/// Times for one layout and size, measured in one interleaved run.
 struct LayoutResult {
   sym3::Layout layout;
   std::size_t count = 0;
-  std::vector<BenchResult> times;  ///< diag, sd, improved_sd, fast, copy
+  std::vector<BenchResult> times;  ///< for diag, sd, improved_sd, fast and copy
 };
 
-/// Throws base::Cancelled.
+/// Measures one layout. Throws base::Cancelled.
 LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress);
 
 struct ExpBench {
@@ -44,14 +44,14 @@ struct ExpBench {
   bool in_float = false;
   std::string kernel;
   std::vector<BenchResult> methods;   ///< the times of `count` packed matrices
-  std::vector<LayoutResult> layouts;  ///< by layout, then by size from 1024 to `count`
+  std::vector<LayoutResult> layouts;  ///< sorted by layout, then by size from 1024 to `count`
 };
 
-/// Measures the paper's ensemble on one thread. Times are medians of processor time. Needs about 100 bytes of
-/// memory per matrix, and 30 s for 10^7 matrices. Throws base::Cancelled.
+/// Measures the paper's ensemble on one thread. Times are medians of processor time. The memory is about 100
+/// bytes per matrix; 10^7 matrices take 30 s. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-/// Returns the times of the methods by their labels, and the time of Fast in the cache.
+/// Returns the times of the methods by label, and the time of Fast in the cache.
 std::vector<BenchResult> labelled_times(const ExpBench& bench);
 Table layouts_table(const ExpBench& bench);
 
@@ -72,8 +72,8 @@ void print(const EigenBench& bench);
 nlohmann::json to_json(const EigenBench& bench);
 Plot plot_of(const EigenBench& bench);
 
-/// viete bench sym3: prints the speed and the errors of sym3, one line per documented limit. `count` matrices
-/// are used for runs from memory; 0 means 10,000,000. Throws base::Error.
+/// viete bench sym3: prints the speed and the errors of sym3, one line for each documented limit. Runs that
+/// exceed the caches use `count` matrices; 0 means 10,000,000. Throws base::Error.
 void bench_sym3(std::size_t count, const std::filesystem::path& json);
 
 }  // namespace viete::bench

@@ -36,7 +36,7 @@ ReportSizes quick_sizes() {
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  // Opens all files before it measures.
+  // Opens all files before the measurements begin.
   const document::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
   figures.poses = read_poses(files.poses, *opened.cage, warnings);

@@ -1,4 +1,4 @@
-// Measures all figures of a report: those of the paper, and additional ones.
+// Measures all figures of a report: the paper's figures and additional figures.
 #pragma once
 
 #include <cstddef>
@@ -19,16 +19,16 @@ namespace viete::bench {
 
 struct ReportSizes {
   std::size_t matrices = 10'000'000;
-  std::size_t samples = 16'384;  ///< matrices per row of errors
+  std::size_t samples = 16'384;  ///< number of matrices for each row of errors
   std::vector<std::size_t> faces = {50, 100, 300, 600};
-  std::size_t rounds = 7;  ///< rounds of frames
+  std::size_t rounds = 7;  ///< number of rounds for the frame times
 };
-/// Sizes for a tenth of the time, with more noise.
+/// Returns sizes that need a tenth of the time but give more noise.
 ReportSizes quick_sizes();
 
 struct ReportFiles {
   std::filesystem::path model, cage;
-  std::vector<std::filesystem::path> poses;  ///< poses of the cage; empty: one generated pose
+  std::vector<std::filesystem::path> poses;  ///< poses of the cage; if empty, one pose is generated
   std::filesystem::path rest;                ///< the model at rest of `shapes`
   std::vector<std::filesystem::path> shapes;
 };
@@ -40,13 +40,13 @@ struct Figures {
   ExpBench exp, exp_in_float;
   std::vector<AccuracyTable> accuracy, accuracy_in_float;
   std::vector<FrameTime> deformation;  ///< frames of the model in its cage
-  std::vector<FrameTime> frames;       ///< frames in generated cages, by number of triangles
+  std::vector<FrameTime> frames;       ///< frames in generated cages, for several numbers of triangles
   std::vector<NamedPose> poses;
-  ModeComparison ways;  ///< named deformers
+  ModeComparison ways;  ///< results of the named deformers
   Halfway shapes;
 };
 
-/// Measures the figures one after the other. Throws base::Error and base::Cancelled.
+/// Measures the figures one by one. Throws base::Error and base::Cancelled.
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress);
 
 /// Returns all measurements in the JSON format of the benchmarks.

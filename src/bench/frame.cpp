@@ -46,7 +46,7 @@ struct RatioBar {
   std::size_t under_faces;
   double bar;
   bool at_least = true;
-  bool threaded = false;  ///< `under` runs on all threads
+  bool threaded = false;  ///< true if `under` runs on all threads
 };
 
 constexpr RatioBar ratio_bars[] = {{reference, 50, dense, 50, 16},
@@ -93,20 +93,20 @@ void check_frame(std::span<const FrameTime> times, Bars& bars) {
 
 namespace {
 
-/// A timed case with its results.
+/// A case to measure, with its results.
 struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
   std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
-  std::size_t bytes = 0;                     ///< read once per frame
+  std::size_t bytes = 0;                     ///< number of bytes that one frame reads
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// In a drag, each frame finds the caches as the previous frame left them. Short frames need a few repetitions
-// to reach that state; long frames flush the caches anyway.
+// In a drag, each frame starts with the caches of the previous frame. If frames are short, a few repetitions
+// reach that state; long frames overwrite the caches.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;
@@ -114,7 +114,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// Measures processor time. With several threads, this is the time of the slowest thread.
+// Measures processor time. With several threads, it is the time of the slowest thread.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
@@ -144,7 +144,7 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// The fused engine with tiles as its only binding.
+/// The fused engine. Its binding has only tiles.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
@@ -164,7 +164,7 @@ struct FusedFrame {
   deform::FusedEngine engine;
 };
 
-/// One model bound to one cage for all compared frames.
+/// Binds one model to one cage for all compared frames.
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage)
@@ -203,11 +203,11 @@ public:
   }
 
 private:
-  // Without enough memory there is no staged frame, and no reference for errors.
+  // If memory is not sufficient, there is no staged frame, and errors have no reference.
   void bind_staged(const mesh::Surface& model) try {
     binding_ = std::make_shared<const deform::Binding>(deform::bind(model, *cage_, weighting_, all_));
     staged_ = std::make_unique<deform::Deformer>(cage_, binding_, deform::Scheme{binding_->weighting}, one_);
-    staged_->deform(pose_, Method::diag);  // this exponential has no code in common with `fast`
+    staged_->deform(pose_, Method::diag);  // Method::diag shares no code with `fast`
     expected_ = staged_->positions();
   } catch (const base::Error& error) {
     std::printf("  no staged frame: %s\n", error.what());

@@ -1,4 +1,4 @@
-// viete bench frame and bind: times and compares all ways to compute a frame and to bind a model.
+// viete bench frame and bind: compare all ways to compute a frame and to bind a model, and their times.
 #pragma once
 
 #include <cstddef>
@@ -14,14 +14,14 @@
 
 namespace viete::bench {
 
-/// One measured way to compute a frame, on one thread or on all threads.
+/// The times of one way to compute a frame, on one thread or on all threads.
 struct FrameTime {
   std::size_t vertices, faces;
   std::string name;  ///< see frame_names
   int threads;
-  double cpu_ms, wall_ms;   ///< medians; processor time of the slowest thread
-  double error;             ///< largest distance from the staged frame by QR, in cage diagonals; NaN: unknown
-  std::size_t bytes;        ///< read once per frame
+  double cpu_ms, wall_ms;   ///< medians; cpu_ms is the time of the slowest thread
+  double error;             ///< distance from the staged frame by QR, in cage diagonals; NaN if unknown
+  std::size_t bytes;        ///< number of bytes that one frame reads
   deform::LinkTimes links;  ///< medians of wall time
 };
 
@@ -33,19 +33,19 @@ inline constexpr const char* compressed = "fused, compressed";
 inline constexpr const char* dragged = "one vertex dragged";
 }  // namespace frame_names
 
-/// Measures the model in its cage or, without a cage, in one generated cage per number of faces. All rounds
-/// are interleaved. Throws base::Error and base::Cancelled.
+/// Measures the model in the cage. If there is no cage, measures one generated cage for each number of faces.
+/// All rounds are interleaved. Throws base::Error and base::Cancelled.
 std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress);
 nlohmann::json to_json(std::span<const FrameTime> times);
 
-/// Returns the time with this name on one thread, or on all threads if `threaded`; null if it is missing.
+/// Returns the time with this name, on one thread or on all threads. If it is missing, returns null.
 const FrameTime* frame_of(std::span<const FrameTime> times, const std::string& name, std::size_t faces,
                           bool threaded = false);
 
 /// Checks the limits for generated cages.
 void check_frame(std::span<const FrameTime> times, Bars& bars);
 
-/// These functions print tables and throw base::Error.
+/// Measure and print tables. Throw base::Error.
 void bench_frame(const ModelOptions& options);
 void bench_bind(const ModelOptions& options);
 

@@ -1,4 +1,4 @@
-// Compares log space with linear interpolation, halfway between a model at rest and its shapes.
+// Compares log space and linear interpolation at half the way from a model at rest to shapes of the model.
 #pragma once
 
 #include <filesystem>
@@ -20,31 +20,31 @@ struct ShapesOfModel {
   std::vector<std::vector<mesh::Point>> shapes;
 };
 
-/// Throws base::Error.
+/// Reads the model at rest and its shapes. Throws base::Error.
 ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
                                    const std::vector<std::filesystem::path>& shapes);
 
 /// Returns the root mean square of log(length in shape / geometric mean of lengths in a and b) over all
-/// edges. Skips edges without length.
+/// edges. Skips edges of length 0.
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// A picture of the visible side of a model, seen from above and from the side. Each dot is a vertex. The
-/// picture is centred at 0, y points up, and lengths are in diagonals of the model at rest.
+/// A picture of the visible side of a model from a viewpoint above and beside it. Each dot is a vertex. The
+/// centre of the picture is 0, y points up, and lengths are in diagonals of the model at rest.
 struct ShapePicture {
   std::string name;
   std::vector<SvgPoint> dots;
 };
 
-/// Results halfway from rest to each shape, in log space and linearly.
+/// Results halfway from rest to each shape, in log space and with linear interpolation.
 struct Halfway {
-  /// One row per shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
+  /// One row for each shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
   /// shape; NaN if the model encloses no volume. "volumes": this ratio at 21 even steps to the shape.
   nlohmann::json rows;
-  std::size_t most_lost = 0;           ///< row of the shape that loses most volume by linear interpolation
-  std::vector<ShapePicture> pictures;  ///< from rest to that shape
+  std::size_t most_lost = 0;           ///< row of the shape with the largest linear volume loss
+  std::vector<ShapePicture> pictures;  ///< pictures from rest to this shape
 };
-/// Needs at least one shape. Throws base::Cancelled.
+/// Requires one shape or more. Throws base::Cancelled.
 Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);
 
 /// Returns the shape's name: "coiled" for the file "shape_coiled.pc2".

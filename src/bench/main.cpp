@@ -12,7 +12,7 @@ void add_commands(CLI::App& app, viete::app::Action& action) {
   viete::bench::add_report_command(app, action);
 }
 
-// Allows a benchmark name without `bench`.
+// Allows a benchmark name without `bench` before it.
 std::vector<std::string> with_command(std::vector<std::string> typed, const CLI::App&) {
   if (typed.empty() || typed.front() != "report") typed.insert(typed.begin(), "bench");
   return typed;

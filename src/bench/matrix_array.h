@@ -24,7 +24,7 @@ public:
     return {layout_, data_.data()};
   }
 
-  /// Fills the array with these matrices, repeated.
+  /// Fills the array with these matrices and repeats them as often as necessary.
   void fill(std::span<const sym3::Sym3<T>> matrices) {
     constexpr std::size_t in_full[] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
     const std::size_t size = layout_ == full ? 9 : 6;
@@ -36,7 +36,7 @@ public:
     }
   }
 
-  /// Reads and writes the same bytes as a computation, as a reference for its time.
+  /// Reads and writes as many bytes as a computation. The time of this copy is a reference.
   void copy_to(MatrixArray& other) const {
     const std::size_t size = layout_ == planes ? count_ : data_.size();
     for (std::size_t from = 0; from < data_.size(); from += layout_ == planes ? stride_ : size)

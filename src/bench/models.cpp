@@ -36,7 +36,7 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Computes the convex hull by insertion: replaces the triangles visible from a point by a fan over their rim.
+// Computes the convex hull point by point: replaces triangles visible from a point by a fan over their rim.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -55,7 +55,7 @@ std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   return triangles;
 }
 
-// Returns the coefficients of x as a combination of a triangle's corners, if all are non-negative.
+// If x is a non-negative combination of a triangle's corners, returns the coefficients.
 std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) {
   const Point &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
   const double volume = dot(a, cross(b, c));
@@ -64,7 +64,7 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
   return w;
 }
 
-// A triangle encloses a point with coefficients w if its corners are scaled by at least w_0 + w_1 + w_2.
+// A triangle encloses a point with coefficients w if the corners are scaled by at least w_0 + w_1 + w_2.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
@@ -182,7 +182,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// Adds up tetrahedra from one of the surface's points, so that no digits are lost far from the origin.
+// Adds the volumes of tetrahedra with one apex on the surface, so that places far from 0 lose no digits.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;
@@ -190,7 +190,7 @@ double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> trian
   return sum / 6;
 }
 
-// Returns the angle between the normals of the triangles a b c and b a d; 0 if they are coplanar.
+// Returns the angle between the normals of the triangles a b c and b a d, or 0 if they are coplanar.
 double hinge_angle(std::span<const Point> p, const std::array<std::uint32_t, 4>& corners) {
   const auto& [a, b, c, d] = corners;
   const Point edge = p[b] - p[a], n = cross(edge, p[c] - p[a]), m = cross(p[d] - p[a], edge);
@@ -246,9 +246,9 @@ void RestModel::add_hinges(const mesh::Surface& model) {
 Distortion RestModel::distortion(std::span<const Point> positions) const {
   Distortion result;
   for (const analysis::FlatFace& f : faces_) {
-    const auto [x, y] = analysis::plane_map(f, positions);  // columns of J, in space
+    const auto [x, y] = analysis::plane_map(f, positions);  // columns of J in space
     const bool lost = !has_area(positions, f.corners);
-    const double stretch = lost ? 0 : norm(cross(x, y));  // area ratio: det J
+    const double stretch = lost ? 0 : norm(cross(x, y));  // area ratio det J
     result.energy +=
         f.area() / area_ * ((squared_norm(x) + squared_norm(y)) * (1 + 1 / (stretch * stretch)) - 4);
     result.collapsed += lost;

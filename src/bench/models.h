@@ -1,4 +1,4 @@
-// Models, cages and poses for the benchmarks, from files or generated.
+// Models, cages and poses for the benchmarks, read from files or generated.
 #pragma once
 
 #include <array>
@@ -17,19 +17,19 @@
 
 namespace viete::bench {
 
-/// Inputs and sizes of a benchmark of a model.
+/// Inputs and sizes of a benchmark that uses a model.
 struct ModelOptions {
   std::filesystem::path model;
-  std::filesystem::path cage;                ///< empty: cages of `faces` triangles are generated
+  std::filesystem::path cage;                ///< if empty, cages of `faces` triangles are generated
   std::vector<std::filesystem::path> poses;  ///< posed cages
-  std::size_t count = 0;                     ///< vertices to truncate or subdivide to; 0: unchanged
+  std::size_t count = 0;                     ///< number of vertices to truncate or subdivide to; 0: no change
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
-  std::filesystem::path json;  ///< file for the numbers; empty: no file
-  bool force = false;          ///< replaces existing files
+  std::filesystem::path json;  ///< file for the numbers; if empty, no file is written
+  bool force = false;          ///< true if existing files may be replaced
 };
 
-/// Opens a model, and its cage if given, for frames in float. Throws base::Error.
+/// Opens a model and, if given, its cage, for frames in float. Throws base::Error.
 document::Document open_model(const std::filesystem::path& model, const std::filesystem::path& cage = {});
 
 struct BenchModel {
@@ -46,46 +46,46 @@ std::string without_prefix(const std::string& name, const std::string& prefix);
 mesh::Surface subdivided(const mesh::Surface& surface);
 
 /// Returns a closed cage of `faces` triangles (even, at least 8): the hull of directions spread evenly over
-/// the sphere. Each direction has the distance from the model's centre that encloses every vertex, plus 6 %.
+/// the sphere. Each direction has the smallest distance that encloses the model, plus 6 %.
 mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces);
 
-/// Returns the cage twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and stretched by
-/// 1.2. Every vertex also moves by up to 1 % of the diagonal.
+/// Returns a pose of the cage: twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and
+/// stretched by 1.2. Every vertex also moves by up to 1 % of the diagonal.
 deform::Pose moderate_pose(const deform::Cage& cage);
 
-/// Distortion of the triangles that have area at rest. J, a 2x2 matrix, is the map of a triangle's plane.
+/// Distortion of the triangles that have an area at rest. The 2x2 matrix J maps the plane of a triangle.
 struct Distortion {
-  /// Mean of |J|^2 + |J^-1|^2 - 4, the symmetric Dirichlet energy minus its value at rest, weighted by area
-  /// at rest. 0 without stretching; infinite if a triangle has collapsed.
+  /// The symmetric Dirichlet energy minus its value at rest: the mean of |J|^2 + |J^-1|^2 - 4, weighted by
+  /// the area at rest. It is 0 without stretching, and infinite if a triangle has collapsed.
   double energy = 0;
-  std::size_t collapsed = 0;  ///< triangles whose area became 0
+  std::size_t collapsed = 0;  ///< number of triangles whose area became 0
 };
 
-/// Measures shapes of a model against the model at rest. Positions are always one per vertex.
+/// Compares shapes of a model with the model at rest. Positions always have one entry per vertex.
 class RestModel {
 public:
-  /// Throws base::Error if no triangle has area.
+  /// Throws base::Error if no triangle has an area.
   explicit RestModel(const mesh::Surface& model);
 
   const std::vector<mesh::Point>& positions() const { return positions_; }
-  /// True if the model is closed and consistently oriented, with nonzero volume.
+  /// Returns true if the model is closed and consistently oriented, and has a nonzero volume.
   bool encloses() const { return volume_ != 0; }
-  /// Number of triangles without area, which are ignored.
+  /// Returns the number of triangles without area. They are ignored.
   std::size_t without_area() const { return without_area_; }
-  /// The part of the area at each vertex: a third of its triangles. The sum is 1.
+  /// Returns each vertex's part of the area: a third of the triangles around the vertex. The sum is 1.
   const std::vector<double>& vertex_shares() const { return shares_; }
 
   Distortion distortion(std::span<const mesh::Point> positions) const;
-  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of
-  /// 3 |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle, |e|
-  /// the length of the edge and A the area of both triangles at rest. For smooth bending the energy is nearly
-  /// independent of the resolution; for kinks it grows with the resolution.
+  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of 3
+  /// |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle, |e|
+  /// the length of the edge and A the area of the two triangles at rest. For smooth bending, the energy
+  /// hardly depends on the resolution; for kinks, it grows with the resolution.
   double bending(std::span<const mesh::Point> positions) const;
-  /// Returns the volume relative to rest; NaN if the model encloses no volume.
+  /// Returns the volume relative to rest, or NaN if the model encloses no volume.
   double volume(std::span<const mesh::Point> positions) const;
 
 private:
-  /// Two triangles with a common edge: the ends of the edge, and the opposite corners.
+  /// Two triangles with a common edge: the ends of the edge, then the opposite corners.
   struct Hinge {
     std::array<std::uint32_t, 4> corners;
     double weight, angle;

@@ -46,7 +46,7 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// Returns the vertices that have triangles, ascending.
+// Returns the vertices that have triangles, in ascending order.
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   const std::set<std::uint32_t> used(surface.corners.begin(), surface.corners.end());
   return {used.begin(), used.end()};
@@ -79,7 +79,7 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
   double largest = 0;
   for (std::size_t v = 0; v < model.size(); ++v) {
     const double off = norm(positions[v] - moved_by(pose, middle, cage.diagonal, model[v]));
-    largest = std::isnan(largest) || off <= largest ? largest : off;  // keeps NaN
+    largest = std::isnan(largest) || off <= largest ? largest : off;  // NaN stays NaN
   }
   return largest / mesh::used_bounds(posed).diagonal();
 }
@@ -164,14 +164,14 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
   double largest = 0;
   for (const auto& [a, b] : pairs) {
     const double change = std::abs(norm(positions[a] - positions[b]) - norm(rest[a] - rest[b]));
-    largest = std::isnan(largest) || change <= largest ? largest : change;  // keeps NaN
+    largest = std::isnan(largest) || change <= largest ? largest : change;  // NaN stays NaN
   }
   return largest / mesh::bounds(rest).diagonal();
 }
 
 namespace {
 
-// Energies per area and bendings below this limit are rounding errors.
+// Energies per area and bendings below this value are rounding errors.
 constexpr double next_to_none = 1e-10;
 
 /// Measures one model in one cage.
@@ -184,7 +184,7 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures in double, link by link. Keeps only one binding at a time, because they are large.
+  // Measures in double, link by link. Keeps only one binding at a time, because bindings are large.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
@@ -216,7 +216,7 @@ public:
   const std::vector<std::string>& warnings() const { return warnings_; }
   void forget_shapes() { staged_.reset(); }
 
-  // Times the binding and a frame as in the program.
+  // Adds the binding and a frame for time_frames(), as in the program.
   void add_frame(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     const Bound& bound = fused(weighting);
@@ -267,7 +267,7 @@ private:
     return bound_.back();
   }
 
-  // Uses the same constraints in all modes.
+  // Returns the constraints. All modes use the constraints of the first call.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_)
       stitching_ =
@@ -301,13 +301,13 @@ private:
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
   std::shared_ptr<const deform::Binding> staged_;
-  std::deque<Bound> bound_;  // a deque keeps references valid
+  std::deque<Bound> bound_;  // a deque, because its references stay valid
   std::shared_ptr<const deform::Stitching> stitching_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;
 };
 
-// Returns the schemes to measure, named deformers first.
+// Returns the schemes to measure. Named deformers come first.
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
@@ -326,7 +326,7 @@ std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   return schemes;
 }
 
-// Groups schemes with equal weights, so that these are computed once.
+// Groups schemes with equal weights, so that each weighting is computed once.
 std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   std::vector<Mode> modes;
   for (const deform::Scheme& scheme : schemes) {
@@ -339,7 +339,7 @@ std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   return modes;
 }
 
-// Restores the order of measured_schemes().
+// Sorts the modes in the order of measured_schemes().
 void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) {
   std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
 }
@@ -363,7 +363,7 @@ void compare_with_mean_values(std::vector<Mode>& modes) {
   }
 }
 
-// Measures a scheme. If this cage does not support it, stores the reason.
+// Measures a scheme. If this cage does not support the scheme, stores the reason.
 template <class Measure>
 void attempt(Mode& mode, const Measure& measure) {
   if (!mode.problem.empty()) return;
@@ -383,7 +383,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
   ModeRuns runs(model, std::move(cage), poses, settings.method);
   const std::vector<deform::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
-  // Approximate parts of the time.
+  // Approximate shares of the total time.
   constexpr double shapes = 0.6, bound = 0.7;
   const auto each = [&](double from, double to, const auto& measure) {
     const auto count = static_cast<double>(modes.size());

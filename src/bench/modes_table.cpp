@@ -27,7 +27,7 @@ constexpr const char* modes_legend =
   torn: largest change of distance between vertices close at rest but not joined by edges, in diagonals
 )";
 
-/// A measure of a shape: its column in the table of a pose, and its key in JSON.
+/// A number of a shape: the column in the table of a pose, and the key in JSON.
 struct Measure {
   const char *column, *key;
   double ShapeQuality::*value;
@@ -73,7 +73,7 @@ std::string name_of(const Mode& mode) {
   return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
 }
 
-/// Prints a line for each scheme that was measured; `row` returns its numbers.
+/// Prints a line for each measured scheme. `row` returns the numbers of the line.
 template <class Row>
 void print_modes(const std::string& title, std::vector<std::string> columns, std::span<const Mode> modes,
                  const Row& row) {

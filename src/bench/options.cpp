@@ -25,7 +25,7 @@ using namespace app;
 struct MatrixOptions {
   std::size_t count = 0;
   bool in_float = false, force = false;
-  std::filesystem::path json;  // file for the numbers; empty: no file
+  std::filesystem::path json;  // file for the numbers; if empty, no file is written
 };
 
 template <class Options>
@@ -38,7 +38,7 @@ void add_json_options(CLI::App& command, Options& options) {
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
 
-// Throws before the system kills the program. A matrix needs input and output, at most nine doubles each.
+// Throws before the system ends the program. Input and output have at most nine doubles for each matrix.
 void require_memory_for(std::size_t count) {
   base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});
@@ -81,7 +81,7 @@ std::shared_ptr<ModelOptions> add_model_bench(CLI::App& command, std::size_t rou
   return shared;
 }
 
-// Checks the files. Uses the bundled model if no model is given.
+// Checks the files. If no model is given, uses the bundled model.
 void prepare(ModelOptions& options, bool posed) {
   FilesInUse inputs{options.model, options.cage};
   for (const auto& pose : options.poses) inputs.add(pose, document::the_pose);

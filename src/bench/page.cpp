@@ -136,7 +136,7 @@ h2,h3,p.origin,p.seen{break-after:avoid}dl.tiles{grid-template-columns:repeat(4,
 @media screen and (prefers-color-scheme:dark){:root{color-scheme:dark;--paper:#14181d;--ink:#e3e7ec;--faint:#9aa5b1;--rule:#2b333c;--wash:#1b2127;--ours:#56b4e9}}
 )";
 
-// Colours of the plots and their replacements in the dark theme.
+// The colours of the plots and the colours that replace them in the dark theme.
 constexpr const char* dark_colors[][2] = {
     {"#ffffff", "none"},    {"#1f2933", "#e3e7ec"}, {"#6b7785", "#9aa5b1"}, {"#e4e8ec", "#2b333c"},
     {"#cfd6dd", "#3b4651"}, {"#9aa5b1", "#6b7785"}, {"#c77700", "#f0a13a"}, {"#0072b2", "#56b4e9"},

@@ -12,20 +12,20 @@
 
 namespace viete::bench {
 
-/// Elements of a page that is also XML: every value is escaped and every element is closed.
-/// A paragraph of this class, or without a class if `kind` is empty.
+/// Elements of a page that is also valid XML: values are escaped, and all elements are closed.
+/// Returns a paragraph of the class `kind`. If `kind` is empty, the paragraph has no class.
 std::string paragraph(std::string_view text, std::string_view kind = "");
-/// A table that scrolls on narrow pages.
+/// Returns a table that scrolls on narrow pages.
 std::string html(const Table& table);
-/// A drawing with its title, which is also its accessible name.
+/// Returns a drawing with a title. Screen readers read the title.
 std::string figure(std::string_view title, std::string_view svg);
 
-/// A section of the page: text, drawings, numbers and the commands that repeat them.
+/// A section of the page: text, drawings, numbers, and the commands to repeat the measurement.
 struct Section {
   std::string id, origin, title;  ///< origin: the source of the figure
-  std::string seen;               ///< one or two sentences on the result
+  std::string seen;               ///< one or two sentences about the result
   std::string why;
-  std::string body;  ///< HTML: drawings and tables
+  std::string body;  ///< drawings and tables in HTML
   std::vector<std::string> commands;
 };
 /// Returns the paper's three figures and its claims, then the new figures.
@@ -34,17 +34,17 @@ std::vector<Section> sections_of(const Figures& figures);
 /// Returns the main results as tiles: values with their descriptions.
 std::string summary_of(const Figures& figures);
 
-/// When and where the figures were measured.
+/// The time and the computer of the measurement.
 struct Made {
   std::string date, processor;  ///< "2026-11-26 11:18 UTC"; processor and its number of threads
   std::vector<std::pair<std::string, std::string>> facts;  ///< labels and values in reading order
 };
-/// Returns the facts about this computer. `command` is the command as typed.
+/// Returns the facts about this computer. `command` is the command line of the user.
 Made made_here(const std::string& command, double seconds);
 
 /// Returns the numbers of the page, for report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
-/// Returns the page as well-formed XML. Its tables, plots and texts are derived from the figures.
+/// Returns the page as well-formed XML. The tables, plots and texts come from the figures.
 std::string report_page(const Figures& figures, const Made& made);
 
 }  // namespace viete::bench

@@ -89,12 +89,12 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 
 namespace {
 
-constexpr double plot_width = 400, letter = 7.7;  // letter: wider than most letters
+constexpr double plot_width = 400, letter = 7.7;  // `letter` is wider than most letters
 constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
   char text[32];
-  if (count > 0 && count < 5e-3) {  // 10^-5 with superscripts
+  if (count > 0 && count < 5e-3) {  // a power of ten with superscripts
     constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
     std::string power = "10\u207b";
@@ -142,7 +142,7 @@ void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
 /// Maps values to pixels.
 struct Scale {
   bool logarithmic;
-  double low, high, from, to;  ///< low, high: values or their logarithms; from, to: pixels
+  double low, high, from, to;  ///< low and high are values or logarithms; from and to are pixels
 
   double at(double value) const { return logarithmic ? std::log10(value) : value; }
   double operator()(double value) const { return from + (to - from) * (at(value) - low) / (high - low); }
@@ -165,7 +165,7 @@ struct Tick {
   bool strong;
 };
 
-// Returns few enough ticks to be readable. `between` adds ticks inside decades if there are few decades.
+// Returns a readable number of ticks. If there are few decades, `between` adds ticks inside decades.
 std::vector<Tick> ticks(const Scale& scale, bool between) {
   std::vector<Tick> found;
   const double length = scale.high - scale.low;
@@ -206,7 +206,7 @@ std::string value_text(double value) {
   return value < 1e-3 ? error_text(value) : base::few_digits(value);
 }
 
-/// Names at the ends of the curves, shifted to avoid overlap.
+/// Draws names at the ends of the curves. Moves them so that they do not overlap.
 void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;

@@ -1,4 +1,4 @@
-// Benchmarks as SVG pictures: bars of times, and curves of times by size.
+// Benchmarks as SVG pictures: bars for times, and curves for times by size.
 #pragma once
 
 #include <span>
@@ -18,11 +18,11 @@ struct SvgPoint {
 struct SvgText {
   const char* color = "#1f2933";
   double size = 12;
-  const char* anchor = "start";  ///< or "middle", "end"
+  const char* anchor = "start";  ///< "start", "middle" or "end"
   bool strong = false;
 };
 
-/// A picture. Lengths are in pixels, y points down, colours are as in CSS. The y of a text is its baseline.
+/// A picture. Lengths are in pixels, y points down, colours are as in CSS. The y of a text is the baseline.
 class Svg {
 public:
   Svg(double width, double height);
@@ -35,7 +35,7 @@ public:
   void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
-  /// Returns the complete document so far.
+  /// Returns a document with all that has been drawn.
   std::string document() const { return body_ + "</svg>\n"; }
 
 private:
@@ -46,7 +46,7 @@ struct PlotBar {
   std::string name;
   double ns = 0;
   const char* color;
-  double part = 0;  ///< length of the coloured part; 0: the whole bar
+  double part = 0;  ///< length of the coloured part; 0 colours the whole bar
 };
 
 struct PlotCurve {
@@ -56,16 +56,16 @@ struct PlotCurve {
   struct Point {
     double count, ns;
   };
-  std::vector<Point> points;  ///< by count, ascending
+  std::vector<Point> points;  ///< in ascending order of count
 };
 
 struct Plot {
   std::vector<PlotBar> bars;  ///< the first bar is the reference
   std::vector<PlotCurve> curves;
   std::string unit = " ns";  ///< unit of the bars
-  bool compared = true;      ///< show bars relative to the first one
+  bool compared = true;      ///< true shows ratios to the first bar
   std::string across = "matrices in a batch";
-  /// True: axes from 0 to 1, no end values. False: logarithmic axes, which skip values of 0 or less.
+  /// True: axes from 0 to 1, no end values. False: logarithmic axes, which skip values of 0 and below.
   bool linear = false;
 };
 
@@ -74,11 +74,12 @@ namespace plot_color {
 inline constexpr const char* reference = "#6b7785";
 inline constexpr const char* rival = "#c77700";
 inline constexpr const char* copy = "#9aa5b1";
-inline constexpr const char* rest = "#cfd6dd";  ///< the rest of a bar with a coloured part
+inline constexpr const char* rest = "#cfd6dd";  ///< the uncoloured part of a bar
 inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
 }  // namespace plot_color
 
-/// Returns the colour of a method, the same in every plot. Other names get the colour of references.
+/// Returns the colour of a method. The colour is equal in all plots. Other names get the colour of
+/// references.
 const char* color_of_method(const std::string& name);
 
 /// Returns an SVG document, 400 pixels wide, with the bars or the curves.

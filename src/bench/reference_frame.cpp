@@ -69,7 +69,7 @@ std::array<Eigen::Vector3d, 3> corners(const mesh::Triangle& t, std::span<const 
   return {vector(positions[t[0]]), vector(positions[t[1]]), vector(positions[t[2]])};
 }
 
-// Returns two edges, and a normal scaled to the square root of their cross product's length.
+// Returns two edges and their cross product divided by the square root of its length.
 Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], n = u.cross(v);
   Eigen::Matrix3d frame;
@@ -88,7 +88,7 @@ Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
 }  // namespace
 
 struct ReferenceFrame::Handle {
-  Eigen::Matrix3d stretch, rotation;  // logs
+  Eigen::Matrix3d stretch, rotation;  // logarithms
   Eigen::Vector3d center;
 };
 

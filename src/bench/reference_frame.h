@@ -1,4 +1,4 @@
-// Plain loops for weights and frames as in published tools: the baseline of the benchmarks.
+// Simple loops for weights and frames, as in published programs: the baseline of the benchmarks.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace viete::bench {
 
-/// Computes weights by loops over vertices and cage triangles, in double. Takes the smallest of the distances
-/// to the triangle's plane, by barycentric coordinates, and to its three edges, to the power of -2. Then
-/// divides each row by its sum. Distances and weights are two arrays of n rows of k numbers.
+/// Computes weights by loops over vertices and cage triangles, in double. The distance to a triangle is the
+/// smallest of the distances to its plane, by barycentric coordinates, and to its three edges. The weight is
+/// the distance to the power of -2, divided by the sum of its row. Both arrays have n rows of k numbers.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
@@ -24,13 +24,14 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// Computes for each element the map, its polar decomposition by SVD, and the logs of stretch and rotation.
-/// Logs are principal, so poses must keep the elements' area and rotate them by less than 180 degrees. For
-/// each vertex, sums full matrices with weights in double: 9 + 9 + 3 numbers per cage triangle. Then applies
-/// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to their vertices.
+/// Computes for each element the map, the polar decomposition by SVD, and the logarithms of stretch and
+/// rotation. The logarithms are principal, so poses must keep the elements' area and rotate them by less than
+/// 180 degrees. For each vertex, adds full matrices times weights in double: 9 + 9 + 3 numbers per cage
+/// triangle. Then applies improved SD, Rodrigues' formula and the affine product. Triangles add their normals
+/// to vertices.
 class ReferenceFrame {
 public:
-  /// Keeps references to cage and binding. The binding must have weights.
+  /// Keeps references to the arguments. The binding must have weights.
   ReferenceFrame(const deform::Cage& cage, const deform::Binding& binding);
   ~ReferenceFrame();
 

@@ -34,7 +34,7 @@ struct ReportOptions {
   fs::path numbers() const { return folder / "report.json"; }
 };
 
-// Creates the output folder. Returns true if it did not exist.
+// Creates the output folder. Returns false if it existed before.
 bool made_folder(const fs::path& folder) {
   std::error_code code;
   if (fs::is_directory(folder, code)) return false;
@@ -45,7 +45,7 @@ bool made_folder(const fs::path& folder) {
                     "choose another folder");
 }
 
-// Uses the bundled dragon if no model is given. The shapes are always the dragon's.
+// If no model is given, uses the bundled dragon. The shapes are always the dragon's shapes.
 void complete(ReportFiles& files) {
   const app::BundledModel bundled = app::bundled_model();
   if (files.model.empty())

@@ -18,21 +18,21 @@ using sym3::Method;
 
 constexpr Method shown_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::fast};
 
-// Number of cage triangles for the frame times in texts.
+// Number of cage triangles in the texts about frame times.
 constexpr std::size_t usual_faces = 300;
 
-// Returns the saved time in percent: 76 if time is 0.24 and than is 1.
+// Returns the time saved in percent. Example: if `time` is 0.24 and `than` is 1, returns 76.
 double percent_less(double time, double than) {
   return 100 * (1 - time / than);
 }
 
-// Returns the frame computed link by link, with exp by this method.
+// Returns the frame that is computed link by link with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
   return times.empty() ? nullptr
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Returns the largest error over all gaps of two and three eigenvalues, in double.
+// Returns the largest error for all gaps between two and three eigenvalues, in double.
 std::string worst_error(const Figures& figures, Method method) {
   const auto methods = exp_methods();
   const auto at = std::ranges::find(methods, sym3::label(method),
@@ -46,7 +46,7 @@ std::string worst_error(const Figures& figures, Method method) {
   return error_text(worst);
 }
 
-// Returns the volume loss in a row of measure_halfway(): "27 %" or "nothing".
+// Returns the volume loss in a row of measure_halfway() as a text, "27 %" or "nothing".
 std::string lost_volume(const nlohmann::json& way) {
   const double lost = 100 * (1 - double(way["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
@@ -189,7 +189,7 @@ Section paper_section(const Figures& figures) {
       {}};
 }
 
-// Draws the errors of the four methods. Skips scales so small that rounding makes all matrices zero.
+// Draws the errors of the four methods. Skips very small scales, where rounding makes all matrices zero.
 std::string errors_plot(const AccuracyTable& accuracy) {
   constexpr double least = 1e-20;
   Plot plot;
@@ -444,7 +444,7 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// Draws all pictures at the same scale.
+// Draws all pictures with one scale.
 std::string drawn(std::vector<ShapePicture> pictures) {
   constexpr double width = 200, height = 170, margin = 6;
   double scale = 1e9;

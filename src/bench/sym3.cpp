@@ -34,7 +34,7 @@ using sym3::Method;
 using sym3::Sym3;
 using sym3::SymView;
 
-constexpr std::size_t in_cache = 4096;  // matrices: 400 KB in double, in and out
+constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB in double
 const std::string planes_text = ", planes in the second cache, per matrix";
 
 /// A case that calls the function once per matrix.
@@ -48,7 +48,7 @@ RoundCase batched(const std::string& name, std::size_t repeats, const std::funct
   return {name, in_cache, [run](std::size_t) { run(); }, repeats};
 }
 
-/// A case that copies this number of planes.
+/// Makes a case that copies this number of planes.
 RoundCase copy_of(const double* from, double* to, std::size_t planes, std::size_t stride) {
   return batched("copy", 20, [=] { std::memcpy(to, from, planes * stride * sizeof(double)); });
 }
@@ -70,7 +70,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   for (const Method m : {Method::diag, Method::improved_sd})
     cases.push_back(batched(std::string(sym3::name(m)), 1, [&, m] { sym3::exp<T>(matrices, answers, m); }));
   cases.push_back(one_by_one("one by one", matrices, answers, [](const Sym3<T>& s) { return sym3::exp(s); }));
-  // Repeats each case, because a processor runs wide instructions slowly for the first 20 us or so.
+  // Repeats each case, because processors run wide instructions slowly for about the first 20 us.
   for (const Kernel& k : sym3::kernels())
     cases.push_back(batched(std::string(k.name), 100,
                             [&, kernel = &k] { sym3::exp(in.view(), out.view(), in_cache, {kernel}); }));
@@ -78,7 +78,7 @@ void in_second_cache(const std::string& type, Bars& report) {
   const auto r = measure("exp " + type, cases);
   const struct {
     const char *slow, *fast;
-    double bar, float_bar;  // 0: not checked
+    double bar, float_bar;  // 0 means no check
   } bars[] = {{"diag", "avx512", 110, 200},  {"improved_sd", "avx512", 30, 75},
               {"diag", "avx2", 80, 0},       {"improved_sd", "avx2", 22, 0},
               {"diag", "one by one", 14, 0}, {"improved_sd", "one by one", 4, 0}};
@@ -101,7 +101,7 @@ void out_of_cache(std::size_t count, Bars& report) {
   report.check("exp of Matrix3d, from memory: / copy", faster(full.times, "fast", "copy"), 1.3, false);
 }
 
-/// Returns R = cos a I + sin a / a [w] + (1 - cos a) / a^2 w w^T, with a case for small angles.
+/// Returns R = cos a I + sin a / a W + (1 - cos a) / a^2 w w^T, W v = w x v; small angles are a case.
 sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
   const double a2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], a = std::sqrt(a2);
   const double c = std::cos(a), s = a > 1e-8 ? std::sin(a) / a : 1, f = a > 1e-8 ? (1 - c) / a2 : 0.5;
@@ -111,7 +111,7 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
 }
 
 /// Returns w = a / (2 sin a) times the antisymmetric part of R, with cos a = (tr R - 1) / 2 and a case for
-/// small angles. Inaccurate near half turns.
+/// small angles. The result is inaccurate near half turns.
 sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));
   const double f = a > 1e-8 ? a / (2 * std::sin(a)) : 0.5;
@@ -167,11 +167,11 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
   report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
 }
 
-constexpr std::size_t matrices_in_cache = 1024;  // with six directions and their results: 640 KB in double
+constexpr std::size_t matrices_in_cache = 1024;  // 640 KB in double, with six directions and results
 constexpr double pow_exponent = 0.4;
 
-/// The usual method of finite element codes: eigenvectors by QR and divided differences of the function, or
-/// its derivative if eigenvalues are closer than a millionth.
+/// Computes derivatives as finite element codes usually do: by eigenvectors by QR and divided differences of
+/// the function. If eigenvalues are closer than 1e-6, uses the derivative of the function instead.
 template <class T>
 void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
                      std::span<const Sym3<T>> directions, std::span<Sym3<T>> out) {
@@ -194,11 +194,11 @@ void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
   }
 }
 
-/// Matrices, six directions for each matrix, and space for the results, in planes.
+/// Matrices, six directions for each matrix, and memory for the results, in planes.
 template <class T>
 struct Planes {
   std::vector<Sym3<T>> matrices, directions;
-  std::vector<MatrixArray<T>> arrays;  // matrices, six of directions, six of results
+  std::vector<MatrixArray<T>> arrays;  // matrices, six arrays of directions, six of results
   std::vector<SymView<const T>> from;
   std::vector<SymView<T>> to;
   sym3::TangentView<T> tangents;
@@ -252,7 +252,7 @@ void time_derivative(const std::string& what, T (*value_at)(T), T (*slope_at)(T)
 
 template <class T>
 void derivatives(const std::string& type, Bars& report) {
-  // Positive definite with a margin, as all functions need; the paper's ensemble can be nearly singular.
+  // All functions need positive definite matrices. The paper's ensemble can be nearly singular.
   Random random(12);
   std::vector<Sym3<T>> matrices(matrices_in_cache);
   for (auto& s : matrices)
@@ -282,7 +282,7 @@ void derivatives(const std::string& type, Bars& report) {
       [](auto s, auto... a) { sym3::pow_tangent(s, pow_exponent, a...); });
 }
 
-/// Returns the largest relative error of exp, in units of the roundoff u, compared with 106 bits.
+/// Returns the largest relative error of exp against 106 bits, in units of the roundoff u.
 template <class T>
 double worst_error(const std::vector<Sym3<T>>& matrices) {
   std::vector<Sym3<T>> answers(matrices.size());

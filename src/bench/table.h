@@ -1,4 +1,4 @@
-// Interleaved rounds of measurements, with results as tables and JSON.
+// Measures in interleaved rounds and gives results as tables and JSON.
 #pragma once
 
 #include <cstddef>
@@ -12,31 +12,31 @@
 
 namespace viete::bench {
 
-/// One measured case: run(round) processes `items` items, which may differ per round.
+/// A case to measure. run(round) processes `items` items, which may be different in each round.
 struct RoundCase {
   std::string name;
   std::size_t items;
   std::function<void(std::size_t round)> run;
-  std::size_t repeats = 1;  ///< runs per round, for runs shorter than the resolution of the clock
+  std::size_t repeats = 1;  ///< runs per round, if a run is shorter than the resolution of the clock
 };
 
 struct BenchResult {
   std::string name;
-  double ns_per_item = 0;  ///< median over the rounds of the calling thread's processor time
+  double ns_per_item = 0;  ///< median over the rounds, processor time of the calling thread
 };
 
 /// Returns the time of the case with this name, or 0 if it is missing.
 double time_of(const std::vector<BenchResult>& results, const std::string& name);
-/// Returns the ratio of the times `slow` and `fast`.
+/// Returns the time of `slow` divided by the time of `fast`.
 double faster(const std::vector<BenchResult>& results, const std::string& slow, const std::string& fast);
 
-/// Runs every case once per round, after one warm-up round, so that disturbances affect all cases alike.
+/// After one warm-up round, runs every case once per round. Therefore disturbances affect all cases equally.
 /// Times are medians of the calling thread's processor time. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// Rows of text, for the terminal and for the page. The first column has names; the others have numbers and
-/// are right-aligned, except columns listed in `words`.
+/// Rows of text for the terminal and for the page. The first column has names. The others have right-aligned
+/// numbers, except the columns in `words`, which have text.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
@@ -44,7 +44,7 @@ struct Table {
 };
 void print(const std::string& title, const Table& table);
 
-/// Returns the times with their ratios to the first time and to the time of "copy".
+/// Returns the times and their ratios to the first time and to the time of "copy".
 Table times_table(const std::vector<BenchResult>& results, const std::string& unit = "ns");
 
 /// Returns a text like "4.3e-16".
@@ -53,17 +53,17 @@ std::string error_text(double error);
 std::string percent(double value);
 
 nlohmann::json to_json(const std::vector<BenchResult>& results);
-/// Writes the file atomically. Does nothing for an empty path. Throws base::Error.
+/// Writes the file atomically. If the path is empty, does nothing. Throws base::Error.
 void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 
-/// Returns a name like "AMD EPYC 9654"; empty if the system does not report it.
+/// Returns a name like "AMD EPYC 9654", or "" if the system does not report the name.
 std::string processor_name();
 
-/// The checked limits of one run, in order.
+/// The limits that one run has checked, in order.
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints whether `measured` is at least, or at most, `bar`, and adds a row.
+  /// Prints whether `measured` is at least (or at most) `bar`, and adds a row.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 

@@ -16,16 +16,16 @@
 
 namespace viete::files {
 
-/// Not thread-safe.
+/// Computes the deformed model at any frame. Not thread-safe.
 class AnimatedModel {
 public:
-  /// exact: double precision. fast: the float engine of the window, with uncompressed weights.
+  /// exact: double precision. fast: the float engine that the window uses, with uncompressed weights.
   enum class Precision { exact, fast };
 
-  /// Ignores model.pose. Uses `exact` instead of `fast` if the method or stitching does not support `fast`,
-  /// if its weights need more than half of the free memory, or if its error at a frame in `tried` exceeds
-  /// `most` diagonals of the cage. model and pool must outlive this object; timeline must have keys. progress
-  /// may be null. Throws base::Error and base::Cancelled.
+  /// Ignores model.pose. If `fast` is requested, uses `exact` in three cases: the method or stitching does
+  /// not support `fast`, the weights need more than half of the free memory, or the error at a frame in
+  /// `tried` exceeds `most` diagonals of the cage. model and pool must outlive this object. timeline must
+  /// have keys. progress may be null. Throws base::Error and base::Cancelled.
   AnimatedModel(const Export& model, const document::Timeline& timeline, Precision wish, double most,
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
@@ -35,12 +35,12 @@ public:
   double fast_error() const;
 
   document::WholePose pose(double frame) const;
-  /// The model's probes in this pose; locked probes stay.
+  /// Returns the model's probes in this pose. Locked probes do not move.
   deform::Probes probes(const document::WholePose& pose) const;
 
-  /// Returns the same bits as deform_exactly(). progress may be null.
+  /// Returns the model with the same bits as deform_exactly(). progress may be null.
   deform::ExactModel exact(const document::WholePose& pose, base::Progress* progress = nullptr);
-  /// x, y, z of every vertex in the precision of this object; valid until the next call.
+  /// Returns x, y, z of every vertex in the precision of this object. Valid until the next call.
   std::span<const float> floats(double frame);
   std::vector<mesh::Point> positions(double frame);
   /// Messages about the last frame for the user, one line each.
@@ -59,9 +59,9 @@ private:
   document::VectorCache vectors_;
   std::optional<document::Animation> animation_;
   std::unique_ptr<deform::Deformer> deformer_;    // null for Precision::exact
-  std::unique_ptr<deform::ExactDeformer> exact_;  // created on first use
-  double error_ = 0;                              // the largest measured error
-  double farthest_ = 0;                           // the largest coordinate that floats() returned
+  std::unique_ptr<deform::ExactDeformer> exact_;  // created when first needed
+  double error_ = 0;                              // the largest error so far
+  double farthest_ = 0;                           // the largest coordinate that floats() has returned
   std::vector<float> floats_;
   std::vector<std::string> notes_;
 };

@@ -32,7 +32,7 @@ bool is_numbered(const AnimationExport& what) {
   return base::NumberedName::is_pattern(what.model.file);
 }
 
-// The frames at which the error of Precision::fast is measured.
+// Returns the frames at which the error of Precision::fast is measured.
 std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
@@ -42,7 +42,7 @@ std::string engine_text(const AnimatedModel& model) {
   return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
-// Collects notes of all frames, each text once.
+// Collects notes of all frames. Equal texts appear only once.
 class FrameNotes {
 public:
   void add(const std::vector<std::string>& notes) {
@@ -98,19 +98,19 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   return report;
 }
 
-// Relative resolution of coordinates in float files.
+// Relative resolution of coordinates in files with floats.
 constexpr double float_noise = 0x1p-22;
 
 struct Sample {
   double frame;
-  bool is_key;  // a key, or the first or last frame: a linear piece must end here
+  bool is_key;  // true for keys and for the first and last frame; a linear piece must end here
 };
 
-// The frames to evaluate: all exported frames, the keys, and a time just before each jump.
+// Returns the frames to compute: all exported frames, the keys, and a time just before each jump.
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats can store this difference
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats can represent it
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -124,7 +124,7 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
 }
 
 // Finds the longest linear piece from a pose to a later pose that is within the tolerance of all poses in
-// between. Stores the smallest and largest allowed slope of each coordinate.
+// between. Stores the smallest and the largest allowed slope of each coordinate.
 class StraightLines {
 public:
   explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
@@ -136,7 +136,7 @@ public:
     flattest_.assign(pose.size(), {-any, -any, -any});
     steepest_.assign(pose.size(), {any, any, any});
   }
-  // True if a line to this pose is allowed. Later lines must be within the tolerance of this pose too.
+  // Returns true if a line to this pose is allowed. Lines to later poses must also approximate this pose.
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
@@ -157,11 +157,11 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// The ends of all linear pieces. Each end has a morph target unless the model is at rest there.
+// The ends of all linear pieces. If the model is not at rest at an end, the end has a morph target.
 struct MorphPlan {
-  std::vector<double> frames;        // the ends
-  std::vector<std::size_t> targets;  // for each target an index into frames
-  std::vector<char> moves;           // for each vertex, whether it leaves its rest position
+  std::vector<double> frames;        // the frames of the ends
+  std::vector<std::size_t> targets;  // for each target, an index into `frames`
+  std::vector<char> moves;           // for each vertex, true if it leaves its rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
@@ -189,9 +189,9 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
                         "export numbered models (frame_####.ply), or scale the model");
 }
 
-constexpr double least_tolerance = 1e-7;  // the size of float rounding
+constexpr double least_tolerance = 1e-7;  // about the rounding error of floats
 
-// Approximates the moving model by few morph targets.
+// Approximates the moving model by a few morph targets.
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
@@ -204,7 +204,7 @@ public:
                    progress);
   }
 
-  // Makes each linear piece as long as possible.
+  // Plans the pieces. Each linear piece is as long as possible.
   MorphPlan plan(base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
@@ -237,7 +237,7 @@ public:
     return plan;
   }
 
-  // A target stores three floats per vertex, and three more for its normal.
+  // Returns the size. A target has three floats for each vertex, and with normals three more.
   double bytes(const MorphPlan& plan) const { return plan.bytes(what_.normals ? 24 : 12); }
 
   formats::MorphMotion motion(const MorphPlan& plan) {
@@ -280,7 +280,7 @@ private:
     return positions;
   }
 
-  // The limit of a GLB file, including the model, is 4 GB.
+  // A GLB file, including the model, can have at most 4 GB.
   void check_size(const MorphPlan& plan) const {
     const bool binary = formats::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
@@ -301,7 +301,7 @@ private:
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(progress);
-  // A .gltf file is assembled in memory as base64 text.
+  // A .gltf file is created in memory as base64 text.
   const double copies = formats::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan),
                         base::counted(plan.targets.size(), "morph target") + " take",

@@ -88,7 +88,7 @@ void write_word(const JsonField& field, std::string_view word) {
   field.out() = word;
 }
 
-// Writes a rounded number if it reads back as the same value: 29 instead of 28.999999999999996.
+// Writes a rounded number if reading gives exactly `value` again: 29 instead of 28.999999999999996.
 void code(const JsonField& field, double& value, const Limits& limits) {
   const auto [least, most, factor] = limits;
   if (field.reads()) {
@@ -166,7 +166,7 @@ void code(const JsonField& field, document::SharedShape& value) {
 
 namespace {
 
-// The coordinates as numbers of type T, little-endian.
+// Returns the coordinates as numbers of type T, little-endian.
 template <class T>
 std::string bytes_of(const std::vector<mesh::Point>& points) {
   std::string bytes;
@@ -411,7 +411,7 @@ std::filesystem::path JsonReader::path() const {
   return name;
 }
 
-// Fast for long lists: creates a JsonReader only for an invalid item.
+// Creates a JsonReader only for an invalid item, so that long lists are fast.
 std::vector<mesh::Vec3> JsonReader::places(double farthest) const {
   std::vector<mesh::Vec3> all(size());
   for (std::size_t i = 0; i < all.size(); ++i) {

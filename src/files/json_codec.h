@@ -1,5 +1,5 @@
-// Reads and writes JSON files; errors name the file and the key. Each type has a function code(field, value,
-// ...) for reading and writing: it sets the value from the field, or the field from the value.
+// Reads and writes JSON files. Errors contain the file and the key. Each type has one function code(field,
+// value, ...) for both directions: it sets the value from the field, or the field from the value.
 #pragma once
 
 #include <algorithm>
@@ -23,34 +23,34 @@
 
 namespace viete::files {
 
-/// Limits of a file, checked before memory is allocated. most_json_bytes suffices for shapes with eight
-/// million vertices in total; longest_text suffices for a percent-encoded file name.
+/// Limits of a file. They are checked before memory is allocated. most_json_bytes is enough for shapes with
+/// eight million vertices in total; longest_text is enough for a percent-encoded file name.
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
-/// The text of a JSON file with one key per line. An array is on one line unless it contains arrays or
-/// objects; these get a line each. Numbers read back as the same double. Throws base::Error if a string is
-/// not UTF-8 or if the text exceeds most_json_bytes.
+/// Returns the text of a JSON file with one key per line. If an array contains arrays or objects, each has a
+/// separate line; otherwise the array is on one line. Reading gives the same doubles again. If a string is
+/// not UTF-8 or the text exceeds most_json_bytes, throws base::Error.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
-/// A file name as a string. If the name is not UTF-8, returns an object: {"percent_encoded": "caf%E9"}.
-/// JsonReader::path() reads both forms.
+/// Converts a file name to a JSON string. If the name is not UTF-8, converts it to an object:
+/// {"percent_encoded": "caf%E9"}. JsonReader::path() reads both forms.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
-/// Throws base::Error with the line of a syntax error.
+/// Reads a file. If the syntax is wrong, throws base::Error with the line.
 nlohmann::json read_json(const std::filesystem::path& path);
 
-/// A JSON value with its path of keys. All functions throw base::Error, `file: key: problem`, if the value
-/// has the wrong type. The JSON must outlive this object.
+/// A JSON value and the path of keys to it. If the value has the wrong type, all functions throw base::Error,
+/// `file: key: problem`. The JSON must outlive this object.
 class JsonReader {
 public:
   JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
       : value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
-  /// Only for objects. find() returns nullopt if the key is missing or its value is null.
+  /// These functions need an object. If the key is missing or its value is null, find() returns nullopt.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
-  /// Only for arrays.
+  /// These functions need an array.
   std::size_t size() const;
   JsonReader item(std::size_t index) const;
 
@@ -60,7 +60,7 @@ public:
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::string base64() const;          ///< decoded bytes
-  std::filesystem::path path() const;  ///< written by path_json()
+  std::filesystem::path path() const;  ///< a path in the form of path_json()
   /// Reads an array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {
@@ -69,9 +69,9 @@ public:
     for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
-  /// Reads [x, y, z], each with an absolute value of at most `farthest`.
+  /// Reads [x, y, z]. Each coordinate has an absolute value of at most `farthest`.
   std::array<double, 3> place(double farthest) const;
-  std::vector<std::uint32_t> indices() const;  ///< sorted, without repetitions
+  std::vector<std::uint32_t> indices() const;  ///< sorted, without duplicates
   /// Reads an array of [x, y, z].
   std::vector<mesh::Vec3> places(double farthest) const;
 
@@ -86,13 +86,13 @@ private:
   std::string file_, key_;
 };
 
-/// A list of shapes, to which other values of the file refer by index.
+/// A list of shapes. Other values of the file refer to a shape by its index.
 struct ShapeTable {
   std::vector<deform::SharedShape> all;
   std::map<const void*, std::uint32_t> numbers;
 };
 
-/// The range of a number. The file stores the number times `factor`.
+/// The range of a number. The file contains the number times `factor`.
 struct Limits {
   double least, most, factor = 1;
 };
@@ -115,15 +115,16 @@ public:
   nlohmann::ordered_json& out() const { return *out_; }
   ShapeTable& shapes() const { return *shapes_; }
 
-  /// A member of an object. If it is missing when reading, returns nullopt or, if needed, throws base::Error.
+  /// Returns a member of an object. When reading, a missing member gives nullopt or, if `needed`,
+  /// base::Error.
   std::optional<JsonField> child(const char* key, bool needed = false) const;
-  /// When reading, returns the number of items and throws base::Error if there are more than `most`. When
+  /// When reading, returns the number of items. If there are more than `most`, throws base::Error. When
   /// writing, starts an empty list and returns `count`.
   std::size_t list(std::size_t count, std::size_t most) const;
   /// When reading, returns item `index`. When writing, appends an item.
   JsonField item(std::size_t index) const;
 
-  /// Reads or writes a member of an object. When reading, the value stays if the member is missing.
+  /// Reads or writes a member of an object. When reading, a missing member leaves the value unchanged.
   template <class T, class... Form>
   void member(const char* key, T& value, const Form&... form) const {
     if (const auto field = child(key)) code(*field, value, form...);
@@ -132,7 +133,7 @@ public:
   void needed(const char* key, T& value, const Form&... form) const {
     code(*child(key, true), value, form...);
   }
-  /// As member(), but does not write the value `usual`.
+  /// Works like member(), but does not write the value `usual`.
   template <class T, class... Form>
   void unless(const std::type_identity_t<T>& usual, const char* key, T& value, const Form&... form) const {
     if (reads() || !(value == usual)) member(key, value, form...);
@@ -150,23 +151,23 @@ void code(const JsonField& field, std::string& value);
 void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);
-/// Writes the fewest digits that read back as the same float.
+/// Writes the fewest digits that give the exact float again.
 void code(const JsonField& field, float& value, const Limits& limits);
-/// Rounds to an integer when reading.
+/// When reading, rounds to an integer.
 void code(const JsonField& field, int& value, const Limits& limits);
 void code(const JsonField& field, mesh::Vec3& value, const Reach& reach);
 void code(const JsonField& field, glm::vec3& value, const Reach& reach);
 void code(const JsonField& field, std::vector<mesh::Vec3>& value, const Reach& reach);
-/// [width, height] of a window.
+/// The array [width, height] of a window.
 void code(const JsonField& field, glm::ivec2& window);
-/// A list of indices, sorted and without repetitions when read.
+/// A list of indices. Reading sorts the list and removes duplicates.
 void code(const JsonField& field, std::vector<std::uint32_t>& value);
-/// A text of 16 hexadecimal digits.
+/// The file contains a text of 16 hexadecimal digits.
 void code(const JsonField& field, std::uint64_t& value);
-/// The index of the shape in field.shapes().
+/// The file contains the index of the shape in field.shapes().
 void code(const JsonField& field, deform::SharedShape& value);
-/// A list of {"float32": BYTES} or, for coordinates that a float cannot store, {"float64": BYTES}. BYTES: x,
-/// y, z of each vertex, little-endian, in base64.
+/// A list of {"float32": BYTES}. If a float cannot store the coordinates, {"float64": BYTES}. BYTES are x, y,
+/// z of each vertex, little-endian, in base64.
 void code(const JsonField& field, ShapeTable& shapes);
 
 template <class T, class... Form>
@@ -183,7 +184,7 @@ void code(const JsonField& field, std::vector<T>& all, std::size_t most) {
 }
 
 void write_word(const JsonField& field, std::string_view word);
-/// A value stored as `word`. find(text) must return the value of a word as std::optional.
+/// The file contains `word` instead of the value. find(text) returns the value for a word as std::optional.
 template <class T, class Find>
 void code_word(const JsonField& field, T& value, std::string_view word, const Find& find) {
   if (!field.reads()) return write_word(field, word);
@@ -192,7 +193,7 @@ void code_word(const JsonField& field, T& value, std::string_view word, const Fi
   if (!found) field.in().fail("unknown value " + formats::in_quotes(text));
   value = *found;
 }
-/// An enumeration with values 0, 1, ..., stored as words[0], words[1], ...
+/// An enumeration with values 0, 1, .... The file contains words[0], words[1], ...
 template <class T, std::size_t n>
 void code_listed(const JsonField& field, T& value, const std::array<std::string_view, n>& words) {
   code_word(field, value, words[static_cast<std::size_t>(value)], [&](std::string_view word) {

@@ -33,7 +33,7 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// `count` of `of` sampled vertices are outside.
+// `count` of the `of` sampled vertices are outside.
 struct Outside {
   std::size_t count, of;
 };
@@ -54,7 +54,7 @@ bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
   return true;
 }
 
-// True if at most 10 % of the sampled vertices are outside.
+// Returns true if at most 10 % of the sampled vertices are outside.
 bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   if (inner.positions.empty() || outer.triangles.empty()) return false;
   if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
@@ -62,7 +62,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// Warns if most of the model is outside the cage: the cage may belong to another model.
+// Adds a warning if most of the model is outside the cage. The cage may belong to another model.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
@@ -144,7 +144,7 @@ Opened open_pose(const fs::path& file, const document::Document& current) {
   return opened;
 }
 
-// Throws base::Error if a pose or key cannot be drawn.
+// If a pose or key cannot be drawn, throws base::Error.
 void check_imported(const Opened& imported) {
   document::Document checked;
   checked.library.poses = imported.poses;
@@ -224,9 +224,9 @@ Opened open_shapes(const std::vector<fs::path>& files, const document::Document&
   return opened;
 }
 
-// Reads shapes and makes a key of each shape, one frame apart.
+// Reads shapes and makes a key from each shape. The keys are one frame apart.
 Opened open_shape_keys(const fs::path& file, const document::Document& current, base::Progress* progress) {
-  const bool is_model = formats::is_a(formats::keeps_order, file);  // it may belong to a sequence
+  const bool is_model = formats::is_a(formats::keeps_order, file);  // the file may belong to a sequence
   const auto sequence = is_model ? base::NumberedName::of_file(file) : std::nullopt;
   Opened opened = open_shapes({sequence ? fs::path(sequence->pattern()) : file}, current, progress);
   const deform::Pose cage = current.has_cage() ? deform::rest_pose(*current.cage) : deform::Pose();
@@ -240,7 +240,7 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   return opened;
 }
 
-// Replaces the files of the session. Also looks for a missing cage in the folder of the new model.
+// Replaces the files of the session. If the cage is missing, also looks in the folder of the new model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -254,7 +254,7 @@ void locate(Session& session, const LocatedFiles& located) {
   session.cage_file.surface = nullptr;
 }
 
-// Opens the model and cage of the session and sets its state. Errors name the session too.
+// Opens the model and cage of the session and sets its state. Errors also contain the session's name.
 document::Document document_of_session(const Session& session, const fs::path& file,
                                        base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
@@ -281,7 +281,7 @@ document::Document document_of_session(const Session& session, const fs::path& f
   }
 }
 
-// Sets the pose that the keys give at the current frame.
+// Sets the pose of the keys at the current frame.
 void set_pose_from_keys(document::Document& document) {
   if (document.timeline.keys.empty()) return;
   document::VectorCache vectors;
@@ -310,7 +310,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.file = file;
   opened.recovered = recovered;
   opened.has_settings = true;
-  opened.content = content_of(file);  // before reading, so that a later change is detected
+  opened.content = content_of(file);  // before reading, to detect a later change
   Session& session = opened.session.emplace(read_session(file));
   locate(session, located);
   document::Document document = document_of_session(session, file, progress);
@@ -384,7 +384,7 @@ Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface 
   return opened;
 }
 
-// True for a point cache that fits the model but not its cage.
+// Returns true for a point cache that matches the model but not its cage.
 bool is_cache_of(const fs::path& file, const document::Document& current) {
   if (!current.model.surface || !formats::point_cache_format(file)) return false;
   const std::size_t points = formats::PointCache(file).head().points;

@@ -1,4 +1,4 @@
-// Reads files to open, usually in the background. workspace/apply_opened.h applies the result to a workspace.
+// Reads files that the user opens. workspace/apply_opened.h then applies the result to a workspace.
 #pragma once
 
 #include <filesystem>
@@ -14,12 +14,12 @@
 
 namespace viete::files {
 
-/// Files to use instead of the files that a session names; empty: the file of the session.
+/// Files to use instead of the files in a session. If a path is empty, the session's file is used.
 struct LocatedFiles {
   std::filesystem::path model, cage;
 };
 
-/// Thrown if the model or cage that a session names is missing.
+/// Thrown if the file of a session's model or cage is missing.
 struct SessionFileError : base::Error {
   SessionFileError(const std::filesystem::path& session, std::string_view key,
                    const std::filesystem::path& file);
@@ -33,61 +33,61 @@ struct OpenRequest {
     cage,       ///< a cage for the open model
     pose,       ///< a pose for the open cage
     poses,      ///< poses for the open cage, added to the named poses: see read_poses()
-    animation,  ///< keys for the open cage, replacing the existing keys: see read_keys()
+    animation,  ///< keys for the open cage; they replace the existing keys: see read_keys()
     shapes,     ///< shapes for the open model, added to the poses: see read_shapes()
-    dropped,    ///< files of any kind, detected from the content
+    dropped,    ///< files of any kind; the content decides
     recovery    ///< unsaved work
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
-  /// For a model. Missing settings come from the open document or the session.
+  /// For a model. If settings are missing, the open document or the session gives them.
   document::RequestedSettings settings{};
-  LocatedFiles located{};     ///< for a session
+  LocatedFiles located{};     ///< replacements for the files of a session
   bool without_fins = false;  ///< for What::model and What::cage: removes the fins of the cage
 };
 
-/// The result of reading files, ready to be applied to a workspace.
+/// The result of reading files. apply_opened.h applies it to a workspace.
 struct Opened {
-  std::optional<document::Document> document;      ///< if a model, cage or session was opened
+  std::optional<document::Document> document;      ///< present if a model, cage or session was opened
   std::optional<deform::Pose> pose;                ///< a new pose of the open cage
   std::vector<document::NamedPose> poses;          ///< poses to add
   std::vector<document::NamedShape> shapes;        ///< shapes to add
   std::vector<document::PoseKey> keys;             ///< keys that replace the existing keys
   std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of pose, poses and keys
-  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null: no shapes
+  std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null if there are no shapes
   document::VectorCache vectors;                   ///< log vectors of the shapes
-  std::string lost;  ///< poses lost with the previous cage: "3 poses and 2 keys"; or empty
+  std::string lost;  ///< names of poses lost with the previous cage: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;                  ///< the session, pose or animation
   std::optional<std::uint64_t> content;        ///< checksum of the session file
-  bool recovered = false;                      ///< true: the session is unsaved work
-  bool has_settings = false;                   ///< true: the session or request has document settings
+  bool recovered = false;                      ///< true if the session is unsaved work
+  bool has_settings = false;                   ///< true if the session or request has document settings
   std::vector<document::FileInUse> also_read;  ///< files of poses, shapes and keys
   std::vector<std::string> warnings;
-  std::string taken_as;  ///< message about how dropped files were interpreted
+  std::string taken_as;  ///< message that says how dropped files were interpreted
 };
 
-/// Reads the requested files. current: the open document, to which cages, poses, keys and shapes must belong.
-/// progress may be null. Throws base::Error (for sessions also SessionFileError, for cages also
-/// deform::FinError) and base::Cancelled. Thread-safe.
+/// Reads the requested files. current: the open document. Cages, poses, keys and shapes must match this
+/// document. progress may be null. Throws base::Cancelled and base::Error (for sessions also
+/// SessionFileError, for cages also deform::FinError). Thread-safe.
 ///
-/// Dropped files are identified by content and number. A single file is the first of these kinds that fits:
-/// - a session, or a point cache (of the model: shapes; otherwise: keys)
+/// The content and number of dropped files decide. A single file is the first of these kinds that matches:
+/// - a session, or a point cache: shapes if it matches the model, otherwise keys
 /// - a pose with the number of vertices and the faces of the open cage
-/// - a shape with the number of vertices and the faces of the open model, but another file
+/// - a shape with the number of vertices and the faces of the open model, but not its file
 /// - a cage, if no cage is open and the file encloses the open model with fewer vertices
 /// - a model
-/// Two files are shapes if they fit the open model; otherwise a model and the cage that encloses it. If
+/// Two files are shapes if they match the open model; otherwise a model and the cage that encloses it. If
 /// neither file or each file encloses the other, the cage is the file with fewer vertices. More than two
 /// files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);
 
-/// Check opened.document if it exists; errors also name the session.
+/// If opened.document exists, these functions check it. Errors also contain the session's name.
 void check_drawable(const Opened& opened);
 void check_deformable(const Opened& opened);
 
-/// All files that were read: model, cage and pose with their dependencies, keys, the session.
+/// Returns all files that were read: model, cage and pose with their dependencies, keys, the session.
 document::FilesInUse files_of(const Opened& opened);
 
 }  // namespace viete::files

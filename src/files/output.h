@@ -24,12 +24,12 @@ namespace viete::files {
 
 enum class Content { surface, picture, json, animation, session, page };
 
-/// none: the check cannot be overridden. offered: --force would override the check. given: it was used.
+/// none: the user cannot override the check. offered: --force can override it. given: --force was used.
 enum class Force { none, offered, given };
 
-/// Call before a long computation. Throws base::Error if the file cannot be written or, unless forced, if it
-/// is in `files` or contains another kind of content. Detects the kind from the beginning of the file, not
-/// from its name. Empty names and empty files pass.
+/// Call this before a long computation. If the file cannot be written, throws base::Error. If `force` is not
+/// given, also throws if the file is in `files` or has content of another kind. The beginning of the file,
+/// not its name, shows the kind. Empty names and empty files are allowed.
 void check_output(const std::filesystem::path& file, Content content, const document::FilesInUse& files,
                   Force force);
 inline void check_output(const std::filesystem::path& file, Content content,
@@ -43,14 +43,14 @@ struct FrameSteps {
 };
 
 /// Checks the output of an animation: one file, or all files of a pattern. A pattern must not contain an
-/// input file, even if forced, because the export may still read this file after it was overwritten.
+/// input file, even with `force`, because the export could read the file after overwriting it.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames,
                   const document::FilesInUse& files, Force force);
 
-/// Throws base::Error if a file of these frames exists, unless `force` is given.
+/// If a file of these frames exists and `force` is not given, throws base::Error.
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
-/// `file` if it does not exist and is not in use; otherwise a free name in the same folder.
+/// Returns `file` if it does not exist and is not in use. Otherwise returns a free name in its folder.
 std::filesystem::path proposed_name(const std::filesystem::path& file, const document::FilesInUse& files);
 
 /// Adds a surface's file and its dependencies: material libraries, images, buffers. `what`: "the model".
@@ -58,7 +58,7 @@ void add_surface(document::FilesInUse& files, const std::filesystem::path& file,
                  const formats::Original* original, const formats::Attributes* attributes,
                  std::string_view what);
 
-/// Adds all files from which a document was read, except the file described by `own`.
+/// Adds all files from which a document was read, except the file that `own` describes.
 void add_document(document::FilesInUse& files, const document::Document& document,
                   std::string_view own = document::no_own);
 

@@ -21,7 +21,7 @@ std::string process_of(const fs::path& file) {
 
 constexpr const char* restored_ending = "_restored";
 
-// The work in a session, without the view.
+// Returns the work in a session, without the view.
 Session work_of(const Session& session) {
   Session work;
   work.model.path = session.model.path;
@@ -32,7 +32,7 @@ Session work_of(const Session& session) {
   return work;
 }
 
-// The work in the original session or, if there is no session, the cage at rest, read from its file.
+// Returns the work in the original session or, if there is no session, the cage at rest from its file.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;

@@ -63,7 +63,7 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 }  // namespace
 
 // The functions code() must be in this namespace, because templates find them by their arguments. Lengths and
-// coordinates are in the model's unit; rotations are rotation vectors in radians.
+// coordinates are in the model's unit. Rotations are rotation vectors in radians.
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);
@@ -84,18 +84,18 @@ static void code(const JsonField& f, document::ElementKind& kind) {
   code_listed(f, kind, kind_words);
 }
 
-// Lengths of a camera are in view units, in which the model's diagonal is 2.
+// Lengths of a camera are in view units: the model's diagonal is 2.
 static void code(const JsonField& f, document::CameraPose& camera) {
   f.needed("target", camera.target, Reach{document::farthest_place});
   f.needed("distance", camera.distance, Limits{document::nearest_camera, document::farthest_camera});
   f.needed("yaw", camera.yaw, Limits{-1e6, 1e6});
-  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn and rounding
+  f.needed("pitch", camera.pitch, Limits{-1.6, 1.6});  // a quarter turn plus rounding
   f.member("orthographic", camera.orthographic);
   const auto up = f.reads() || camera.up != document::UpAxis::y ? f.child("up") : std::nullopt;
   if (up) code_listed(*up, camera.up, axis_words);
 }
 
-// Reads or writes members of the enclosing object. Missing choices get fitting defaults.
+// Reads or writes members of the enclosing object. Missing choices get defaults that suit the others.
 static void code(const JsonField& f, deform::Scheme& scheme) {
   deform::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
@@ -129,7 +129,7 @@ static void code(const JsonField& f, document::SideWay& side) {
   f.unless(false, "other_lines", side.other_blending);
 }
 
-// Without cameras all views are linked.
+// If there are no cameras, all views are linked.
 static void code(const JsonField& f, document::SideWays& sides) {
   f.unless({}, "views", sides.sides, document::SideWays::most);
   f.unless({}, "cameras", sides.cameras, document::SideWays::most);
@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// A mask is stored as run lengths: [share, count, share, count, ...]. A share applies to `count` vertices.
+// The file has a mask as run lengths: [share, count, share, count, ...]. Each share is for `count` vertices.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
@@ -232,13 +232,13 @@ static void code(const JsonField& f, document::NamedSet& set) {
     f.in().at("selecting").fail("a selection set must contain vertices, edges or faces");
 }
 
-// "turns" has a rotation vector for each part of the cage.
+// "turns" has one rotation vector for each part of the cage.
 static void code(const JsonField& f, deform::Pose& pose) {
   f.unless({}, "turns", pose.turns, Reach{document::largest_turn});
   f.unless({}, "positions", pose.positions, Reach{mesh::largest_coordinate});
 }
 
-// Reads or writes members of the enclosing object. A pose that was read is not null.
+// Reads or writes members of the enclosing object. After reading, the pose is not null.
 static void code(const JsonField& f, document::SharedPose& pose) {
   document::WholePose whole;
   if (pose) whole = *pose;
@@ -295,7 +295,7 @@ static void code(const JsonField& f, document::Timeline& t) {
   check_order(f, "cameras", t.cameras);
 }
 
-// A cage without a file. "polygons" has the vertex indices of each polygon, from 0.
+// A cage without a file. "polygons" has the vertex indices of each polygon, counted from 0.
 static void code(const JsonField& f, document::OpenedSurface& cage) {
   mesh::Surface surface;
   if (!f.reads()) surface = *cage.surface;
@@ -326,7 +326,7 @@ static void code(const JsonField& f, document::OpenedSurface& cage) {
 
 namespace {
 
-// Resolves links in the folder, so that ".." is correct, but keeps the file name.
+// Resolves links in the folder, so that ".." is correct. Keeps the file name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -334,7 +334,7 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-// The folder of a session, and whether it stores relative file names.
+// The folder of a session, and whether file names are relative to it.
 struct Place {
   fs::path folder;
   bool relative;
@@ -346,7 +346,7 @@ struct Place {
   }
 };
 
-// When reading, keeps `file` if the key is missing. When writing, does nothing if `file` is empty.
+// When reading, a missing key leaves `file` unchanged. When writing, an empty `file` is not written.
 void code_path(const JsonField& f, const char* key, fs::path& file, const Place& place) {
   if (f.reads()) {
     if (const auto name = f.in().find(key)) file = resolved(place.folder / name->path());
@@ -355,7 +355,7 @@ void code_path(const JsonField& f, const char* key, fs::path& file, const Place&
   }
 }
 
-// Checksums depend on the byte order, so they are only used on little-endian machines.
+// Checksums depend on the byte order, so only little-endian machines use them.
 constexpr bool has_checksums = std::endian::native == std::endian::little;
 
 void code_session(const JsonField& f, Session& s, const Place& place) {
@@ -412,7 +412,7 @@ void check_version(const JsonReader& json, const fs::path& file) {
 std::string session_text(const Session& session, const fs::path& file, bool portable) {
   ordered_json json = {{"format", format_name}, {"version", format_version}};
   ShapeTable shapes;
-  Session copy = session;  // code() takes a mutable value
+  Session copy = session;  // code() needs a value that is not const
   code_session(JsonField(json, shapes), copy, {resolved(file).parent_path(), portable});
   if (!shapes.all.empty()) code(JsonField(json["shapes"], shapes), shapes);
   return readable(json, file);
@@ -426,7 +426,7 @@ Session read_session(const fs::path& file) {
   if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
   Session session;
   code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
-  document::PoseLibrary named;  // names are unique
+  document::PoseLibrary named;  // poses with unique names
   for (document::NamedPose& pose : std::exchange(session.library.poses, {})) {
     pose.name = free_name(named, pose.name);
     named.poses.push_back(std::move(pose));
@@ -464,7 +464,7 @@ void check_pose(const document::Document& document, const Session& session, cons
            advice);
 }
 
-// indices: ascending.
+// `indices` must be in ascending order.
 void check_indices(const fs::path& file, const char* key, const std::vector<std::uint32_t>& indices,
                    document::ElementKind kind, std::size_t count) {
   if (indices.empty() || indices.back() < count) return;

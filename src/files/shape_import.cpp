@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Compares numbers in names by value: "pose_2" is before "pose_10".
+// Compares numbers in names by their value: "pose_2" is before "pose_10".
 bool before_by_numbers(const std::string& a, const std::string& b) {
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;
@@ -117,7 +117,7 @@ std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Poin
 
 namespace {
 
-// For each vertex of the surface finds the vertex of the file at the same position.
+// Finds for each vertex of the surface the vertex of the file with the same position.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
   std::vector<std::uint32_t> all(found.positions.size());
@@ -162,7 +162,7 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
                       "there are " + base::counted(count, "shape") + ", and a timeline can have " +
                           base::with_thousands(document::Timeline::most_keys),
                       "choose fewer shapes");
-  // The memory of positions and log vectors.
+  // The memory for positions and log vectors.
   base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
                             72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
                         base::counted(count, "shape") + " of the model take", "choose fewer shapes", file});
@@ -172,7 +172,7 @@ namespace {
 
 constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
 
-// Polygons, or triangles if the file and the model have different polygons.
+// Polygons. If the polygons of the file and the model differ, triangles.
 struct Faces {
   std::vector<std::uint32_t> corners, starts;
 };
@@ -193,7 +193,7 @@ std::string face_text(const Faces& faces, std::size_t face) {
   return text;
 }
 
-// For each vertex of the model finds the vertex of the file, from faces in the same order.
+// Finds for each vertex of the model the vertex of the file, from faces in the same order.
 class VertexOrder {
 public:
   VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
@@ -228,7 +228,7 @@ private:
     if (!fits) refuse(face);
   }
 
-  // Reports the first face that differs. The mismatch may have been detected only at a later face.
+  // Reports the first face that differs. VertexOrder may detect the mismatch only at a later face.
   [[noreturn]] void refuse(std::size_t face) const {
     const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
     if (same(face)) face = 0;
@@ -296,7 +296,7 @@ private:
     const auto take = [&](const fs::path& file) {
       const std::size_t before = all_.shapes.size();
       add(file);
-      // The folder may contain the model itself.
+      // The folder may contain the model at rest.
       if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
       return all_.shapes.size() > before;
     };
@@ -318,7 +318,7 @@ private:
     all_.warnings.insert(all_.warnings.end(), warnings.begin(), warnings.end());
   }
 
-  // Returns false if the file has no morph targets.
+  // If the file has no morph targets, returns false.
   bool add_morphs(const fs::path& file) {
     std::vector<std::string> warnings;
     const MorphPositions morphs = morphs_of(file, {model_, "the model"}, warnings);

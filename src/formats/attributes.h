@@ -1,5 +1,5 @@
-// Surface attributes of a file besides positions and polygons: texture coordinates, normals, colours, groups,
-// materials and their images.
+// Surface attributes in a file, other than positions and polygons: texture coordinates, normals, colours,
+// groups, materials and their images.
 #pragma once
 
 #include <array>
@@ -18,24 +18,24 @@ namespace viete::formats {
 using Vec2 = std::array<double, 2>;
 using Color = std::array<float, 4>;  ///< red, green, blue (sRGB) and opacity, each in [0, 1]
 
-/// The size in bytes of the largest image file that is decoded.
+/// The size in bytes of the largest image file that can be decoded.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
-/// An encoded image: an external file, or bytes embedded in the model's file. It is decoded only for display.
+/// An encoded image: an external file, or bytes in the model's file. It is decoded only to display it.
 struct ImageFile {
-  std::filesystem::path path;                ///< absolute path; empty if embedded
-  std::shared_ptr<const std::string> bytes;  ///< encoded bytes (PNG, JPEG ...) if embedded; otherwise null
+  std::filesystem::path path;                ///< absolute path; empty if the image is in the model's file
+  std::shared_ptr<const std::string> bytes;  ///< PNG, JPEG ... if it is in the model's file; otherwise null
   std::string name;                          ///< for messages
 };
 
 struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
-  std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; multiplied by base_color
-  bool repeats = true;  ///< true: the image repeats outside [0, 1]; false: its border colour continues
+  std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; base_color scales it
+  bool repeats = true;  ///< outside [0, 1], true: the image repeats; false: its border colour continues
 };
 
-/// A range of consecutive polygons with the same object, group name, material and shading.
+/// Consecutive polygons that have one object, one group name, one material and one kind of shading.
 struct Group {
   std::uint32_t first_polygon = 0;      ///< the group ends before the first polygon of the next group
   std::string object, name;             ///< may be empty
@@ -43,15 +43,15 @@ struct Group {
   bool smooth = true;                   ///< false: flat shading
 };
 
-/// An array is empty if the file does not have the attribute. Corners are the entries of Surface::corners.
+/// If a file does not have an attribute, the array is empty. Corners are the entries of Surface::corners.
 struct Attributes {
-  std::vector<Vec2> texture_points;           ///< (u, v), v upward
+  std::vector<Vec2> texture_points;           ///< (u, v); v increases upwards
   std::vector<std::uint32_t> corner_texture;  ///< for each corner an index into texture_points, or mesh::none
-  std::vector<mesh::Vec3> normals;            ///< as stored; the length may differ from 1
+  std::vector<mesh::Vec3> normals;            ///< as in the file; the length may differ from 1
   std::vector<std::uint32_t> corner_normal;   ///< for each corner an index into normals, or mesh::none
   std::vector<Color> colors;                  ///< one per vertex
   std::vector<Color> polygon_colors;          ///< one per polygon
-  std::vector<Group> groups;                  ///< sorted by first_polygon; the first starts at 0
+  std::vector<Group> groups;                  ///< sorted by first_polygon; the first group starts at 0
   std::vector<Material> materials;
   std::vector<ImageFile> images;
 

@@ -29,7 +29,7 @@ auto bytes_of_number(T value, std::endian order = std::endian::little) {
 /// Types of the numbers in a file.
 enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// Calls use(x), where x is a zero of this type, and returns the result.
+/// Calls use(x), where x is a zero of the type `type`. Returns the result.
 template <class Use>
 auto with_type(NumberType type, const Use& use) {
   switch (type) {

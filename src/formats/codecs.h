@@ -1,4 +1,4 @@
-// Readers and writers of all surface formats; format.h describes each kind of function.
+// Readers and writers of all surface formats. format.h describes each kind of function.
 #pragma once
 
 #include "formats/original.h"
@@ -7,41 +7,42 @@
 
 namespace viete::formats {
 
-/// Every reader throws base::Error and base::Cancelled. If source.owner is set, ReadResult::original is set.
+/// Every reader can throw base::Error and base::Cancelled. If source.owner is set, ReadResult::original is
+/// set.
 ///
 /// Source: Wavefront Advanced Visualizer manual, appendix B1. Reads the keywords v (x y z and an optional
 /// colour), vt, vn, f, o, g, s, usemtl and mtllib, also in capitals. Supports relative indices, continued
-/// lines, and faces before their vertices. Invalid indices of texture points and normals, and unreadable
-/// material libraries, only cause warnings.
+/// lines, and faces before their vertices. If an index of a texture point or normal is invalid, or a material
+/// library is unreadable, only adds a warning.
 ReadResult read_obj(const Source& source);
-/// True if the first non-comment line starts with a keyword unique to OBJ.
+/// Returns true if the first non-comment line starts with a keyword unique to OBJ.
 bool looks_like_obj(const Source& source);
-/// True if at least 90 % of the lines are valid OBJ statements and the file has a vertex.
+/// Returns true if at least 90 % of the lines are valid OBJ statements and the file has a vertex.
 bool is_certainly_obj(const Beginning& file);
-/// Writes colours, texture points and normals, but no groups or materials. Numbers get the shortest digits
-/// that read back exactly, unless the caller requests other digits.
+/// Writes colours, texture points and normals, but no groups or materials. If the caller does not request
+/// other digits, numbers get the shortest digits that give the exact number again.
 void write_obj(const Content& content, TextWriter& out);
 
 /// Source: Greg Turk, The PLY polygon file format, 1994. Reads x, y, z of element vertex, vertex_indices or
-/// vertex_index of element face, tristrips, and the properties listed at PlyBody. The counts in the header
-/// are checked against the file size before memory is allocated. Rewriting the file updates x y z, nx ny nz
-/// and tx ty tz of vertices and nx ny nz of faces; everything else stays.
+/// vertex_index of element face, tristrips, and the properties listed at PlyBody. Checks the counts in the
+/// header against the file size before it allocates memory. Rewriting the file updates x y z, nx ny nz and tx
+/// ty tz of vertices and nx ny nz of faces. All other content stays.
 ReadResult read_ply(const Source& source);
-/// True if the bytes start with the PLY signature.
+/// Returns true if the bytes start with the PLY signature.
 bool looks_like_ply(const Source& source);
-/// True if the file begins with a complete header.
+/// Returns true if the file begins with a complete header.
 bool is_certainly_ply(const Beginning& file);
-/// Writes binary little-endian PLY with positions in double, colours and texture points. Writes normals only
-/// if no vertex has several normals.
+/// Writes binary little-endian PLY with positions in double, colours and texture points. If a vertex has
+/// several normals, writes no normals.
 void write_ply(const Content& content, TextWriter& out);
 
-/// Source: Geomview manual, "OFF Files". Reads OFF and its variants with colours, normals or texture
-/// coordinates after the positions. The keyword OFF may be missing, colours need not be declared, and the
-/// indices of a face may continue on the next line. Not supported: 4OFF, nOFF, BINARY.
+/// Source: Geomview manual, "OFF Files". Reads OFF and the variants with colours, normals or texture
+/// coordinates after the positions. The keyword OFF may be missing, and colours need not be declared. A face
+/// may continue on the next line. Not supported: 4OFF, nOFF, BINARY.
 ReadResult read_off(const Source& source);
-/// True if the first word is OFF or a variant such as COFF.
+/// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// True if the file has only numbers after the optional keyword, and enough numbers for the declared counts.
+/// Returns true if only numbers follow the optional keyword, as many as the counts require.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
@@ -49,31 +50,30 @@ void write_off(const Content& content, TextWriter& out);
 /// one vertex (0 and -0 are equal). Vertices are in the order of their first corner. Rewriting the file keeps
 /// the attributes of triangles, and updates the normals of moved triangles. Normals 0 0 0 stay 0 0 0.
 ReadResult read_stl(const Source& source);
-/// True if the size matches the triangle count of a binary STL exactly, or if the text starts with "solid".
+/// Returns true if the size matches the triangle count of a binary STL, or the text starts with "solid".
 bool looks_like_stl(const Source& source);
-/// True if all lines of a text start with STL keywords, or the first triangles of a binary file are
-/// plausible.
+/// Returns true if all lines start with STL keywords, or the first triangles of a binary file are plausible.
 bool is_certainly_stl(const Beginning& file);
-/// Writes triangles as text, because binary STL rounds positions to float. Leaves out unused vertices.
+/// Writes triangles as text, because binary STL rounds positions to float. Does not write unused vertices.
 void write_stl(const Content& content, TextWriter& out);
 
-/// Source: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene, placed by
-/// their nodes. Morph targets have their default weights; skins and animations are not applied. Coincident
-/// vertices of a node are merged even if their normals or texture points differ. Points and lines become
-/// vertices without polygons. External buffers must be in the folder of source.name or below. There may be
-/// at most 4 million more vertices and corners than bytes in all buffers.
+/// Source: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene and places
+/// them by their nodes. Morph targets have their default weights; skins and animations are not applied.
+/// Coincident vertices of a node become one vertex, even if their normals or texture points differ. Points
+/// and lines become vertices without polygons. External buffers must be in the folder of source.name or
+/// below. There may be at most 4 million more vertices and corners than bytes in all buffers.
 ReadResult read_gltf(const Source& source);
-/// True for a GLB file, or JSON that contains the key "asset".
+/// Returns true for a GLB file, or for JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);
-/// True for a GLB file of version 2, or JSON with an asset of version 2.
+/// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
 /// Writes one node with one mesh and one primitive: positions in float, texture points, normals, colours.
-/// Surfaces without normals get computed normals, but is_flat() surfaces do not: glTF shows them flat-shaded.
-/// Polygons become triangles. Throws base::Error beyond 4 GB, the limit of GLB.
+/// Computes missing normals, except for is_flat() surfaces: glTF shows flat shading without normals. Polygons
+/// become triangles. If the file exceeds 4 GB, the limit of GLB, throws base::Error.
 void write_glb(const Content& content, TextWriter& out);
-/// Writes the same content as JSON with embedded buffers.
+/// Writes the content of write_glb() as JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
-/// Also writes an animation, see check_motion(). progress may be null. Throws base::Cancelled too.
+/// Also writes an animation, see check_motion(). progress may be null. Can also throw base::Cancelled.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
 

@@ -10,8 +10,8 @@ namespace viete::formats {
 
 namespace {
 
-// A number for each corner. Corners with different numbers get separate normals: the number stands for the
-// polygon if it has flat shading, otherwise for the vertex.
+// Returns a number for each corner: the polygon if it has flat shading, otherwise the vertex. Corners with
+// different numbers get separate normals.
 std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const Attributes& attributes) {
   std::vector<std::uint64_t> common(surface.corners.begin(), surface.corners.end());
   constexpr std::uint64_t polygons = std::uint64_t{1} << 32;
@@ -27,7 +27,7 @@ std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const
   return common;
 }
 
-// Names of content that the format cannot store, in the order of messages.
+// Returns names of content that the format cannot store, in the order of messages.
 std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
                                            const Attributes& a, const Attributes& deformed) {
   const bool is_named =
@@ -53,7 +53,7 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
   return names;
 }
 
-// Notes for formats that store only triangles.
+// Adds notes for formats that store only triangles.
 void tell_triangles(const mesh::Surface& surface, std::vector<std::string>& notes) {
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;

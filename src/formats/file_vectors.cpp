@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t nowhere = no_places[0];
 
-// Iterates over the numbers of one list that change, in file order.
+// Iterates over the changed numbers of one list, in file order.
 class Changes {
 public:
   Changes(const FileVectors& vectors, const VectorFile& file, const Source& source, const mesh::Surface& rest,
@@ -42,7 +42,7 @@ public:
     advance();
   }
 
-  // The offset of the current number; `nowhere` at the end.
+  // Returns the offset of the current number, or `nowhere` at the end.
   std::size_t place() const { return place_; }
 
   void replace(Rewriter& rewriter) {
@@ -51,13 +51,13 @@ public:
   }
 
 private:
-  // The word or the bytes at a place.
+  // Returns the word or the bytes at a place.
   std::string_view at(std::size_t place, NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
     return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
   }
 
-  // The vector in a row: NaN for words that are not numbers, 0 0 0 for a row without places.
+  // Returns the vector in a row. Words that are not numbers give NaN; a row without places gives 0 0 0.
   mesh::Vec3 direction(std::size_t row) const {
     const FileVectors::Places places = vectors_.places(row);
     if (places == no_places) return {0, 0, 0};
@@ -95,7 +95,7 @@ private:
     mesh::keep_lengths(before_, now_);
   }
 
-  // The values of a row before and now.
+  // Returns the values of a row before and after the deformation.
   std::pair<mesh::Vec3, mesh::Vec3> values(std::size_t row) const {
     if (!are_positions_) return {before_[row], now_[row]};
     const std::size_t v = vectors_.rows == FileVectors::Rows::corners ? rest_.corners[row] : row;
@@ -122,7 +122,7 @@ private:
     }
   }
 
-  // The value as text or bytes of the file; empty if it exceeds the type's range.
+  // Returns the value as text or bytes of the file, or nullopt if it exceeds the type's range.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
     return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
       using Number = decltype(number);
@@ -154,8 +154,8 @@ private:
   std::vector<mesh::Vec3> before_, now_;      // directions before and after the deformation
   std::array<std::size_t, 3> axes_{0, 1, 2};  // in the order of the file
   std::size_t next_ = 0, place_ = nowhere;
-  NumberType type_ = NumberType::float64;  // of the number at place_
-  std::string_view words_;                 // its new text or bytes
+  NumberType type_ = NumberType::float64;  // type of the number at place_
+  std::string_view words_;                 // new text or bytes of this number
   std::array<char, 400> room_;
 };
 

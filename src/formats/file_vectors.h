@@ -1,4 +1,4 @@
-// Records the places of positions, normals and tangents in a file, and rewrites the file with other values.
+// Records the places of positions, normals and tangents in a file. Rewrites the file with other values.
 #pragma once
 
 #include <array>
@@ -29,7 +29,7 @@ struct FileVectors {
   Rows rows = Rows::vertices;  ///< row i belongs to vertex i or corner i; for faces see row_of_corner
   std::string element;         ///< name of a row in messages
   std::size_t count = 0;       ///< number of rows
-  /// Offsets of the row's three numbers in the file; every row has the same order. no_places: the row stays.
+  /// Returns the offsets of the row's three numbers in the file. If it returns no_places, the row stays.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
   /// For Rows::faces: returns the row of the face to which the corner belongs, or mesh::none.
@@ -46,12 +46,12 @@ inline constexpr FileVectors::Places no_places = [] {
   return FileVectors::Places{nowhere, nowhere, nowhere};
 }();
 
-/// Moves past the next three words of the line and returns their offsets; no_places if a word is missing.
+/// Moves past the next three words of the line. Returns their offsets, or no_places if a word is missing.
 FileVectors::Places places_of_three(TextCursor& text);
 
-/// Describes a file so that it can be rewritten. Everything stays except moved positions and the normals and
-/// tangents that depend on them. Numbers are rounded to their type in the file. Text gets as many decimals as
-/// in the file, and at least six significant digits relative to the model's diagonal.
+/// Describes a file so that it can be rewritten. Only moved positions, and the normals and tangents that
+/// depend on them, change. Numbers are rounded to their type in the file. Text gets as many decimals as the
+/// old text, and at least six significant digits relative to the model's diagonal.
 struct VectorFile {
   std::string_view format;  ///< Format::name
   bool text = true;
@@ -61,7 +61,7 @@ struct VectorFile {
   Companions companions = {};                       ///< see Original
 };
 
-/// Returns null if source.owner is null. Writing throws base::Error too if a number exceeds its type's range.
+/// Returns null if source.owner is null. If a number exceeds its type's range, writing throws base::Error.
 std::shared_ptr<const Original> original_of(const Source& source, VectorFile file);
 
 }  // namespace viete::formats

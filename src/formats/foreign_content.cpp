@@ -21,7 +21,7 @@ constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"s
                export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
                download = "download the model file, not the web page about it"sv;
 
-// Matched at the start of the file, ignoring case.
+// The start of the file is compared with these texts. Upper and lower case are equal.
 constexpr Signature signatures[] = {
     {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself"sv,
      "fetch the file itself with `git lfs pull`"sv},
@@ -93,7 +93,7 @@ bool holds(std::string_view bytes, std::string_view signature) {
   return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
 }
 
-// Returns null if no signature matches.
+// Returns the matching signature, or null.
 const Signature* signature_of(std::string_view bytes) {
   static constexpr Signature xml{"", "text in XML or HTML"sv, export_it};
   const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {
@@ -136,7 +136,7 @@ std::string_view name_of_content(std::string_view beginning) {
 std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys) {
   using Json = nlohmann::json;
   std::string found;
-  std::size_t known = 0;  // number of leading keys that the parser's current path matches
+  std::size_t known = 0;  // number of leading keys that match the parser's current path
   const auto visit = [&](int depth, Json::parse_event_t event, const Json& parsed) {
     const auto level = static_cast<std::size_t>(depth);
     if (event == Json::parse_event_t::key) {

@@ -1,4 +1,4 @@
-// Detects other kinds of files that users often open by mistake.
+// Detects files of other kinds that users often open by mistake.
 #pragma once
 
 #include <initializer_list>
@@ -7,17 +7,17 @@
 
 namespace viete::formats {
 
-/// Throws base::Error with advice if the file is empty or of a known other kind: a Git LFS pointer, a
+/// Throws base::Error with advice if the file is empty or of another known kind: a Git LFS pointer, a
 /// compressed file, a web page, another format. bytes: the beginning of the file.
 void refuse_foreign(const std::string& name, std::string_view bytes);
 
-/// True if the bytes contain control characters that do not occur in text.
+/// Returns true if the bytes contain control characters that do not occur in text.
 bool looks_binary(std::string_view bytes);
 
 /// Names the content for messages: "a picture (PNG)", "a web page", "JSON", "text", "binary data".
 std::string_view name_of_content(std::string_view beginning);
 
-/// The string at a path of keys in JSON; empty if it is missing. The JSON may be truncated.
+/// Returns the string at a path of keys in JSON, or "" if it is missing. The JSON may be truncated.
 std::string text_in_json(std::string_view beginning, std::initializer_list<std::string_view> keys);
 
 }  // namespace viete::formats

@@ -1,4 +1,4 @@
-// Describes a file format. The formats are listed in format_table.h.
+// Describes a file format. format_table.h lists all formats.
 #pragma once
 
 #include <string_view>
@@ -24,19 +24,19 @@ enum What : unsigned {
 
 struct Format {
   std::string_view extension;  ///< lower case, without the dot
-  std::string_view name;       ///< for messages; the same for all extensions of the format
+  std::string_view name;       ///< for messages; all extensions of the format have this name
 
   ReadResult (*read)(const Source&) = nullptr;  ///< reads a surface; null for point caches
-  bool (*recognised)(const Source&) = nullptr;  ///< detects the format by content; null: only by extension
-  /// A stricter test before a file is overwritten. False for other content with a similar beginning.
+  bool (*recognised)(const Source&) = nullptr;  ///< detects the format by content; may be null
+  /// A stricter test before a file is overwritten. It rejects other content with a similar beginning.
   bool (*is_certain)(const Beginning&) = nullptr;
   void (*write)(const Content&, TextWriter&) = nullptr;
 
-  bool may_be_binary = false;  ///< read() accepts binary content that recognised() rejects
-  bool keeps_order = false;    ///< keeps the vertex order, on which poses and keys depend
+  bool may_be_binary = false;  ///< true if read() accepts binary content that recognised() rejects
+  bool keeps_order = false;    ///< true if files keep the vertex order, on which poses and keys depend
   bool holds_morphs = false;
-  bool is_sequence = false;  ///< a point cache: positions of several frames
-  char up = 0;               ///< the usual up axis, 'y' or 'z'; 0: no convention
+  bool is_sequence = false;  ///< true for a point cache: positions of several frames
+  char up = 0;               ///< the usual up axis, 'y' or 'z'; 0 if there is no convention
   bool in_metres = false;
   unsigned all_held = 0;  ///< a combination of held::What
 

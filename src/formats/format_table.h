@@ -14,27 +14,27 @@ namespace viete::formats {
 /// All formats, in the order of menus and messages.
 std::span<const Format> all_formats();
 
-/// Both return null for an unknown extension.
+/// If the extension is unknown, both functions return null.
 const Format* format_by_extension(std::string_view extension);
 const Format* find_format(const std::filesystem::path& file);
 
-/// The format of a surface file by its extension. If it is unknown, throws base::Error with all extensions.
+/// Returns the format for a surface file's extension. If unknown, throws base::Error with all extensions.
 const Format& surface_format(const std::filesystem::path& file);
 
-/// True if `file` has the format of the original, which can then be rewritten. original may be null.
+/// Returns true if `file` has the original's format, so that it can be rewritten. original may be null.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
-/// Detects the format by content with Format::is_certain, ignoring the extension. Null if unknown.
+/// Detects the format by content with Format::is_certain, without the extension. Returns null if unknown.
 const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
 
-/// The row for a ReadResult::format such as "glTF binary"; null if unknown.
+/// Returns the format for a ReadResult::format such as "glTF binary", or null if unknown.
 const Format* format_of_description(std::string_view description);
 
-/// Lists the names of the formats that satisfy `is`: "OBJ, PLY or OFF". last: the text before the last name.
+/// Returns the names of the formats that satisfy `is`: "OBJ, PLY or OFF". `last` precedes the last name.
 std::string format_names(bool (*is)(const Format&), std::string_view last = " or ");
-/// Lists their extensions: ".obj, .ply or .off".
+/// Returns the extensions of the formats that satisfy `is`: ".obj, .ply or .off".
 std::string format_extensions(bool (*is)(const Format&), std::string_view last = " or ");
-/// The name of a mesh argument in the command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
+/// Returns the text for a mesh argument in the command-line help: "Mesh (OBJ, PLY, OFF, STL, glTF)".
 std::string a_mesh();
 
 constexpr bool holds_surface(const Format& f) {
@@ -53,7 +53,7 @@ constexpr bool is_sequence(const Format& f) {
   return f.is_sequence;
 }
 
-/// Applies `is` to the format of the file's extension; returns false for an unknown extension.
+/// Returns is(format) for the format of the file's extension, or false if the extension is unknown.
 bool is_a(bool (*is)(const Format&), const std::filesystem::path& file);
 
 }  // namespace viete::formats

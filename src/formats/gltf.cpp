@@ -35,7 +35,7 @@ Color srgb_of_linear(std::span<const double> c) {
   return {srgb_of_linear(c[0]), srgb_of_linear(c[1]), srgb_of_linear(c[2]), static_cast<float>(opacity)};
 }
 
-// The extension KHR_texture_transform.
+// Settings of the extension KHR_texture_transform.
 struct TextureTransform {
   Vec2 offset{0, 0}, scale{1, 1};
   double rotation = 0;
@@ -114,7 +114,7 @@ private:
     }
   }
 
-  // The index of the texture's image, which may be given by an extension; -1 if missing.
+  // Returns the index of the texture's image, perhaps from an extension, or -1 if the image is missing.
   static int source_of(const GltfJson& texture) {
     int source = index_of(texture, "source");
     for (const char* extension : {"EXT_texture_webp", "KHR_texture_basisu"}) {
@@ -140,14 +140,14 @@ private:
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
     take_weights(p, mesh);
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
-      if (accessor_of(primitive, "POSITION") < 0) continue;  // invisible, by the specification
+      if (accessor_of(primitive, "POSITION") < 0) continue;  // invisible according to the specification
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
     }
     weld(first, first_corner);
   }
 
-  // Sets weights_ to the default weights of the morph targets, or to an empty list if all are 0.
+  // Sets weights_ to the default weights of the morph targets. If all are 0, the list becomes empty.
   void take_weights(const GltfPlacement& p, const GltfJson& mesh) {
     std::size_t count = 0;
     for (const GltfJson& primitive : list_of(mesh, "primitives"))
@@ -160,7 +160,7 @@ private:
     shaped_.clear();
   }
 
-  // Caches the list, because many nodes may place the same mesh.
+  // Returns a cached list, because many nodes may place the same mesh.
   std::shared_ptr<const std::vector<GltfTarget>> targets_of(const GltfJson& primitive) {
     auto& targets = targets_[&primitive];
     if (targets) return targets;
@@ -170,7 +170,7 @@ private:
     return targets = std::make_shared<const std::vector<GltfTarget>>(std::move(all));
   }
 
-  // Offsets of positions or normals at the default weights; empty if all are 0.
+  // Returns offsets of positions or normals at the default weights. If all are 0, the list is empty.
   std::vector<double> differences(int GltfTarget::*of) {
     const GltfPiece& piece = map_.pieces.back();
     for (const double weight : weights_) spend(weight == 0 ? 0 : piece.count);
@@ -228,7 +228,7 @@ private:
     return pieces_[key] = piece;
   }
 
-  // Limits the number of vertices and corners, which instances and sparse accessors multiply.
+  // Limits the number of vertices and corners. Instances and sparse accessors can multiply this number.
   void spend(std::size_t elements) {
     spent_ += elements;
     if (spent_ > budget_ + instanced_vertices)
@@ -267,7 +267,7 @@ private:
     return accessors_.numbers(accessor, components);
   }
 
-  // In glTF, v = 0 is the top row of the image; here it is the bottom row.
+  // In glTF, v = 0 is the top row of the image. In Attributes, it is the bottom row.
   void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
     attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
     if (accessor < 0) return;
@@ -340,7 +340,7 @@ private:
     ++polygons_;
   }
 
-  // Merges vertices that coincide both with the default weights and without.
+  // Merges vertices that coincide at rest and also with the default weights.
   std::vector<std::uint32_t> lowest_vertices(std::size_t first) const {
     auto lowest = mesh::lowest_in_place(std::span(points_).subspan(first));
     if (shaped_.empty()) return lowest;
@@ -399,9 +399,9 @@ private:
   std::vector<mesh::Point> points_;  // one per vertex of the file, in scene coordinates
   std::vector<Color> colors_;        // one per vertex of the file
   std::map<PieceKey, Piece> pieces_;
-  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // per primitive
-  std::vector<double> weights_;      // of the current placement's targets; empty if all are 0
-  std::vector<mesh::Point> shaped_;  // points of this placement with weights_ applied; empty without weights
+  std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // for each primitive
+  std::vector<double> weights_;      // weights of the current placement's targets; empty if all are 0
+  std::vector<mesh::Point> shaped_;  // points of this placement after applying weights_; empty if weights_ is
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
   bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;

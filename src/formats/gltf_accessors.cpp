@@ -11,12 +11,12 @@ namespace viete::formats {
 
 namespace {
 
-// Indexed by component type minus gltf_byte. glTF does not define the number after gltf_unsigned_short.
+// The index is the component type minus gltf_byte. glTF does not define the type after gltf_unsigned_short.
 constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
                                        NumberType::uint16, NumberType::int32, NumberType::uint32,
                                        NumberType::float32};
 
-// 0 for an unknown type.
+// Returns the size in bytes, or 0 for an unknown type.
 std::size_t component_size(int type) {
   const bool known = type >= gltf_byte && type <= gltf_float && type != gltf_unsigned_short + 1;
   return known ? size_of(number_types[type - gltf_byte]) : 0;
@@ -26,7 +26,7 @@ bool is_unsigned(int type) {
   return type == gltf_unsigned_byte || type == gltf_unsigned_short || type == gltf_unsigned_int;
 }
 
-// Returns 0 for matrices, which surfaces do not use.
+// Returns the number of components, or 0 for matrices, which surfaces do not use.
 std::size_t component_count(const std::string& type) {
   if (type == "SCALAR") return 1;
   const bool vector = type == "VEC2" || type == "VEC3" || type == "VEC4";

@@ -11,13 +11,13 @@
 
 namespace viete::formats {
 
-/// The location of an accessor's elements, checked to be within the buffer.
+/// The location of an accessor's elements. It has been checked to be within the buffer.
 struct GltfPlace {
   std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes per element
   bool has_bytes = false;  ///< false: all elements are 0, except sparse values
 };
 
-/// The file must outlive this object. Functions throw base::Error for an invalid accessor.
+/// The file must outlive this object. If an accessor is invalid, the functions throw base::Error.
 class GltfAccessors {
 public:
   explicit GltfAccessors(const GltfFile& file) : file_(file) {}
@@ -25,7 +25,7 @@ public:
   /// The number of elements.
   std::size_t count(int accessor) const { return place(accessor).count; }
 
-  /// Components per element; 0 for a matrix.
+  /// Returns the number of components of each element, or 0 for a matrix.
   std::size_t components(int accessor) const;
 
   GltfPlace place(int accessor) const;
@@ -33,13 +33,13 @@ public:
   /// Returns the first `components` numbers of each element. Normalized integers become 0 to 1 or -1 to 1.
   std::vector<double> numbers(int accessor, std::size_t components) const;
 
-  /// Returns unsigned integers. Throws base::Error too if an integer is `limit` or more.
+  /// Returns unsigned integers. Also throws base::Error if an integer is `limit` or more.
   std::vector<std::uint32_t> indices(int accessor, std::size_t limit) const;
 
-  /// True for float elements with this number of components and without sparse values.
+  /// Returns true for float elements with this number of components and without sparse values.
   bool holds_floats(int accessor, std::size_t components) const;
 
-  /// Throws base::Error for element `index` of the list `what`.
+  /// Throws base::Error about element `index` of the list `what`.
   [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
 
 private:

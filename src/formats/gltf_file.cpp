@@ -34,7 +34,7 @@ std::uint32_t word_at(std::string_view bytes, std::size_t at) {
 struct Chunks {
   std::string_view json;
   std::optional<std::string_view> binary;
-  std::string others = {};  // unknown chunks, kept for writing
+  std::string others = {};  // unknown chunks, for writing the file again
 };
 
 Chunks chunks_of(const Source& source) {
@@ -65,8 +65,8 @@ Chunks chunks_of(const Source& source) {
   return chunks;
 }
 
-// Rejects JSON that is nested too deeply for the stack, and objects with too many members, because looking up
-// a member is a linear search.
+// Rejects JSON that is nested too deeply for the stack. Also rejects objects with too many members, because
+// finding a member is a linear search.
 void check_shape(const Source& source, std::string_view text) {
   constexpr std::size_t deepest = 64, most_members = 4096;
   std::array<std::size_t, deepest + 1> members{};
@@ -115,7 +115,7 @@ std::string embedded(const Source& source, const std::string& place, std::string
   return *std::move(bytes);
 }
 
-// The file to which a relative URI refers; nullopt for other URIs.
+// Returns the path for a relative URI, or nullopt for other URIs.
 std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) {
   const fs::path relative = base::percent_decoded(uri);
   const std::string text = relative.string();
@@ -125,8 +125,8 @@ std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) 
   return fs::path(source.name).parent_path() / relative;
 }
 
-// As path_of_uri(), but also nullopt for a path with "..": buffers become part of the output, so only files
-// in the model's folder are read.
+// Works like path_of_uri(), but a path with ".." also gives nullopt: buffers become part of the output, so
+// only files in the model's folder are read.
 std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
   const auto path = path_of_uri(source, uri);
   const fs::path relative = base::percent_decoded(uri);
@@ -135,7 +135,7 @@ std::optional<fs::path> path_within(const Source& source, std::string_view uri) 
   return leads_out ? std::nullopt : path;
 }
 
-// Checks the member types of scenes, nodes, meshes, accessors and buffer views. Other lists must contain
+// Checks the types of members of scenes, nodes, meshes, accessors and buffer views. Other lists must contain
 // objects. Throws base::Error.
 class GltfShape {
 public:
@@ -214,7 +214,7 @@ private:
     member(at, of, key, form, value.is_array() && std::all_of(value.begin(), value.end(), is));
   }
 
-  // Returns a JSON null if the member is missing.
+  // Returns the member, or a JSON null if it is missing.
   const GltfJson& object(const std::string& at, const GltfJson& of, const char* key) const {
     member(at, of, key, "an object", member_of(of, key).is_object());
     return member_of(of, key);
@@ -231,7 +231,7 @@ private:
     }
   }
 
-  // A missing member is valid; a null is not.
+  // Throws base::Error if the member exists and is not `good`. A JSON null counts as existing.
   void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
     if (!good && of.is_object() && of.contains(key))
       fail(at, "\"" + std::string(key) + "\" should be " + form);
@@ -359,7 +359,7 @@ private:
     }
   }
 
-  // Keeps one copy per view, and limits all copies to the size of the buffers, because views may overlap.
+  // Keeps one copy for each view. Views may overlap, so all copies are limited to the size of the buffers.
   std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
     const GltfJson& views = list_of(document_, "bufferViews");
     if (!view || *view >= views.size()) return nullptr;

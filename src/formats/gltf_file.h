@@ -20,7 +20,7 @@ namespace viete::formats {
 
 using GltfJson = nlohmann::ordered_json;
 
-/// Constants of the specification.
+/// The component types of the glTF specification.
 enum GltfComponent {
   gltf_byte = 5120,
   gltf_unsigned_byte,
@@ -32,7 +32,7 @@ enum GltfComponent {
 enum GltfMode { gltf_points = 0, gltf_triangles = 4, gltf_strip, gltf_fan };
 inline constexpr int gltf_array_buffer = 34962, gltf_element_buffer = 34963, gltf_clamp_to_edge = 33071;
 
-/// A JSON null if missing.
+/// Returns a member of an object, or a JSON null if it is missing.
 inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   static const GltfJson nothing;
   if (!object.is_object()) return nothing;
@@ -40,7 +40,7 @@ inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   return found == object.end() ? nothing : *found;
 }
 
-/// An empty list if missing.
+/// Returns a list of an object, or an empty list if it is missing.
 inline const GltfJson& list_of(const GltfJson& object, const char* key) {
   static const GltfJson no_list = GltfJson::array();
   const GltfJson& value = member_of(object, key);
@@ -52,7 +52,7 @@ inline std::string text_of(const GltfJson& object, const char* key) {
   return value.is_string() ? value.get<std::string>() : std::string();
 }
 
-/// The value if it is a non-negative integer.
+/// Returns the value if it is a non-negative integer.
 inline std::optional<std::uint64_t> count_of(const GltfJson& value) {
   const bool counts =
       value.is_number_unsigned() || (value.is_number_integer() && value.get<std::int64_t>() >= 0);
@@ -63,19 +63,19 @@ inline std::optional<std::uint64_t> count_of(const GltfJson& object, const char*
   return count_of(member_of(object, key));
 }
 
-/// A member that is an index; -1 if missing.
+/// Returns a member that is an index, or -1 if it is missing.
 inline int index_of(const GltfJson& object, const char* key) {
   constexpr std::uint64_t largest = std::numeric_limits<int>::max();
   const auto count = count_of(object, key);
   return count ? static_cast<int>(std::min(*count, largest)) : -1;
 }
 
-/// The accessor of a primitive's attribute; -1 if missing.
+/// Returns the accessor of a primitive's attribute, or -1 if it is missing.
 inline int accessor_of(const GltfJson& primitive, const char* attribute) {
   return index_of(member_of(primitive, "attributes"), attribute);
 }
 
-/// An element of a list of the document; a JSON null if missing.
+/// Returns an element of a list of the document, or a JSON null if it is missing.
 inline const GltfJson& element_of(const GltfJson& document, const char* list, int index) {
   static const GltfJson nothing;
   const GltfJson& all = list_of(document, list);
@@ -86,13 +86,13 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 struct GltfBuffer {
   enum class Home { chunk, text, beside };  ///< binary chunk of a GLB, base64 in the JSON, external file
   Home home = Home::chunk;
-  std::filesystem::path path;  ///< of an external file; otherwise empty
-  std::string bytes;           ///< cut to the length that the JSON declares
+  std::filesystem::path path;  ///< path of an external file; otherwise empty
+  std::string bytes;           ///< as many bytes as the JSON declares
 };
 
 struct GltfImage {
   ImageFile file;
-  std::string uri;  ///< URI of an external file as in the JSON; otherwise empty
+  std::string uri;  ///< URI of an external file, as written in the JSON; otherwise empty
 };
 
 struct GltfFile {
@@ -105,16 +105,16 @@ struct GltfFile {
   std::string other_chunks;           ///< unknown chunks of a GLB with their headers
 };
 
-/// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below; images are not
-/// opened. Throws base::Error if data needed for the surface is missing, compressed or invalid.
+/// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. Images are not
+/// opened. If data needed for the surface is missing, compressed or invalid, throws base::Error.
 GltfFile take_apart(const Source& source);
 
-/// Writes a GLB. bytes: the binary chunk, left out if empty. others: further chunks with their headers.
-/// Throws base::Error beyond 4 GB.
+/// Writes a GLB. bytes: the binary chunk; if empty, the file has no binary chunk. others: further chunks with
+/// their headers. If the file exceeds 4 GB, throws base::Error.
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
                       TextWriter& out);
 
-/// Percent-encodes a relative path; "a b" becomes "a%20b".
+/// Percent-encodes a relative path: "a b" becomes "a%20b".
 std::string encoded_uri(std::string_view path);
 
 }  // namespace viete::formats

@@ -21,9 +21,9 @@ namespace {
 using Numbers = std::vector<double>;
 using SharedNumbers = std::shared_ptr<const Numbers>;
 
-// The animated weights of one node, interpolated linearly between keys.
+// The animated weights of one node. Between keys, weights are interpolated linearly.
 struct WeightTrack {
-  SharedNumbers times, values;  // for each time one value per target
+  SharedNumbers times, values;  // values: for each time, one number per target
 
   Numbers at(double t, std::size_t count) const {
     const auto next = std::upper_bound(times->begin(), times->end(), t);
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  // Reads each accessor once, because many channels may share it.
+  // Reads each accessor only once, because many channels may use it.
   SharedNumbers numbers(int accessor) {
     SharedNumbers& known = times_of_[accessor];
     if (!known) known = std::make_shared<const Numbers>(accessors_.numbers(accessor, 1));
@@ -199,9 +199,9 @@ private:
   std::shared_ptr<const GltfMap> map_;
   GltfAccessors accessors_;
   const GltfJson& document_;
-  std::vector<std::size_t> counts_;                 // for each placement the number of targets
-  std::vector<Numbers> resting_;                    // for each placement the default weights
-  std::vector<std::optional<WeightTrack>> tracks_;  // for each placement the animated weights, if any
+  std::vector<std::size_t> counts_;                 // for each placement, the number of targets
+  std::vector<Numbers> resting_;                    // for each placement, the default weights
+  std::vector<std::optional<WeightTrack>> tracks_;  // for each placement, the animated weights or nullopt
   std::map<int, SharedNumbers> times_of_;
   std::set<int> seen_times_;
   bool is_curved_ = false;
@@ -305,8 +305,8 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
   return add_floats(deltas, 3);
 }
 
-// Adds an accessor: sparse, with only the values other than 0, if that is smaller. A sparse accessor needs at
-// least one value.
+// Adds an accessor. If a sparse accessor with only the nonzero values is smaller, adds this instead. A sparse
+// accessor needs at least one value.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
   std::vector<float> some;
@@ -365,7 +365,7 @@ std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
   return found;
 }
 
-// Copies the sampler, because another node may use it too.
+// Copies the sampler, because another node may also use it.
 void GltfMorphs::widen(const Output& output, std::span<const double> numbers, std::size_t before,
                        std::size_t added) {
   if (before == 0 || numbers.size() % before != 0) return;
@@ -390,7 +390,7 @@ void GltfMorphs::name_targets(const MorphMotion& motion, std::size_t node, std::
   if (placed.contains("weights")) widen_list(placed, before + motion.targets.size());
   GltfJson& extras = mesh["extras"];
   if (extras.is_null()) extras = GltfJson::object();
-  if (!extras.is_object()) return;  // custom data of another program
+  if (!extras.is_object()) return;  // extras are custom data of another program
   GltfJson& names = extras["targetNames"];
   if (!names.is_array()) names = GltfJson::array();
   while (names.size() < before) names.push_back("target " + std::to_string(names.size() + 1));
@@ -404,7 +404,7 @@ void GltfMorphs::animate(const MorphMotion& motion, std::span<const std::size_t>
   const std::vector<float> times(motion.seconds.begin(), motion.seconds.end());
   const std::size_t input = add_floats(times, 1), count = motion.targets.size();
   GltfJson made = {{"name", motion.name}, {"channels", GltfJson::array()}, {"samplers", GltfJson::array()}};
-  std::map<std::vector<double>, std::size_t> samplers;  // by the default weights of the older targets
+  std::map<std::vector<double>, std::size_t> samplers;  // key: the default weights of the older targets
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const GltfPlacement placement{
         static_cast<int>(nodes[i]), index_of(document_["nodes"][nodes[i]], "mesh"), {}};

@@ -1,4 +1,4 @@
-// Reads and adds morph targets of a glTF file and the animation of their weights.
+// Reads morph targets of a glTF file and the animation of their weights, and adds new targets.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,28 @@
 
 namespace viete::formats {
 
-/// The default weights of `count` targets. Weights of the node replace weights of the mesh.
+/// Returns the default weights of `count` targets. Weights of the node replace weights of the mesh.
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// The weighted sum of the targets' offsets of positions, normals or tangents, with three numbers per vertex.
-/// Empty if all weights are 0. Throws base::Error.
+/// Returns the weighted sum of the targets' offsets of positions, normals or tangents, with three numbers per
+/// vertex. If all weights are 0, the result is empty. Can throw base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
-/// Returns null if no primitive has targets. Uses the first animation that has weights; ignores animations of
-/// nodes. The first of several merged vertices determines their position. Throws base::Error.
+/// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
+/// ignores animations of nodes. The first of several merged vertices gives the position. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
-/// Appends data to `bytes` at a multiple of four, and adds a buffer view. Returns the view's index.
+/// Appends data to `bytes` at a multiple of four and adds a buffer view. Returns the index of the view.
 std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
                           std::size_t buffer = 0);
 
-/// Sets "min" and "max" of each component.
+/// Sets "min" and "max" for each component.
 void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
 
-/// Vertices that several primitives of a mesh share. Values at rest have three numbers per vertex.
+/// Vertices that several primitives of a mesh use. Values at rest have three numbers per vertex.
 struct MorphedVertices {
   std::size_t node = 0;  ///< the only node that places the mesh
   std::vector<std::size_t> primitives;
@@ -46,17 +46,17 @@ struct MorphedVertices {
 
 class GltfMorphs {
 public:
-  /// Keeps references to both arguments. bytes: the document's first buffer.
+  /// Keeps references to the arguments. bytes: the document's first buffer.
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
-  /// Adds a target to the primitives. The arguments are the values at full weight, three numbers per vertex;
-  /// empty normals or tangents are not animated.
+  /// Adds a target to the primitives. The arguments are the values at full weight, three numbers per vertex.
+  /// If normals or tangents are empty, they are not animated.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
   /// Appends the motion's targets and its animation to the meshes of these nodes. For each target, calls
-  /// add_target(positions), which must call the function above for all vertices. floats: the number of floats
-  /// that one target adds. Existing animations of weights get zeros for the new targets;
+  /// add_target(positions), which must call GltfMorphs::add_target() for all vertices. floats: the number of
+  /// floats that one target adds. Existing animations of weights get zeros for the new targets;
   /// numbers_of(accessor) must return their weights. progress may be null.
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,

@@ -122,7 +122,7 @@ private:
         "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
   }
 
-  // In a GLB the first buffer is the binary chunk; all other buffers keep their URIs.
+  // In a GLB the first buffer is the binary chunk. All other buffers keep their URIs.
   void put(GltfRewritten& result, bool binary, TextWriter& out) const {
     const auto& buffers = result.buffers;
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -133,7 +133,7 @@ private:
                      file_.other_chunks, out);
   }
 
-  // Embeds the buffers in a GLB. In a .gltf, buffers stay embedded or external as in the original.
+  // In a GLB, embeds the buffers. In a .gltf, buffers stay embedded or external, as in the original.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
@@ -154,7 +154,7 @@ private:
         (beside.size() == 1 ? "the buffer was written to " : "the buffers were written to ") + names);
   }
 
-  // If the new file is in another folder, changes the relative URIs of images, which stay in place.
+  // If the new file is in another folder, changes the relative URIs of images, because images stay in place.
   void relocate_images(const fs::path& path, GltfRewritten& result) const {
     const fs::path to = folder_of(path);
     if (folder_of(file_.name) == to) return;
@@ -171,7 +171,7 @@ private:
                              " in the folder of the old file: keep both folders together");
   }
 
-  // The first free name of "out.bin", "out-2.bin", ... that is not in `taken`.
+  // Returns the first free name of "out.bin", "out-2.bin", ... that is not in `taken`.
   fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
     for (int i = 1;; ++i) {
       const std::string number = i == 1 ? "" : "-" + std::to_string(i);
@@ -182,8 +182,8 @@ private:
     }
   }
 
-  // True if the file that `path` replaces refers to the buffer, which may then be overwritten. False for
-  // buffers of the file that was read.
+  // Returns true if the buffer may be overwritten, because the file that `path` replaces refers to it.
+  // Buffers of the file that was read must not be overwritten.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
     for (const GltfBuffer& own : file_.buffers) {

@@ -25,7 +25,7 @@ double linear_of_srgb(double x) {
   return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
 }
 
-// A vertex of the file: indices of a surface vertex, a texture point, a normal and a coloured face.
+// A vertex of the file: the indices of a surface vertex, a texture point, a normal and a coloured face.
 struct OutputVertex {
   std::uint32_t vertex, texture, normal, color;
   friend bool operator==(const OutputVertex&, const OutputVertex&) = default;
@@ -70,7 +70,7 @@ public:
   }
 
 private:
-  // Collects the given normals, then adds a computed vertex normal for each corner without a normal.
+  // Collects the given normals. For each corner without a normal, adds a computed vertex normal.
   void list_normals() {
     normals_ = given_.normals;
     corner_normal_ = given_.corner_normal;
@@ -90,7 +90,7 @@ private:
 
   void list_vertices() {
     std::unordered_map<OutputVertex, std::uint32_t, HashOfVertex> numbers;
-    std::map<Color, std::uint32_t> first_with_color;  // for each colour the first face with this colour
+    std::map<Color, std::uint32_t> first_with_color;  // the first face with each colour
     const bool faces_colored = !given_.polygon_colors.empty() && given_.colors.empty();
     std::size_t t = 0;
     for_each_triangle(surface_, [&](const mesh::Triangle& triangle, const mesh::Triangle& corners) {
@@ -112,7 +112,7 @@ private:
       vertices_.push_back({v, mesh::none, mesh::none, mesh::none});
   }
 
-  // Unmoved vertices get the written values, so that their offsets are exactly 0.
+  // Unmoved vertices get exactly the values of the file, so that the offsets are exactly 0.
   void add_target(GltfMorphs& out, const mesh::Surface& base, std::span<const mesh::Point> now,
                   bool with_normals) const {
     const bool turns = with_normals && !written_.normals.empty();
@@ -203,7 +203,7 @@ private:
   MorphedVertices written_;
 };
 
-// Replaces bytes that are not UTF-8, which names from other files may contain.
+// Replaces bytes that are not UTF-8. Names from other files may contain such bytes.
 std::string json_text(const GltfJson& document, int indent = -1) {
   return document.dump(indent, ' ', false, GltfJson::error_handler_t::replace);
 }
@@ -212,7 +212,7 @@ std::size_t padded_to_four(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// Writes a chunk, padded to a multiple of four bytes.
+// Writes a chunk. Padding makes the size a multiple of four bytes.
 void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
   constexpr std::size_t portion = 1 << 20;
   out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);

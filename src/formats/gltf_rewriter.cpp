@@ -24,8 +24,8 @@ namespace {
 
 using Json = GltfJson;
 
-// Finds accessors whose bytes no other accessor or image uses, so that values can be replaced in place.
-// Later changes of the document are not considered. `accessors` must outlive this object.
+// Finds accessors whose bytes no other accessor or image uses. Their values can be replaced in place. Ignores
+// later changes of the document. `accessors` must outlive this object.
 class GltfSharing {
 public:
   GltfSharing(const Json& document, const GltfAccessors& accessors) : accessors_(accessors) {
@@ -33,10 +33,10 @@ public:
     list_bytes(document);
   }
 
-  // The number of references to this accessor.
+  // Returns the number of references to this accessor.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
 
-  // True for float elements of this number of components that share no byte with another accessor or image.
+  // Returns true for float elements of this size if no other accessor or image uses any of their bytes.
   bool is_alone(int accessor, std::size_t components) {
     const auto index = static_cast<std::size_t>(accessor);
     const GltfPlace place = accessors_.place(accessor);
@@ -54,7 +54,7 @@ private:
   struct Bytes {
     std::size_t buffer, begin, end, stride;
     std::size_t accessor;      // npos for an image
-    std::size_t furthest = 0;  // largest `end` in this buffer up to this range
+    std::size_t furthest = 0;  // largest `end` in this buffer in the list so far
 
     friend bool operator<(const Bytes& a, const Bytes& b) {
       return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
@@ -85,7 +85,7 @@ private:
     for (const Json& skin : list_of(document, "skins")) use(member_of(skin, "inverseBindMatrices"));
   }
 
-  // Collects the byte ranges in use, sorted by start.
+  // Collects the used byte ranges, sorted by start.
   void list_bytes(const Json& document) {
     for (std::size_t i = 0; i < uses_.size(); ++i) {
       if (uses_[i] == 0) continue;
@@ -113,7 +113,7 @@ private:
     return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
   }
 
-  // True if the elements of both accessors alternate in one buffer without overlap.
+  // Returns true if the elements of both accessors alternate in one buffer without overlap.
   bool interleaved(const GltfPlace& a, const Bytes& other) const {
     if (a.stride != other.stride) return false;
     const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
@@ -156,7 +156,7 @@ private:
     return false;
   }
 
-  // Finds the placements with a vertex that a target moves.
+  // Finds the placements that have a vertex that a target moves.
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
     for (const GltfPiece& piece : map_.pieces) {
@@ -191,7 +191,7 @@ private:
     return *inverse;
   }
 
-  // Gives moved nodes their own copies of a shared mesh; one node keeps the original.
+  // If several nodes use a mesh, gives each moved node a copy. One node keeps the original mesh.
   void part_instances() {
     std::map<int, std::size_t> users;
     for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
@@ -238,7 +238,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // The sum of the file's own targets at default weights, which viewers add to the written values.
+  // Returns the sum of the file's targets at default weights. Viewers add this sum to the written values.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -250,7 +250,7 @@ private:
                            : mesh::Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // Returns the unit vector whose sum with `added` has the direction `unit`.
+  // Returns the unit vector x for which x + added has the direction `unit`.
   static mesh::Vec3 before_targets(const mesh::Vec3& unit, const mesh::Vec3& added) {
     const double along = mesh::dot(unit, added), rest = along * along - mesh::dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);
@@ -281,7 +281,7 @@ private:
     return values;
   }
 
-  // The tangent in node coordinates, made orthogonal to the normal unless the normal is 0.
+  // Returns the tangent in node coordinates. If the normal is not 0, the tangent is orthogonal to the normal.
   static mesh::Vec3 local_tangent(const AffineMap& inverse, const mesh::Vec3& tangent,
                                   const mesh::Vec3& normal) {
     const mesh::Vec3 n = unit_or_zero(inverse.of_normal(normal)), t = inverse.of_vector(tangent);
@@ -312,7 +312,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // Pieces that differ only in texture points have the same primitives; only the first of them is returned.
+  // Pieces that differ only in texture points have equal primitives. Returns only the first of these pieces.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;
@@ -357,7 +357,7 @@ private:
                        " in addition to the new one");
   }
 
-  // Unmoved vertices get the written values, so that their offsets are exactly 0.
+  // Unmoved vertices get exactly the values of the file, so that the offsets are exactly 0.
   void add_target(GltfMorphs& out, const std::vector<MorphedPiece>& pieces, std::span<const mesh::Point> now,
                   bool with_normals) const {
     std::vector<mesh::Vec3> normals, tangents;
@@ -425,12 +425,12 @@ private:
                     components * sizeof(float));
     }
     for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
-    Json& json = document_["accessors"][to];  // bounds are required for positions, and only updated otherwise
+    Json& json = document_["accessors"][to];  // positions must have bounds; others may
     if (*attribute == 'P' || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);
   }
 
-  using Vertices = std::array<int, 4>;  // a mesh, and its accessors of positions, normals and tangents
+  using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals, tangents
 
   void list_primitives() {
     const Json& meshes = list_of(file_.document, "meshes");
@@ -443,7 +443,7 @@ private:
     }
   }
 
-  // Indices of the primitives that use the piece's vertices.
+  // Returns the indices of the primitives that use the piece's vertices.
   const std::vector<std::size_t>& primitive_numbers(const GltfPiece& piece) {
     return primitives_[{map_.placements[piece.placement].mesh, piece.positions, piece.normals,
                         piece.tangents}];
@@ -458,7 +458,7 @@ private:
     return found;
   }
 
-  // Adds an accessor like `old` with new data at the end of the same buffer. Returns its index.
+  // Adds an accessor like `old` with new data at the end of the buffer of `old`. Returns the new index.
   std::size_t appended(std::size_t old, std::size_t components, const std::vector<float>& values) {
     const GltfPlace place = accessors_.place(static_cast<int>(old));
     const std::size_t view = add_gltf_view(document_, buffers_[place.buffer], values.data(),
@@ -485,7 +485,7 @@ private:
   std::optional<GltfSharing> sharing_;
   std::map<Vertices, std::vector<std::size_t>> primitives_;
   std::vector<mesh::Vec3> normals_, tangents_, unmoved_normals_, unmoved_tangents_;
-  std::vector<bool> morphing_;  // for each placement, whether a target moves it; empty without an animation
+  std::vector<bool> morphing_;  // true if a target moves this placement; empty without an animation
 };
 
 }  // namespace

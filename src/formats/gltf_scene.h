@@ -24,10 +24,10 @@ struct AffineMap {
     return v[0] * columns[0] + v[1] * columns[1] + v[2] * columns[2];
   }
   mesh::Vec3 of_point(const mesh::Point& p) const { return of_vector(p) + offset; }
-  /// Maps a plane's normal by the matrix of cofactors. The normal stays on the same side of the plane even if
-  /// the map is a mirror. The result is not normalised.
+  /// Maps a plane's normal by the matrix of cofactors. Even if the map is a mirror, the normal stays on the
+  /// same side of the plane. The result may have any length.
   mesh::Vec3 of_normal(const mesh::Vec3& n) const;
-  /// Empty if the map is singular.
+  /// Returns nullopt if the map is singular.
   std::optional<AffineMap> inverse() const;
 
   friend AffineMap operator*(const AffineMap& a, const AffineMap& b);
@@ -37,14 +37,14 @@ struct AffineMap {
 /// A mesh placed by one node.
 struct GltfPlacement {
   int node = 0, mesh = 0;
-  AffineMap map;  ///< from the mesh to the scene
+  AffineMap map;  ///< from mesh coordinates to scene coordinates
 };
 
-/// The placements in the default scene or, if it is missing, the first scene. A file without scenes uses all
-/// nodes. Parents come first. Throws base::Error if the nodes do not form trees or an index is invalid.
+/// Returns the placements in the default scene or, if missing, in the first scene. If there is no scene, uses
+/// all nodes. Parents come first. If the nodes do not form trees or an index is invalid, throws base::Error.
 std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
-/// Accessors of a morph target's offsets; -1 if missing.
+/// The accessors of a morph target's offsets. -1 means missing.
 struct GltfTarget {
   int positions = -1, normals = -1, tangents = -1;
 };
@@ -52,15 +52,15 @@ struct GltfTarget {
 /// Consecutive vertices of the file that one or more primitives of a placement use.
 struct GltfPiece {
   std::size_t placement = 0, first = 0, count = 0;
-  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1 if missing
-  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< of the first of these primitives
+  int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1 means missing
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first of these primitives
 };
 
 struct GltfMap {
   std::vector<GltfPlacement> placements;
   std::vector<GltfPiece> pieces;              ///< sorted by `first`
-  std::vector<std::uint32_t> surface_vertex;  ///< for each vertex of the file the vertex of the surface
-  std::vector<std::uint32_t> corner_vertex;   ///< for each entry of Surface::corners the vertex of the file
+  std::vector<std::uint32_t> surface_vertex;  ///< for each vertex of the file, a vertex of the surface
+  std::vector<std::uint32_t> corner_vertex;   ///< for each entry of Surface::corners, a vertex of the file
 };
 
 }  // namespace viete::formats

@@ -22,16 +22,16 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-// Collects attributes. Invalid attributes only cause warnings.
+// Collects attributes. If an attribute is invalid, only adds a warning.
 class ObjAttributes {
 public:
   explicit ObjAttributes(const Source& source) : source_(source) {}
 
-  // Reads the colour after x y z; ignores a single number, which is a weight.
+  // Reads the colour after x y z. Ignores a single number, because it is a weight.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
     const std::size_t count = text.numbers(values);
-    if (count < 3) return;  // a weight
+    if (count < 3) return;  // a single number is a weight
     Color color = white;
     for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
     found_.colors.resize(vertex, white);
@@ -39,7 +39,7 @@ public:
   }
 
   std::size_t normal_count() const { return found_.normals.size(); }
-  // Material libraries and images; valid after finish().
+  // Returns material libraries and images. Valid after finish().
   const std::vector<std::filesystem::path>& files() const { return files_; }
 
   void texture_point(TextCursor& text) {
@@ -57,7 +57,7 @@ public:
     found_.normals.push_back(values);
   }
 
-  // Call before adding corner number `corner` to the builder. behind_vertex: the text after its vertex index.
+  // Call this before adding the corner to the builder. behind_vertex: the text after its vertex index.
   void corner(std::size_t corner, std::string_view behind_vertex) {
     const ObjIndices indices = obj_indices(behind_vertex);
     bad_indices_ += !indices.readable;
@@ -65,7 +65,7 @@ public:
     put(found_.corner_normal, corner, indices.normal, found_.normals.size());
   }
 
-  // Call after the builder's end_polygon().
+  // Call this after the builder's end_polygon().
   void end_polygon(const mesh::Surface& surface) {
     const std::size_t corners = surface.corners.size();
     for (auto* indices : {&found_.corner_texture, &found_.corner_normal}) {
@@ -108,7 +108,7 @@ public:
     if (!names.empty() && libraries_.size() < most_libraries) libraries_.emplace_back(names);
   }
 
-  // Reads the material libraries. Returns null if there are no attributes.
+  // Reads the material libraries. If there are no attributes, returns null.
   std::shared_ptr<const Attributes> finish(SurfaceBuilder& builder) {
     check(found_.corner_texture, found_.texture_points.size());
     check(found_.corner_normal, found_.normals.size());
@@ -126,8 +126,8 @@ public:
   }
 
 private:
-  // Stores an index of the corner. Negative indices count back from the `count` elements read so far. Indices
-  // of later elements are checked at the end of the file.
+  // Stores an index of the corner. Negative indices count back from the `count` elements that have been read.
+  // If an index refers to a later element, it is checked at the end of the file.
   void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
     if (index == 0 && indices.empty()) return;
     indices.resize(corner, mesh::none);
@@ -146,7 +146,7 @@ private:
     }
   }
 
-  // Removes the groups if all are unnamed, smooth and without material.
+  // If all groups are unnamed, smooth and without material, removes them.
   void finish_groups() {
     const auto plain = [](const Group& g) {
       return g.object.empty() && g.name.empty() && g.material == mesh::none && g.smooth;
@@ -168,7 +168,7 @@ private:
 
   const Source& source_;
   Attributes found_;
-  Group state_;  // of the next faces
+  Group state_;  // the group of the next faces
   bool changed_ = true;
   std::size_t polygons_ = 0;
   std::size_t bad_indices_ = 0, bad_numbers_ = 0, groups_left_out_ = 0;
@@ -307,7 +307,7 @@ private:
   ObjAttributes attributes_;
   std::vector<std::uint32_t> normal_blocks_;  // see obj_original()
   std::size_t lines_ = 0;
-  std::int64_t highest_ = 0;  // largest vertex index used before its vertex
+  std::int64_t highest_ = 0;  // largest vertex index in a face before that vertex
   std::size_t highest_line_ = 0;
   std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
   std::string first_unknown_;

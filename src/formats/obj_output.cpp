@@ -1,4 +1,4 @@
-// Writes OBJ: a surface as a new file, or the file that was read with moved positions.
+// Writes OBJ: a surface as a new file, or the file that was read, with moved positions.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -24,8 +24,8 @@ std::string words_of(const mesh::Vec3& normal, const Printed& printed) {
   return words;
 }
 
-// The `vn` lines after a deformation. Each vertex or flat-shaded polygon that uses a line may now need a
-// different normal. Normals that print differently get additional lines after the block of `vn` lines.
+// The `vn` lines after a deformation. If several vertices or flat-shaded polygons use a line, they may now
+// need different normals. Normals with different digits get additional lines after the block.
 class ObjNormals {
 public:
   // blocks: see obj_original(). attributes must have normals.
@@ -38,7 +38,7 @@ public:
     for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
       const auto begin = spread.first[n], end = spread.first[n + 1];
       first_.push_back(static_cast<std::uint32_t>(values_.size()));
-      // The original line stays if some corner still uses it.
+      // If a corner still uses the original line, the line stays.
       const auto kept = std::find(moved.begin() + begin, moved.begin() + end, attributes.normals[n]);
       values_.push_back(kept == moved.begin() + end ? moved[begin] : *kept);
       value_of[begin] = first_[n];
@@ -57,15 +57,15 @@ public:
     number(blocks, attributes, value_of_corner);
   }
 
-  // The normal on an original line. An unmoved normal has the same bits as before.
+  // Returns the normal for an original line. An unmoved normal has the same bits as before.
   const mesh::Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
-  // The normals on the lines added for an original line.
+  // Returns the normals of the lines that are added for an original line.
   std::span<const mesh::Vec3> added(std::size_t line) const {
     return std::span(values_).subspan(first_[line] + 1, first_[line + 1] - first_[line] - 1);
   }
   bool adds_lines() const { return values_.size() + 1 > first_.size(); }
 
-  // Indices among the `vn` lines of the new file, from 0.
+  // These functions return indices of `vn` lines in the new file, from 0.
   std::uint32_t index_of_line(std::size_t line) const { return index_[line]; }
   std::uint32_t index_of_corner(std::size_t corner) const { return corner_index_[corner]; }
 
@@ -91,10 +91,10 @@ private:
     }
   }
 
-  std::vector<mesh::Vec3> values_;  // for each original line its normal, then the normals of its added lines
-  std::vector<std::uint32_t> first_;  // for each original line the index of its normal in values_
+  std::vector<mesh::Vec3> values_;    // for each original line: its normal, the added normals
+  std::vector<std::uint32_t> first_;  // index in values_ of each original line's normal
   std::vector<std::uint32_t> index_;
-  std::vector<std::uint32_t> corner_index_;  // only if lines are added
+  std::vector<std::uint32_t> corner_index_;  // empty if no lines are added
 };
 
 // Learns the number format from the first lines with this keyword.
@@ -110,7 +110,7 @@ Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   return printed;
 }
 
-// The line end just before this offset.
+// Returns the line end immediately before this offset.
 std::string_view line_end_before(std::string_view bytes, std::size_t place) {
   if (place > 0 && bytes[place - 1] == '\r') return "\r";
   return place > 1 && bytes[place - 2] == '\r' ? "\r\n" : "\n";
@@ -163,7 +163,7 @@ private:
     }
   }
 
-  // Writes the lines added to the block that ends here.
+  // Writes the lines that are added after the block that ends here.
   void add_normals() {
     if (!normals_ || added_ == lines_) return;
     const std::string_view line_end = line_end_before(source_.bytes, block_end_);
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // True if a line end is just before this offset. False only after a last line without a line end.
+  // Returns true if a line end is immediately before this offset. Only a last line may have no line end.
   bool ends_line(std::size_t place) const {
     return place > 0 && (source_.bytes[place - 1] == '\n' || source_.bytes[place - 1] == '\r');
   }
@@ -190,7 +190,7 @@ private:
       text_.leading_integer("vertex index");
       indices_.push_back(obj_indices(text_.rest_of_word()));
     }
-    const bool is_polygon = indices_.size() >= 3;  // the surface has no smaller faces
+    const bool is_polygon = indices_.size() >= 3;  // the surface has no polygons with fewer corners
     for (const ObjIndices& corner : indices_) {
       const std::uint32_t index =
           is_polygon ? normals_->index_of_corner(corner_++) : index_of_line(corner.normal);
@@ -218,9 +218,9 @@ private:
   const Attributes* attributes_ = nullptr;
   std::optional<ObjNormals> normals_;
   std::size_t vertices_ = 0, corner_ = 0;
-  std::size_t lines_ = 0;     // number of vn lines read so far
-  std::size_t added_ = 0;     // number of vn lines whose added lines are written
-  std::int64_t written_ = 0;  // number of vn lines written so far
+  std::size_t lines_ = 0;     // number of vn lines that have been read
+  std::size_t added_ = 0;     // number of vn lines after which added lines have been written
+  std::int64_t written_ = 0;  // number of vn lines that have been written
   std::size_t block_end_ = 0;
   std::vector<ObjIndices> indices_;
   std::array<char, 400> room_;

@@ -29,31 +29,31 @@ enum class ObjWord : std::uint8_t {
   unknown  ///< not a keyword of OBJ
 };
 
-/// Ignores the case, because some programs write capitals.
+/// Finds the keyword. Ignores the case, because some programs write capitals.
 ObjWord obj_word(std::string_view word);
-/// As obj_word(), but accepts only lower case.
+/// Works like obj_word(), but accepts only lower case.
 ObjWord small_obj_word(std::string_view word);
 
-/// True for statements that end a block of vertices and normals. Added lines are inserted before them.
+/// Returns true for statements that end a block of vertices and normals. Added lines come before them.
 inline bool ends_block(ObjWord word) {
   return word >= ObjWord::face && word <= ObjWord::use_material;
 }
 
-/// Indices of a corner as in the file: from 1; negative if relative; 0 if missing.
+/// The indices of a corner as in the file: from 1, negative if relative, or 0 if missing.
 struct ObjIndices {
   std::int64_t texture_point = 0, normal = 0;
   std::string_view normal_word;  ///< the text of the normal's index
-  bool readable = true;          ///< false: the syntax is invalid and both indices are 0
+  bool readable = true;          ///< false if the syntax is invalid; both indices are then 0
 };
 
 /// Parses the text after a corner's vertex index: "", "/2", "//3", "/2/3".
 ObjIndices obj_indices(std::string_view behind_vertex);
 
-/// The result writes the file again with other positions. Moved coordinates get as many decimals as in the
-/// file, and at least six significant digits relative to the model's diagonal. If corners of a `vn` line need
-/// different normals, it adds `vn` lines after the block and renumbers the indices of faces. attributes may
-/// be null. normal_blocks: for each block of `vn` lines the number of `vn` lines from the start of the file
-/// to its end. files: material libraries and images.
+/// Returns an original that writes the file again with other positions. Moved coordinates get as many
+/// decimals as in the file, and at least six significant digits relative to the model's diagonal. If the
+/// corners of a `vn` line need different normals, it adds `vn` lines after the block and renumbers the
+/// indices of faces. attributes may be null. normal_blocks: for each block of `vn` lines, the number of `vn`
+/// lines from the start of the file to the end of the block. files: material libraries and images.
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
                                              std::vector<std::uint32_t> normal_blocks,

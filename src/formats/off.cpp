@@ -21,10 +21,10 @@ namespace {
 
 constexpr TextRules off_rules{.comment = '#'};
 
-// The values that follow the position of each vertex.
+// The kinds of values after the position of each vertex.
 struct OffForm {
   bool normals = false, colors = false, texture = false;
-  bool more_axes = false;     //< 4OFF, nOFF
+  bool more_axes = false;     //< true for 4OFF and nOFF
   bool colors_first = false;  //< four colour components before the normal, as MeshLab writes
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
@@ -123,7 +123,7 @@ private:
                "the file seems to be truncated: export or copy it again");
   }
 
-  // Distinguishes colours from normals: components of normals do not exceed 1 and are rarely integers.
+  // Returns true if colours come before normals. Components of normals are at most 1 and are rarely integers.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
@@ -183,7 +183,7 @@ private:
     }
   }
 
-  // Reads values that the keyword does not declare: three or four non-negative numbers are a colour.
+  // Reads values that the keyword does not declare. Three or four non-negative numbers are a colour.
   void unnamed() {
     if (text_.at_line_end()) return;
     const auto behind = numbers(5);
@@ -193,7 +193,7 @@ private:
     if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
   }
 
-  // Returns one colour per element; elements without a colour get the default colour.
+  // Returns one colour for each element. Elements without a colour get the default colour.
   static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
                                    std::size_t count) {
     std::vector<Color> colors;
@@ -236,7 +236,7 @@ private:
     text_.next_line();
   }
 
-  // Reads three or four numbers after the corners; ignores a single number, the index of a colour map.
+  // Reads three or four numbers after the corners. Ignores a single number, the index of a colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));
@@ -247,7 +247,7 @@ private:
   SurfaceBuilder builder_;
   std::vector<FileVectors::Places> positions_, normals_;
   OffForm form_;
-  std::array<double, 9> numbers_{};                                          // of the current row
+  std::array<double, 9> numbers_{};                                          // numbers of the current row
   std::vector<std::pair<std::size_t, Color>> unnamed_colors_, face_colors_;  // with vertex or polygon index
   std::size_t unknown_rows_ = 0;
   Attributes found_;

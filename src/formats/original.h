@@ -1,4 +1,4 @@
-// Keeps a file in memory, so that it can be written again with other positions.
+// Keeps a file in memory to write it again with other positions.
 #pragma once
 
 #include <filesystem>
@@ -17,13 +17,13 @@
 
 namespace viete::formats {
 
-/// External files referenced by relative paths: material libraries and images.
+/// External files with relative paths in the model's file: material libraries and images.
 struct Companions {
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> files;  ///< absolute; they may not exist
+  std::vector<std::filesystem::path> files;  ///< absolute paths; files may not exist
 };
 
-/// The file that was read. Each format has its own subclass. Immutable and thread-safe.
+/// A file that was read. Each format has a subclass. Immutable and thread-safe.
 class Original {
 public:
   /// format: Format::name. Keeps source.owner, so that the bytes stay valid. Reading must have succeeded.
@@ -36,42 +36,41 @@ public:
 
   std::string_view format() const { return format_; }
 
-  /// Content that is in neither the surface nor its attributes, so that other formats lose it: "animations",
-  /// "12 lines".
+  /// Content that is not in the surface or its attributes; other formats lose it: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
-  /// External files that write_file() copies.
+  /// The external files that write_file() copies.
   virtual Companions companions() const { return {}; }
 
-  /// All external files to which the file refers; they may not exist.
+  /// All external files with a reference in the file. They may not exist.
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
   /// Writes the whole file with new values for positions that differ from `rest`, and for the normals and
   /// tangents that depend on them. rest: the surface read from the file. Returns messages for the user, one
-  /// line each. Throws base::Error and base::Cancelled.
+  /// line each. Can throw base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                          TextWriter& out) const = 0;
 
   /// Writes a file and replaces an existing file atomically. Also writes external buffers, and copies
-  /// companions that are missing in the folder. progress may be null.
+  /// companions that the folder does not have. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const mesh::Surface& rest,
                                               std::span<const mesh::Point> positions, Digits digits,
                                               base::Progress* progress) const;
 
-  /// Writes morph targets too, see check_motion(). Throws base::Error if the format has no morph targets.
+  /// Also writes morph targets, see check_motion(). If the format has no morph targets, throws base::Error.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path,
                                                   const mesh::Surface& rest,
                                                   std::span<const mesh::Point> positions,
                                                   const MorphMotion& motion, base::Progress* progress) const;
 
-  /// The morph animation; null if there is none. Throws base::Error if it is invalid.
+  /// Returns the morph animation, or null if there is no animation. If it is invalid, throws base::Error.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
 
 protected:
   Source source() const { return {name_, "", bytes_}; }
 
   std::string name_;
-  std::string_view bytes_;  // the file's bytes; empty without an owner
+  std::string_view bytes_;  // the file's bytes; empty if there is no owner
 
 private:
   std::shared_ptr<const void> owner_;
@@ -82,10 +81,10 @@ private:
 struct ReadResult {
   mesh::Surface surface;
   std::string format;                 ///< "OBJ", "PLY ascii", "PLY binary little-endian", "STL binary", ...
-  std::vector<std::string> warnings;  ///< ignored problems with their place, one line each
+  std::vector<std::string> warnings;  ///< problems that were ignored and their places, one line each
   std::shared_ptr<const Attributes> attributes;  ///< null if the file has no attributes
   std::shared_ptr<const Original> original;      ///< null if the file cannot be rewritten
-  std::vector<std::string> comments;  ///< header comments without marks, at most 64 with 200 bytes each
+  std::vector<std::string> comments;             ///< without comment marks; at most 64, each up to 200 bytes
 };
 
 }  // namespace viete::formats

@@ -22,8 +22,8 @@ namespace viete::formats {
 
 namespace {
 
-// The colour scale of a type. Integers wider than two bytes contain bytes, as some programs declare them in
-// text.
+// Returns the colour scale of a type. Some text files declare bytes as wider integers, so integers of more
+// than two bytes have the scale of bytes.
 double part_of_largest(NumberType type) {
   return with_type(type, [](auto number) {
     using Number = decltype(number);
@@ -33,8 +33,8 @@ double part_of_largest(NumberType type) {
 }
 
 // Reads vertices with normals (nx ny nz), colours (red green blue alpha, also with the prefix diffuse_) and
-// texture coordinates (s t, u v, also with the prefix texture_); faces with colours, a list texcoord (u v per
-// corner) and texnumber, as written by MeshLab; and triangle strips.
+// texture coordinates (s t, u v, also with the prefix texture_). Reads faces with colours, a list texcoord (u
+// v per corner) and texnumber, as MeshLab writes them. Also reads triangle strips.
 class PlyBody {
 public:
   PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, const PlyValues& values)
@@ -64,7 +64,7 @@ public:
     return std::move(found_);
   }
 
-  // The vectors that writing the file again may change. Call after read().
+  // Returns the vectors that can change when the file is written again. Call this after read().
   std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
 
 private:
@@ -77,8 +77,8 @@ private:
   };
   using RowOfCorner = std::vector<std::uint32_t>;
 
-  // Describes the vectors of three properties in the following rows. Null if a property is missing. Binary
-  // rows without lists have equal lengths; otherwise rows() records the places.
+  // Describes the vectors of three properties in the following rows. If a property is missing, returns null.
+  // Binary rows without lists have equal lengths. For other rows, rows() records the places.
   FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
                       const std::array<const char*, 3>& names) {
     std::array<std::size_t, 3> at;
@@ -106,7 +106,7 @@ private:
     return &vectors;
   }
 
-  // The list to be filled with the row of each corner's normal; null without normals.
+  // Returns a list for the row of each corner's normal, to be filled later. Null if there are no normals.
   std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
     FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     if (!vectors) return nullptr;
@@ -116,8 +116,8 @@ private:
     return rows;
   }
 
-  // Reads these properties into `to`; false if one is missing. Integer colours are scaled by the maximum of
-  // their type.
+  // Reads these properties into `to`. If a property is missing, returns false. Integer colours are divided by
+  // the maximum of their type.
   bool find(const PlyElement& element, std::initializer_list<std::string> names, double* to,
             bool colors = false) {
     std::vector<std::size_t> found;
@@ -195,8 +195,8 @@ private:
     });
   }
 
-  // Reads binary rows of equal length on all processors. False if there are none, or if a value needs an
-  // error message: nothing is read.
+  // Reads binary rows of equal length on all processors. If rows have other lengths or a value needs an error
+  // message, reads nothing and returns false.
   bool read_positions(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
     const std::string_view bytes = values_.bytes();
     const std::size_t row = element.row_bytes();
@@ -220,7 +220,7 @@ private:
     return true;
   }
 
-  // The same for faces that are only lists of three vertices.
+  // Does this for faces that are only lists of three vertices.
   bool read_triangles(const PlyElement& element) {
     mesh::Surface& s = builder_.surface();
     const std::string_view bytes = values_.bytes();
@@ -282,7 +282,7 @@ private:
     });
   }
 
-  // Assigns the values of a row to the polygons added since the last one.
+  // Assigns the values of a row to the polygons that were added since the previous row.
   void end_face(bool colors, bool numbered) {
     const std::size_t polygons = builder_.surface().polygon_count();
     const std::size_t corners = builder_.surface().corners.size();
@@ -306,7 +306,7 @@ private:
     }
   }
 
-  // One group per texnumber, which becomes the material.
+  // Starts a group for each texnumber. The texnumber becomes the material.
   void use_image() {
     const bool is_number = image_ >= 0 && image_ < 65536;
     const std::uint32_t material = is_number ? static_cast<std::uint32_t>(image_) : mesh::none;
@@ -343,7 +343,7 @@ private:
     found_.groups = std::move(groups_);
   }
 
-  // 0 for non-numbers.
+  // Returns the value. If it is not a finite number, returns 0.
   double value(const PlyProperty& property) {
     const double value = values_.value(property.type);
     return std::isfinite(value) ? value : 0;
@@ -359,7 +359,7 @@ private:
     return static_cast<std::size_t>(length);
   }
 
-  // Stores a value that is wanted, and skips others.
+  // Stores the value if a column needs it, otherwise skips it.
   void take(const PlyProperty& property, std::size_t p) {
     if (const Column& c = columns_[p]; c.number) {
       *c.number = c.factor * value(property);
@@ -383,8 +383,8 @@ private:
     builder_.end_polygon();
   }
 
-  // Triangle strips separated by -1; every second triangle is reversed. Triangles with repeated corners only
-  // join strips.
+  // Adds triangle strips separated by -1. Every second triangle is reversed. Triangles with repeated corners
+  // only join strips and are not added.
   void strips(std::size_t length) {
     std::uint32_t a = 0, b = 0;
     std::size_t run = 0;
@@ -415,20 +415,20 @@ private:
   std::vector<Column> columns_;  // one per property of the current element
   std::size_t vertex_count_ = 0;
   NumberType index_type_ = NumberType::int32;
-  mesh::Vec3 normal_{0, 0, 0};  // of the current row, like the next four members
+  mesh::Vec3 normal_{0, 0, 0};  // normal of the current row; the next four members also belong to this row
   std::array<double, 4> color_{};
   Vec2 texture_{};
   double image_ = 0;
   std::vector<double> row_texture_;
-  std::size_t polygons_ = 0, corners_ = 0;  // up to the previous row
+  std::size_t polygons_ = 0, corners_ = 0;  // counts before the current row
   Attributes found_;
-  std::vector<mesh::Point> texture_points_;  // (u, v, 0) of faces
+  std::vector<mesh::Point> texture_points_;  // (u, v, 0) for corners of faces
   mesh::PointIndex texture_index_;
   std::vector<std::uint32_t> corner_texture_;
   std::vector<Group> groups_;
 };
 
-// Names of the elements and properties that a surface and its attributes do not represent.
+// Returns names of the elements and properties that are not part of a surface or its attributes.
 std::vector<std::string> beyond_attributes(const PlyHeader& header) {
   constexpr std::string_view of_vertices =
       " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
@@ -477,7 +477,7 @@ ReadResult read_ply(const Source& source) {
 
 bool looks_like_ply(const Source& source) {
   std::string_view bytes = source.bytes;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // as TextCursor does
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // skips the mark, like TextCursor
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 

@@ -59,7 +59,7 @@ PlyProperty property(TextCursor& text) {
 }
 
 std::size_t least_row_bytes(const PlyElement& element, bool ascii) {
-  if (ascii) return 2 * element.properties.size();  // at least a digit and a separator each
+  if (ascii) return 2 * element.properties.size();  // each value has a digit and a separator
   return std::accumulate(
       element.properties.begin(), element.properties.end(), std::size_t{0},
       [](std::size_t sum, const PlyProperty& p) { return sum + size_of(p.list_size.value_or(p.type)); });
@@ -81,7 +81,7 @@ void check_room(const PlyHeader& header, const TextCursor& text, const Source& s
   }
 }
 
-// False at the end of the header.
+// Reads a line of the header. At the end of the header, returns false.
 bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
   const std::string_view word = text.word();
   if (word == "end_header") return false;
@@ -135,7 +135,7 @@ const PlyElement* PlyHeader::find(const std::string& name) const {
 
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder) {
   PlyHeader header;
-  text.next_line();  // "ply"
+  text.next_line();  // skips "ply"
   text.need_word("the end of the PLY header");
   while (header_line(text, header, builder)) {
     text.next_line();

@@ -1,4 +1,4 @@
-// A parsed PLY file: its header and a reader of its values, text or binary.
+// A parsed PLY file: the header, and a reader of the values in text or binary.
 #pragma once
 
 #include <bit>
@@ -18,8 +18,8 @@ namespace viete::formats {
 
 struct PlyProperty {
   std::string name;
-  NumberType type = NumberType::float32;  ///< type of the value or of list items
-  std::optional<NumberType> list_size;    ///< type of the list's length; empty for a single value
+  NumberType type = NumberType::float32;  ///< type of the value, or of the items of a list
+  std::optional<NumberType> list_size;    ///< type of the list's length; nullopt for a single value
 };
 
 struct PlyElement {
@@ -27,9 +27,9 @@ struct PlyElement {
   std::size_t count = 0;
   std::vector<PlyProperty> properties;
 
-  /// Index of the first property with one of these names, or properties.size().
+  /// Returns the index of the first property with one of these names, or properties.size().
   std::size_t find(const std::string& name, const std::string& other = "") const;
-  /// Bytes of each row, and before a property, in a binary file; 0 if rows contain lists.
+  /// Number of bytes of each row, and before a property, in a binary file. If rows contain lists, 0.
   std::size_t row_bytes() const { return bytes_before(properties.size()); }
   std::size_t bytes_before(std::size_t property) const;
 };
@@ -40,21 +40,21 @@ struct PlyHeader {
   Format format = Format::ascii;
   std::vector<PlyElement> elements;
   std::vector<std::string> texture_files;  ///< from `comment TextureFile` lines, as MeshLab writes them
-  std::size_t unknown_lines = 0;           ///< skipped lines
+  std::size_t unknown_lines = 0;           ///< number of skipped lines
 
   std::endian order() const { return format == Format::big_endian ? std::endian::big : std::endian::little; }
   const PlyElement* find(const std::string& name) const;
 };
 
-/// Moves the cursor past the header. Comments go to the builder; lines without a header keyword are skipped
-/// with a warning. Throws base::Error also if the declared elements exceed the rest of the file.
+/// Moves the cursor past the header. Adds comments to the builder. Skips lines without a header keyword and
+/// adds a warning. If the declared elements exceed the rest of the file, also throws base::Error.
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 
-/// Reads the values of the body in sequence. In text a value is a word and a row a line; errors name the
-/// line. Errors in binary bodies name the element and its number.
+/// Reads the values of the body one after the other. In text, a value is a word and a row is a line. Errors
+/// in text contain the line; errors in binary contain the element and its number.
 class PlyValues {
 public:
-  /// text: at the start of the body.
+  /// text: must be at the start of the body.
   PlyValues(const Source& source, const PlyHeader& header, const TextCursor& text)
       : source_(source),
         text_(text),
@@ -67,7 +67,7 @@ public:
     index_ = index;
     if (is_text_) text_.need_word("the last " + std::string(element));
   }
-  /// Skips and counts extra values of the line.
+  /// Skips and counts additional values of the line.
   void end_row() {
     if (!is_text_ || text_.at_line_end()) return;
     if (longer_rows_++ == 0) first_longer_ = text_.line();
@@ -76,15 +76,15 @@ public:
   std::string place_of_longer() const { return text_.place(first_longer_); }
   std::size_t longer_rows() const { return longer_rows_; }
 
-  /// The offset of the next value in the file.
+  /// Returns the offset of the next value in the file.
   std::size_t place() { return is_text_ ? next_word().offset() : source_.bytes.size() - at_.size(); }
   double coordinate(NumberType type);
   std::int64_t integer(NumberType type);
-  /// NaN or infinity if it is not a finite number.
+  /// Returns NaN or infinity if the value is not a finite number.
   double value(NumberType type);
   void skip(NumberType type) { next(type); }
 
-  /// The rest of a binary body; empty for text.
+  /// Returns the rest of a binary body, or nothing for text.
   std::string_view bytes() const { return is_text_ ? std::string_view() : at_; }
   void skip_bytes(std::size_t count) { at_.remove_prefix(count); }
 

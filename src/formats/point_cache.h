@@ -1,4 +1,4 @@
-// Point caches (PC2 and MDD): files with the positions of all vertices for a sequence of frames.
+// Point caches (PC2 and MDD) are files with the positions of all vertices in a sequence of frames.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace viete::formats {
 
-/// A cache stores positions only. The model must have the same vertices in the same order: OBJ, PLY and OFF
-/// keep that order, STL and glTF do not.
+/// A point cache contains only positions. The model must have the same vertices in the same order. OBJ, PLY
+/// and OFF keep the order; STL and glTF do not.
 ///
 /// pc2  Pointcache 2 of 3ds Max, little-endian: "POINTCACHE2\0", int32 version 1, int32 points, float32
 ///      number of the first frame, float32 frames per sample, int32 samples; then float32 x, y, z of every
@@ -26,13 +26,13 @@ namespace viete::formats {
 /// mdd  LightWave, big-endian: int32 frames, int32 points, float32 seconds of every frame; then float32 x, y,
 ///      z, frame after frame. Readers: LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
 ///
-/// Positions have the axes and unit of the model's file. Blender applies them in object space, before the
+/// Positions have the axes and the unit of the model's file. Blender applies them in object space, before the
 /// object's rotation and scale, and rotates them only by the modifier's *Forward axis* and *Up axis*.
-/// Blender's OBJ import rotates the object instead of its coordinates. The modifier's defaults (Y, Z) are
-/// correct until that rotation is applied (Ctrl-A). Maya and Houdini do not rotate the model or the cache.
+/// Blender's OBJ import rotates the object, not its coordinates. Until that rotation is applied (Ctrl-A), the
+/// modifier's defaults (Y, Z) are correct. Maya and Houdini do not rotate the model or the cache.
 enum class PointCacheFormat { pc2, mdd };
 
-/// The format by the extension, .pc2 or .mdd.
+/// Returns the format for the extension, .pc2 or .mdd.
 std::optional<PointCacheFormat> point_cache_format(const std::filesystem::path& path);
 
 struct PointCacheHead {
@@ -42,26 +42,26 @@ struct PointCacheHead {
   std::vector<float> seconds{};        ///< MDD: time of each frame
 };
 
-/// Writes a file atomically, with one frame in memory at a time. frame(i) must return x, y, z of every point
-/// of frame i. Throws base::Error for sizes beyond the format, a full disk and non-finite numbers, and the
-/// exceptions of `frame`.
+/// Writes a file atomically. Only one frame is in memory at a time. frame(i) must return x, y, z of every
+/// point of frame i. If sizes exceed the format, the disk is full or a number is not finite, throws
+/// base::Error. Does not catch exceptions of `frame`.
 void write_point_cache(const std::filesystem::path& path, const PointCacheHead& head,
                        const std::function<std::span<const float>(std::size_t)>& frame);
 
-/// Reads frames on demand. Thread-safe.
+/// Reads single frames from the file. Thread-safe.
 class PointCache {
 public:
-  /// Recognises PC2 by its signature and MDD by its size. Throws base::Error for other or truncated files,
-  /// files without points or frames, and non-finite times. Checks sizes before it allocates memory.
+  /// Detects PC2 by the signature and MDD by the size. Throws base::Error for other or truncated files, files
+  /// without points or frames, and non-finite times. Checks sizes before it allocates memory.
   explicit PointCache(const std::filesystem::path& path);
-  /// Reads from memory; the bytes must outlive the object.
+  /// Reads from memory. The bytes must outlive the object.
   PointCache(std::string name, std::string_view bytes);
 
   const PointCacheHead& head() const { return head_; }
-  /// Messages about ignored problems, one line each.
+  /// Warnings about problems that were ignored, one line each.
   const std::vector<std::string>& warnings() const { return warnings_; }
 
-  /// number must be below head().frames. Throws base::Error for an invalid position or a read error.
+  /// `number` must be below head().frames. If a position is invalid or cannot be read, throws base::Error.
   std::vector<mesh::Point> frame(std::size_t number) const;
 
 private:

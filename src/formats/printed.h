@@ -13,22 +13,22 @@
 
 namespace viete::formats {
 
-/// A number format, learned from the numbers of a text file or given by Digits.
+/// A number format. learn() detects it from the numbers of a text file, or Digits define it.
 class Printed {
 public:
   explicit Printed(Digits digits = {}) : digits_(digits) {}
 
-  /// Learns from a word of the file, normally a number.
+  /// Learns the format from a word of the file, normally a number.
   void learn(std::string_view word);
 
   /// Ensures enough decimals that a number of this size has at least `significant` digits.
   void keep(int significant, double size);
 
-  /// Prints with decimals or an exponent as learned, and with the largest number of digits learned. If all
-  /// learned numbers had the same number of digits, pads with zeros. room: at least 400 bytes.
+  /// Prints with decimals or with an exponent, like the learned numbers, and with their largest number of
+  /// digits. If all learned numbers had equally many digits, pads with zeros. room: at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
-  /// True if both numbers print to the same text.
+  /// Returns true if a and b are printed as equal text.
   bool same(double a, double b) const;
 
 private:
@@ -36,28 +36,28 @@ private:
   int decimals() const;
 
   Digits digits_;
-  int most_ = 0, least_ = 400;  // numbers of decimals learned from numbers without exponent
-  int most_mantissa_ = 0;       // number of decimals learned from numbers with exponent
+  int most_ = 0, least_ = 400;  // numbers of decimals in learned numbers without exponent
+  int most_mantissa_ = 0;       // number of decimals in learned numbers with exponent
   int needed_ = 0, needed_mantissa_ = 0;
-  std::size_t plain_ = 0, with_exponent_ = 0;  // how many numbers of each kind were learned
-  bool capital_ = false;                       // prints E instead of e
+  std::size_t plain_ = 0, with_exponent_ = 0;  // counts of learned numbers without and with exponent
+  bool capital_ = false;                       // true if the file uses E instead of e
 };
 
-/// Prints with the writer's number of decimals, or with the shortest digits that read back exactly.
+/// Prints with the writer's number of decimals, or with the shortest digits that give the exact number again.
 void print_point(const mesh::Point& p, TextWriter& out);
 
 inline constexpr double largest_float = std::numeric_limits<float>::max();
 
-/// False if a coordinate is NaN or beyond `largest`.
+/// Returns false if a coordinate is NaN or exceeds `largest`.
 inline bool is_place(const mesh::Point& p, double largest = mesh::largest_coordinate) {
   return std::abs(p[0]) <= largest && std::abs(p[1]) <= largest && std::abs(p[2]) <= largest;
 }
 
-/// Throws base::Error if a coordinate is NaN or beyond `largest`, the limit of the file's number type. place:
-/// the file and frame in the message.
+/// Throws base::Error if a coordinate is NaN or exceeds `largest`, the limit of the file's number type.
+/// place: the file and frame for the message.
 void check_written(const std::string& place, std::size_t vertex, const mesh::Point& p,
                    double largest = mesh::largest_coordinate);
-/// Checks all vertices. Throws base::Error too if there are none.
+/// Checks all vertices. Also throws base::Error if there are no vertices.
 void check_written(const std::string& place, std::span<const mesh::Point> positions,
                    double largest = mesh::largest_coordinate);
 

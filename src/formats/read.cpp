@@ -28,7 +28,7 @@ ReadResult by_extension(const Source& source) {
 
 ReadResult read(const Source& source) {
   try {
-    // In reverse order, so that STL comes before OFF and PLY: a binary STL may start with any text.
+    // The order is reversed, so that STL comes before OFF and PLY: a binary STL may start with any text.
     for (const Format& format : std::views::reverse(all_formats())) {
       if (format.recognised && format.recognised(source)) return format.read(source);
     }

@@ -13,11 +13,11 @@
 
 namespace viete::formats {
 
-/// Detects the format by content, then by extension. Throws base::Error with file, place and advice, and
-/// base::Cancelled. Declared sizes are checked against the file size before memory is allocated. Coordinates
-/// beyond 1e100 are rejected, so that volumes stay finite. A file without faces gives points and a warning.
-/// progress may be null. played: true if the caller plays the morph targets, so that the surface excludes
-/// them; otherwise they have their default weights and cause a warning.
+/// Detects the format by content, then by extension. Throws base::Error with file, place and advice, or
+/// base::Cancelled. Checks declared sizes against the file size before it allocates memory. Rejects
+/// coordinates above 1e100, so that volumes stay finite. If a file has no faces, the result has only points
+/// and a warning. progress may be null. played: true if the caller plays the morph targets; the surface then
+/// excludes them. If false, morph targets have their default weights and cause a warning.
 ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr, bool played = false);
 
 /// Reads from memory.

@@ -21,24 +21,24 @@ namespace viete::formats {
 
 using ThreeWords = std::array<std::string_view, 3>;
 
-/// The next three words of the line; missing words are empty.
+/// Returns the next three words of the line. Missing words are empty.
 inline ThreeWords three_words(TextCursor& text) {
-  return {text.word(), text.word(), text.word()};  // from left to right
+  return {text.word(), text.word(), text.word()};  // the order is from left to right
 }
 
-/// Replacements must be in file order. The bytes between them are copied.
+/// Replacements must be in file order. The bytes between replacements are copied.
 class Rewriter {
 public:
   Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
 
-  /// word: a part of the bytes.
+  /// `word` must be a part of the bytes.
   void replace(std::string_view word, std::string_view by) {
     copy_until(static_cast<std::size_t>(word.data() - bytes_.data()));
     out_.text(by);
     copied_ += word.size();
   }
 
-  /// Replaces the words of the components that changed. A component that prints to the same text stays.
+  /// Replaces the words of changed components. If the text of a component does not change, the word stays.
   void replace(const ThreeWords& words, const mesh::Vec3& before, const mesh::Vec3& now,
                const Printed& printed) {
     if (!mesh::changed(before, now)) return;
@@ -48,7 +48,7 @@ public:
     }
   }
 
-  /// Copies the bytes before this offset, so that the caller can insert text there.
+  /// Copies the bytes before this offset. The caller can then insert text.
   void copy_until(std::size_t offset) {
     constexpr std::size_t portion = 1 << 18;
     while (copied_ < offset) {

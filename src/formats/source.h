@@ -1,4 +1,4 @@
-// The bytes of a file to be read, its name and progress.
+// A file to read: its bytes, its name and the progress.
 #pragma once
 
 #include <cstddef>
@@ -13,34 +13,34 @@
 
 namespace viete::formats {
 
-/// Input of every reader. The bytes must outlive the reading.
+/// The input of every reader. The bytes must stay valid until the reader returns.
 struct Source {
-  std::string name;        ///< path as given, for messages
+  std::string name;        ///< path as the user wrote it, for messages
   std::string extension;   ///< lower case, without the dot; may be empty
-  std::string_view bytes;  ///< arbitrary, not trusted
+  std::string_view bytes;  ///< arbitrary, untrusted content
   base::Progress* progress = nullptr;
-  /// Keeps the bytes alive for writing the file again; null: available only during reading.
+  /// Keeps the bytes valid to write the file again. If null, they are valid only during reading.
   std::shared_ptr<const void> owner = nullptr;
-  std::filesystem::path folder = {};  ///< folder of external files; empty: do not look for them
-  bool played = false;                ///< the caller plays morph targets: the surface excludes them
+  std::filesystem::path folder = {};  ///< folder of external files; if empty, readers do not look for them
+  bool played = false;                ///< true if the caller plays morph targets: the surface excludes them
 
-  /// Reading from disk is the first fifth of progress; done in [0, 1] is the rest. Throws base::Cancelled.
+  /// Reports the reader's progress, 0 to 1. Disk reading was the first fifth. Throws base::Cancelled.
   void report(double done) const {
     if (progress) progress->report(0.2 + 0.8 * done);
   }
 
-  /// The place of an error in a binary file: `name: element 12`, counted from 0.
+  /// Returns the place of an error in a binary file: `name: element 12`, counted from 0.
   std::string place(std::string_view element, std::size_t index) const;
 };
 
-/// Throws base::Error if the file is missing or not a regular file (a pipe might never end).
+/// Throws base::Error if the file is missing or not a regular file. (Reading a pipe might never end.)
 std::size_t regular_file_size(const std::filesystem::path& path);
 
 /// A whole file in memory.
 class FileBytes {
 public:
-  /// Throws base::Error too if the file is larger than `most` bytes, unreadable or larger than memory; throws
-  /// base::Cancelled.
+  /// Also throws base::Error if the file exceeds `most` bytes, is unreadable or does not fit in memory.
+  /// Throws base::Cancelled.
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -51,16 +51,16 @@ private:
   std::size_t size_ = 0;
 };
 
-/// The beginning of a file, enough to detect its format.
+/// The first bytes of a file, as many as format detection needs.
 class Beginning {
 public:
-  /// Empty if the file cannot be read.
+  /// If the file cannot be read, the object is empty.
   explicit Beginning(const std::filesystem::path& file);
 
   std::string_view bytes() const { return bytes_; }
   std::uint64_t file_size() const { return file_size_; }
   bool is_whole_file() const { return bytes_.size() == file_size_; }
-  /// Without a truncated last line.
+  /// Returns the lines without a truncated last line.
   Source whole_lines() const;
 
 private:
@@ -68,16 +68,16 @@ private:
   std::uint64_t file_size_ = 0;
 };
 
-/// ASCII letters in lower case.
+/// Converts ASCII letters to lower case.
 std::string lower_case(std::string_view text);
 
-/// The extension in lower case, without the dot.
+/// Returns the extension in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 
-/// The canonical folder of a file, or the canonical form of a folder.
+/// Returns the canonical path of a file's folder, or of `file` if it is a folder.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
-/// Resolves a name relative to the folder; accepts backslashes, which programs on Windows write.
+/// Resolves a name relative to the folder. Accepts backslashes, because programs on Windows write them.
 std::filesystem::path path_beside(const std::filesystem::path& folder, std::string_view name);
 
 }  // namespace viete::formats

@@ -20,12 +20,12 @@ namespace {
 
 constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // sizes in a binary file
 
-// The first 16 letters in lower case; no keyword is longer.
+// Returns the first 16 letters in lower case. No keyword has more letters.
 std::string lower_stl_word(std::string_view word) {
   return lower_case(word.substr(0, 16));
 }
 
-// False for implausible coordinates or normals, which result from reading at a wrong offset.
+// Returns false for implausible coordinates or normals. They show that the offset is wrong.
 bool is_plausible(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
@@ -52,7 +52,7 @@ bool holds_nul(const Source& source) {
   return source.bytes.substr(0, 4096).find('\0') != std::string_view::npos;
 }
 
-// The offsets of triangles in a binary file. In some files attribute bytes follow each triangle.
+// The offsets of triangles in a binary file. In some files, attribute bytes follow each triangle.
 struct Layout {
   std::size_t count = 0, end = 0;
   std::vector<std::size_t> starts = {};  // empty if no attribute bytes follow
@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// Sets the offsets if attribute bytes follow the triangles. Returns false if they do not, or exceed the file.
+// If attribute bytes follow the triangles and the file is long enough, sets the offsets and returns true.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;
@@ -80,7 +80,7 @@ bool follow_attributes(std::string_view bytes, Layout& layout) {
   return true;
 }
 
-// Throws base::Error if the file length contradicts the triangle count.
+// If the file length contradicts the triangle count, throws base::Error.
 Layout layout_of(const Source& source) {
   const auto refuse = [&](const std::string& problem) {
     throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
@@ -103,7 +103,7 @@ Layout layout_of(const Source& source) {
   return layout;
 }
 
-// Adds corners to the builder; equal corners become one vertex.
+// Adds corners to the builder. Equal corners become one vertex.
 class CornerJoiner {
 public:
   explicit CornerJoiner(SurfaceBuilder& builder) : builder_(builder) {}
@@ -121,7 +121,7 @@ private:
   mesh::PointIndex index_;
 };
 
-// The corners and normals of facets; the caller sets their places.
+// Describes the corners and normals of facets. The caller sets their places.
 VectorFile vectors_of_facets(bool text) {
   VectorFile file{.format = "STL", .text = text};
   file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});
@@ -206,7 +206,7 @@ private:
       if (in_facet_) text_.fail("a facet begins within another facet", "export the model again");
       in_facet_ = true;
       facet_corners_ = 0;
-      text_.word();  // "normal"
+      text_.word();  // skips "normal"
       if (source_.owner) normal_places_.push_back(places_of_three(text_));
     } else if (word == "endfacet") {
       end_facet();
@@ -238,7 +238,7 @@ private:
   bool in_facet_ = false, ended_ = false;
 };
 
-// True if the file size matches the count, or if the first triangles are plausible with their attributes.
+// Returns true if the file size matches the count, or if the first triangles, with attributes, are plausible.
 bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (beginning.size() < head_bytes) return false;
   const std::size_t count = announced(beginning);
@@ -253,7 +253,7 @@ bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   return true;
 }
 
-// The unit normal; 0 0 0 for a triangle without area.
+// Returns the unit normal, or 0 0 0 for a triangle without area.
 mesh::Point unit_normal(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   mesh::Point u = b - a, v = c - a;
   const double scale = std::max(mesh::largest_abs(u), mesh::largest_abs(v));

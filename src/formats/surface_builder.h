@@ -1,4 +1,4 @@
-// Builds a valid Surface from the vertices and polygons that a reader finds.
+// Builds a valid Surface from the vertices and polygons of a file.
 #pragma once
 
 #include <cstddef>
@@ -21,14 +21,14 @@ public:
   mesh::Surface& surface() { return result_.surface; }
   std::size_t vertex_count() const { return result_.surface.positions.size(); }
 
-  /// Throws base::Error past 2^32 - 1 vertices.
+  /// Adds a vertex. Throws base::Error if there are more than 2^32 - 1 vertices.
   void position(const mesh::Point& p);
 
-  /// The caller must check the index before finish().
+  /// Adds a corner. The caller must check the index before finish().
   void corner(std::uint32_t vertex) { result_.surface.corners.push_back(vertex); }
 
-  /// Makes a polygon of the corners added since the previous polygon. Drops a polygon with fewer than three
-  /// corners; finish() adds a warning.
+  /// Makes a polygon of the corners since the previous polygon. If it has fewer than three corners, drops the
+  /// polygon, and finish() adds a warning.
   void end_polygon();
 
   /// Keeps the first 64 comments.

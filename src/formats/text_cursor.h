@@ -14,11 +14,11 @@
 namespace viete::formats {
 
 struct TextRules {
-  char comment = '\0';           ///< starts a comment that ends with the line; '\0': no comments
+  char comment = '\0';           ///< starts a comment up to the line end; '\0': no comments
   bool continued_lines = false;  ///< a backslash at the line end joins the next line (OBJ)
 };
 
-/// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. Independent of the locale.
+/// Lines end with LF, CR LF or CR. A UTF-8 byte order mark is skipped. The locale has no effect.
 class TextCursor {
 public:
   TextCursor(const Source& source, TextRules rules);
@@ -27,10 +27,10 @@ public:
   std::size_t line() const { return line_; }
   std::size_t offset() const { return static_cast<std::size_t>(at_ - begin_); }
   std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
-  /// The fraction already read, in [0, 1].
+  /// Returns the fraction that has been read, in [0, 1].
   double done() const { return static_cast<double>(at_ - begin_) / static_cast<double>(end_ - begin_ + 1); }
 
-  /// Skips blanks. True if a line end, a comment or the end of the text follows.
+  /// Skips blanks. Returns true if a line end, a comment or the end of the text follows.
   bool at_line_end() {
     skip_blanks();
     return at_ == end_ || *at_ == '\n' || *at_ == '\r' || (*at_ == rules_.comment && rules_.comment);
@@ -39,25 +39,25 @@ public:
   /// Moves past the end of this line and its continuation lines.
   void next_line();
 
-  /// Moves to the next word, if necessary in a later line. Returns false at the end of the text.
+  /// Moves to the next word, which may be in a later line. At the end of the text, returns false.
   bool next_filled_line();
 
-  /// As next_filled_line(), but throws base::Error at the end of the text. what: the missing word.
+  /// Works like next_filled_line(), but at the end of the text throws base::Error. what: the missing word.
   void need_word(std::string_view what);
 
-  /// Reads the next word of this line; empty if there is none.
+  /// Reads the next word of this line. If the line has no more words, returns an empty text.
   std::string_view word();
 
-  /// Reads the rest of this line without blanks at its ends. Includes comments, but no continuation lines.
+  /// Reads the rest of this line without blanks at the ends. Includes comments, but no continuation lines.
   std::string_view rest_of_line();
 
-  /// Reads the next word as a finite number of size at most 1e100, so that volumes stay finite.
+  /// Reads the next word as a finite number with a size of at most 1e100, so that volumes stay finite.
   double coordinate();
 
-  /// Reads up to to.size() numbers of this line, until a word is not a number. Returns how many it has read.
+  /// Reads up to to.size() numbers of this line, until a word is not a number. Returns their count.
   std::size_t numbers(std::span<double> to);
 
-  /// Reads the next word as an integer. what: its name in messages, "face index".
+  /// Reads the next word as an integer. what: the name of the integer in messages, "face index".
   std::int64_t integer(std::string_view what);
 
   /// Reads the integer at the start of the next word and leaves the rest of the word.
@@ -66,7 +66,7 @@ public:
   /// Reads the characters up to the next blank, without skipping blanks first.
   std::string_view rest_of_word();
 
-  /// `name:line`.
+  /// Returns the place for messages, `name:line`.
   std::string place() const;
   std::string place(std::size_t line) const;
   [[noreturn]] void fail(const std::string& problem, const std::string& advice) const;
@@ -100,13 +100,13 @@ private:
   std::size_t line_ = 1;
 };
 
-/// The word as a finite number; empty if it is not a finite number.
+/// Returns the word as a finite number. If it is not a finite number, returns nullopt.
 std::optional<double> number_in(std::string_view word);
 
-/// The word in quotes for messages: cut after 32 bytes, with '?' for characters that are not printable ASCII.
+/// Returns the word in quotes for messages, cut after 32 bytes, with '?' for all but printable ASCII.
 std::string in_quotes(std::string_view word);
 
-/// The comment without leading blanks and '#', cut to at most 200 bytes.
+/// Returns the comment without blanks and '#' at the start, cut to at most 200 bytes.
 std::string clipped(std::string_view comment);
 
 }  // namespace viete::formats

@@ -1,4 +1,4 @@
-// Writes text and numbers in portions. Numbers read back exactly and are independent of the locale.
+// Writes text and numbers in portions. Reading gives the exact numbers again. The locale has no effect.
 #pragma once
 
 #include <charconv>
@@ -21,8 +21,8 @@ namespace viete::formats {
 /// Digits of coordinates in text files.
 struct Digits {
   enum class Kind {
-    as_printed,  ///< as many decimals as in the file that was read; for a new file as `all`
-    all,         ///< the shortest digits that read back as the same double
+    as_printed,  ///< as many decimals as in the file that was read; new files use `all`
+    all,         ///< the shortest digits that give the exact double again
     decimals     ///< a fixed number of decimals
   };
   Kind kind = Kind::as_printed;
@@ -32,18 +32,18 @@ struct Digits {
 /// The content of a file to write.
 struct Content {
   const mesh::Surface& surface;
-  std::span<const mesh::Point> positions;  ///< written instead of surface.positions
+  std::span<const mesh::Point> positions;  ///< these positions are written, not surface.positions
   const std::vector<std::string>& comments;
-  const Attributes* attributes = nullptr;  ///< of the surface; may be null
+  const Attributes* attributes = nullptr;  ///< attributes of the surface; may be null
 
-  /// The attributes, or empty attributes if null.
+  /// Returns the attributes. If they are null, returns empty attributes.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;
   }
 };
 
-/// Sends bytes to the sink in portions, so that a large file is never entirely in memory.
+/// Sends bytes to the sink in portions, so that a large file is never completely in memory.
 class TextWriter {
 public:
   explicit TextWriter(base::ByteSink sink, base::Progress* progress = nullptr, Digits digits = {})
@@ -56,7 +56,7 @@ public:
     return *this;
   }
 
-  /// Writes the shortest digits (17 at most) that read back exactly.
+  /// Writes the shortest digits (17 at most) that give the exact number again.
   TextWriter& number(double value) { return shortest(value); }
   TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
@@ -71,12 +71,12 @@ public:
     return number(p[0]).text(" ").number(p[1]).text(" ").number(p[2]);
   }
 
-  /// Writes each comment on a line after the mark.
+  /// Writes each comment on a separate line after the mark.
   void comments(std::string_view mark, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
   }
 
-  /// Replaces control characters by blanks and removes blanks and backslashes from the end.
+  /// Replaces control characters by blanks and removes blanks and backslashes at the end.
   static std::string one_line(std::string text) {
     for (char& c : text) {
       if (static_cast<unsigned char>(c) < 32) c = ' ';
@@ -85,7 +85,7 @@ public:
     return text;
   }
 
-  /// Call after each element with the number of elements written and their total. Throws base::Cancelled.
+  /// Call this after each element. `count` of `of` elements are written. Can throw base::Cancelled.
   void element_done(std::size_t count, std::size_t of) {
     constexpr std::size_t portion = 1 << 18;
     if (out_.size() < portion) return;

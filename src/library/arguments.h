@@ -1,4 +1,4 @@
-// Converts and checks arguments of deform.h, and runs long work with a Watch.
+// Converts and checks the arguments of deform.h. Runs long work with a Watch.
 #pragma once
 
 #include <cstdio>
@@ -19,19 +19,19 @@ std::vector<mesh::Point> inside(std::span<const Point3> points);
 std::vector<Point3> outside(std::span<const mesh::Point> points);
 
 /// Throws base::Error if an index is invalid, a face has fewer than three corners, or a coordinate is not
-/// finite or above largest_coordinate. `what` is the place in the message, for example "the model".
+/// finite or above largest_coordinate. The error message begins with `what`, for example "the model".
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
 /// The largest coordinate of a deformable surface.
 inline constexpr double most_deformable = 1e60;
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Throws base::Error unless the number of points is `vertices` and coordinates are at most most_deformable.
+/// Throws base::Error if the number of points is not `vertices`, or if a coordinate is above most_deformable.
 std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what);
-/// As deformable(), from three numbers for each vertex.
+/// Works like deformable(), but reads three numbers for each vertex.
 std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
                                            const char* what);
-/// Throws base::Error with this advice if a coordinate of a result is not finite.
+/// Throws base::Error if a coordinate of a result is not finite. The error message ends with `advice`.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
 inline std::string plain(double value) {
@@ -40,7 +40,7 @@ inline std::string plain(double value) {
   return text;
 }
 
-/// The value with this name in the table. Otherwise throws base::Error that lists the valid names.
+/// Returns the table's value for this name. If the name is not valid, throws base::Error with all names.
 template <class Entry>
 auto named(std::span<const Entry> table, const std::string& name, const char* what) {
   std::string names;
@@ -64,14 +64,14 @@ Hidden<Impl> hidden(Arguments&&... arguments) {
 /// Describes the members of Blending for docstrings: "\nway: ...\n  'smooth': ...".
 std::string settings_text();
 
-/// Throws base::Error unless `threads` is from 0 (one thread for each processor) to 1024.
+/// Throws base::Error if `threads` is not between 0 (one thread for each processor) and 1024.
 inline int checked_threads(int threads) {
   check_range("threads", threads, 0, 1024);
   return threads;
 }
 
-/// Runs work(base::Progress*) in another thread and calls watch() meanwhile. Without a watch it runs the work
-/// in this thread, with a null pointer.
+/// Runs work(base::Progress*) in another thread and meanwhile calls watch(). If `watch` is empty, runs the
+/// work in this thread with a null pointer.
 template <class Work>
 auto watched(const Watch& watch, const Work& work) {
   if (!watch) return work(static_cast<base::Progress*>(nullptr));

@@ -29,7 +29,7 @@ void take(std::span<const Entry> table, const std::string& name, const char* wha
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
-  // A model of points without faces cannot use smooth weights, which spread along the surface.
+  // A model without faces cannot use smooth weights, because these weights spread along the surface.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);

@@ -17,7 +17,7 @@ namespace {
 using sym3::Affine, sym3::AffineLog;
 using Axes = std::vector<py::ssize_t>;
 
-// Arguments, whose leading axes broadcast to `shape` as in numpy. The first contains maps or logarithms.
+// Arguments. Their leading axes broadcast to `shape` as in numpy. The first contains maps or logarithms.
 class Arguments {
 public:
   Axes shape;
@@ -31,7 +31,7 @@ public:
     add("maps", array, several ? Axes{count, rows, rows} : Axes{rows, rows});
   }
 
-  // Adds an argument whose last axes must be `own`. Numbers and vectors must be finite; matrices need not be.
+  // Adds an argument. Its last axes must be `own`. Numbers and vectors must be finite, matrices need not.
   void add(const char* what, const py::object& object, const Axes& own) {
     const auto array = numbers(function_, what, object, own.size() < 2);
     const Axes axes(array.shape(), array.shape() + array.ndim());
@@ -52,7 +52,7 @@ public:
     for (py::ssize_t i = 0; i < size; ++i) f(i);
   }
 
-  // The array of all maps or logarithms f(i).
+  // Returns the array of all maps or logarithms f(i).
   template <class F>
   py::array results(const F& f) {
     Contiguous<double> result = numpy_.attr("zeros")(py::cast(shape) + py::cast(Axes{rows, rows}));
@@ -68,7 +68,7 @@ public:
     return single_ ? py::array_t<float>(result) : py::array(result);
   }
 
-  // The numbers of an argument for result i.
+  // Returns the numbers of an argument for result i.
   const double* at(std::size_t argument, py::ssize_t i) const {
     return all_[argument].array.data() + i * product(all_[argument].own);
   }
@@ -87,7 +87,7 @@ public:
     return map;
   }
 
-  // f(maps, weights) for result i.
+  // Returns f(maps, weights) for result i.
   template <class F>
   auto weighted(const F& f, py::ssize_t i) const {
     std::vector<Affine> maps;

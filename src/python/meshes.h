@@ -1,4 +1,4 @@
-// Converts between numpy arrays and meshes, and protects objects from simultaneous calls.
+// Converts between numpy arrays and meshes. Protects objects from simultaneous calls.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -16,7 +16,7 @@
 
 namespace viete::python {
 
-/// Defines Error, Deformer and all classes and functions of the next two functions.
+/// Defines Error, Deformer and the classes and functions of define_files() and define_spaces().
 void define_deformation(py::module_& m);
 /// Defines Surface, read, write, make_cage.
 void define_files(py::module_& m);
@@ -32,15 +32,15 @@ std::span<const double> numbers_of(const Contiguous<double>& array);
 Points points_of(const char* function, const py::object& object);
 py::array_t<double> array_of(const Points& points);
 
-/// `faces` is an array (m, k) or a list of sequences.
+/// Converts vertices and faces. `faces` is an array (m, k) or a list of sequences.
 Mesh mesh_of(const char* function, const py::object& vertices, const py::object& faces);
-/// The faces as an array (m, k) if all faces have k corners, otherwise as a list of arrays.
+/// If all faces have k corners, returns them as an array (m, k), otherwise as a list of arrays.
 py::object faces_of(const Mesh& mesh);
 
-/// A Watch that raises KeyboardInterrupt after Ctrl-C.
+/// A Watch. After Ctrl-C, it raises KeyboardInterrupt.
 void heed_signals(double done);
 
-/// An object that runs one call at a time, without the GIL.
+/// An object that runs one call at a time, and releases the GIL during the call.
 template <class T>
 class Guarded {
 public:
@@ -49,7 +49,7 @@ public:
   explicit Guarded(T&& made) : object(std::move(made)) {}
   template <class Act>
   auto with(const Act& act) {
-    if (process_ != getpid()) {  // in a forked child: a thread of the parent may have locked the mutex
+    if (process_ != getpid()) {  // in a forked child, a parent's thread may have locked the mutex
       process_ = getpid();
       static_cast<void>(mutex_.release());
       mutex_ = std::make_unique<std::mutex>();
@@ -67,7 +67,7 @@ private:
 
 }  // namespace viete::python
 
-/// Raises TypeError for objects whose __init__() was not called.
+/// If __init__() of an object was not called, raises TypeError.
 template <class T>
 struct pybind11::detail::type_caster<viete::python::Guarded<T>>
     : pybind11::detail::type_caster_base<viete::python::Guarded<T>> {

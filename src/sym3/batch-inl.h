@@ -24,8 +24,8 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// Loads and stores items i, i + 1, ... of a view, one item in each lane: e[k] has entry k of all items. i
-/// must be a multiple of the number of lanes. prefetch() fetches later items into the cache.
+/// Loads and stores items i, i + 1, ... of a view, one item in each lane: register e[k] has entry k of all
+/// these items. i must be a multiple of the number of lanes. prefetch() fetches later items into the cache.
 struct InPlanes {
   template <class D, class T, int N, class V>
   static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {
@@ -38,7 +38,7 @@ struct InPlanes {
     for (int k = 0; k < N; ++k) put<streaming>(d, e[k], v.plane[k] + i);
   }
   template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // done by hardware
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // hardware does it
 };
 
 static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
@@ -46,8 +46,8 @@ static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
   for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
 }
 
-/// Exchanges the odd lanes of a with the even lanes of b: if the two alternate in both registers, separates
-/// them, or the reverse.
+/// Exchanges the odd lanes of a with the even lanes of b. This separates two sequences that alternate in a
+/// and b. A second call restores a and b.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
 #if HWY_TARGET != HWY_SCALAR
@@ -90,7 +90,7 @@ struct InPacked {
   }
 };
 
-/// Loads consecutive matrices of nine entries. Highway can only separate three entries, so it does so twice.
+/// Loads consecutive matrices of nine entries. Highway can only separate three entries, so two steps do it.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -116,7 +116,7 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// The place of each entry of Sym3 in the full matrix, and the reverse.
+/// entry_in_nine: the index of each entry of Sym3 in the full matrix. nine_of_entries: the inverse.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
@@ -142,7 +142,7 @@ struct InFull {
   }
 };
 
-/// The two directions of transfer(): from an item of a view to a row, and back.
+/// The two directions of transfer(): from an item of a view to a row, or from a row to an item.
 template <class T>
 struct ToRow {
   static HWY_INLINE void move(const T* item, T* row) { *row = *item; }
@@ -152,8 +152,7 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers, one row for each
-/// entry.
+/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers: one row per entry.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
@@ -176,7 +175,7 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
   }
 }
 
-/// True if each item of a view is nine contiguous numbers.
+/// Returns true if each item of a view is nine contiguous numbers.
 template <class T, int N>
 static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
@@ -218,7 +217,7 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
   }
 }
 
-// A function F of small matrices or vectors has
+// A function type F for small matrices or vectors has these members:
 //   in, out                        number of entries of an input item and of an output item
 //   group                          number of registers that are processed together
 //   memory_bound                   true if loads and stores take as long as the arithmetic. Then every layout
@@ -227,8 +226,8 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
 //   f.general(d, from, to)         for V from[in], to[out]; valid for any input. Not needed if quick() always
 //                                  returns true.
 
-/// Processes G registers of items, starting at item i. Reads all before it writes any, so in == out is
-/// allowed. The slow path reads the items again, because keeping them would occupy registers of the fast
+/// Processes G registers of items, starting at item i. Reads all items before it writes results, so in == out
+/// is allowed. The slow path reads the items again, because otherwise they would occupy registers of the fast
 /// path.
 template <int G, class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
@@ -253,8 +252,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// Processes as many whole groups as possible and returns the end. It is a separate function, so that its
-/// constants can use all registers.
+/// Processes as many whole groups as possible and returns the index after the last item. This is a separate
+/// function, so that its constants can use all registers.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -278,8 +277,8 @@ static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::
   return i;
 }
 
-/// A buffer of planes that fits the first-level cache, for layouts that are not processed in place. With this
-/// stride, planes use different cache sets.
+/// A buffer of planes that fits the first-level cache, for layouts that are not processed in place. The
+/// stride makes planes use different cache sets.
 template <class T>
 struct Tile {
   static constexpr std::size_t items = 64, stride = items + 64 / sizeof(T);
@@ -294,7 +293,7 @@ struct Tile {
 };
 
 /// Loads items [i, i + count) into a tile, and fills the last register with copies of the first item. Returns
-/// the number of items with these copies.
+/// the number of items including these copies.
 template <class D, class T, int N>
 static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::size_t i, std::size_t count,
                                         T* tile) {
@@ -341,7 +340,7 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Processes items whose input and output have the same layout in place, and the last items in a tile.
+/// Processes items in place if the input and the output have one layout. Processes the last items in a tile.
 template <class Way, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {
@@ -372,8 +371,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// Stores N contiguous numbers from registers of one lane, 16 bytes at a time. If the caller then copies them
-/// 16 bytes at a time, loads after smaller stores would be slow.
+/// Stores N contiguous numbers from registers of one lane, 16 bytes at a time. After smaller stores, a copy
+/// with loads of 16 bytes would be slow.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;
@@ -407,7 +406,7 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   store_row(d, to[0], out);
 }
 
-/// The functions of F for the kernel table. More: types of the parameters of F.
+/// The functions of F for the kernel table. More: the types of F's parameters.
 template <class F, class T, class... More>
 struct Mapped {
   static void one(const T* in, T* out, More... more) { map_one(F{more...}, in, out); }
@@ -418,7 +417,7 @@ struct Mapped {
 };
 
 /// VIETE_DEFINE_FUNCTION(pow, Pow, double) defines pow_double and pow_float of kernel.cpp from the function
-/// Pow, which has a parameter of type double.
+/// type Pow, which has a parameter of type double.
 #define VIETE_DEFINE_FUNCTION_OF(T, name, F, ...)                                \
   extern const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T; \
   const Function<T, F::in, F::out __VA_OPT__(, ) __VA_ARGS__> name##_##T = {     \

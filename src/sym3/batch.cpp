@@ -8,11 +8,11 @@ namespace viete::sym3 {
 
 namespace {
 
-// About half of a large last-level cache. For more data, streaming stores are faster than loading cache lines
-// only to overwrite them.
+// About half of a large last-level cache. For more data, streaming stores are faster, because normal stores
+// first load each cache line.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
-constexpr std::size_t granule = 64;  // items; a whole number of registers and cache lines
+constexpr std::size_t granule = 64;  // number of items in a whole number of registers and cache lines
 
 struct Chunks {
   const RangeTask& task;

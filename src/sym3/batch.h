@@ -7,22 +7,22 @@ namespace viete::sym3 {
 
 struct Kernel;
 
-/// Runs tasks, possibly in parallel: run(self, n, task, context) must call task(context, i) once for each i <
-/// n, on any threads in any order, and return when all calls are done.
+/// Runs tasks, possibly in parallel. run(self, n, task, context) must call task(context, i) once for each i <
+/// n, on any threads in any order. It must return when all calls have ended.
 struct Executor {
   void (*run)(void* self, std::size_t tasks, void (*task)(void* context, std::size_t i), void* context);
   void* self = nullptr;
-  std::size_t threads = 1;  ///< a batch is split into at most this number of tasks
+  std::size_t threads = 1;  ///< a batch is split into at most this number of chunks
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming if data is aligned, not in place, and much larger than the caches
+  automatic,  ///< streaming if the data is aligned, much larger than the caches, and not in place
   ordinary,
-  streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow them
+  streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };
 
-/// By default a batch uses the active kernel and the calling thread. With an executor, it is split into
-/// chunks of at least `least_chunk` items; results do not depend on their number.
+/// By default a batch uses the active kernel and the calling thread. If there is an executor, the batch is
+/// split into chunks of at least `least_chunk` items. The number of chunks does not change the results.
 struct Batch {
   const Kernel* kernel = nullptr;  ///< a kernel of kernels(); null means kernel()
   const Executor* executor = nullptr;

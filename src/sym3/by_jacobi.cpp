@@ -13,13 +13,13 @@ namespace viete::sym3 {
 
 namespace {
 
-// e^2800 times any positive double is infinite, e^-2800 times any double is zero; e^700 is in range.
+// e^2800 times any positive double is infinite; e^-2800 times any double is 0; e^700 is in range.
 constexpr double exponent_limit = 2800;
 
-// Larger entries are scaled down, because sums and products in Jacobi's method could overflow.
+// Larger entries are scaled down, because their sums and products could overflow in Jacobi's method.
 constexpr double large_entry = 1e270, down = 0x1p-64;
 
-/// The eigenvalues of S are eigen.values / scale. These could overflow, but differences of them do not.
+/// The eigenvalues of S are eigen.values / scale. The quotients could overflow, but their differences do not.
 struct Exponents {
   Eigen3<DoubleDouble> eigen;
   double scale;
@@ -34,15 +34,15 @@ double exp_of(const DoubleDouble& x) {
   return std::exp(x.hi) * (1 + x.lo);
 }
 
-/// x e^y. Multiplies by four factors, because e^y alone may overflow.
+/// Returns x e^y. Multiplies by four factors, because e^y as one factor may overflow.
 double times_exp(double x, const DoubleDouble& y) {
   const double part = std::exp(y.hi / 4);
   for (int k = 0; k < 4; ++k) x *= part;
   return x * (1 + y.lo);
 }
 
-/// Entry (i, j) of V exp(values) V^T, relative to the largest exponential. Ignores terms that are zero, so
-/// that an overflow stays in its diagonal block of the matrix.
+/// Returns entry (i, j) of V exp(values) V^T, relative to the largest exponential. Ignores terms that are
+/// zero, so that an overflow stays in one diagonal block of the matrix.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];
@@ -74,13 +74,12 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
 /// The row and column of each number of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// (e^x - e^y) / (x - y) divided by the larger of e^x and e^y. `distance` is |x - y|. The result is at
-/// most 1.
+/// Returns (e^x - e^y) / (x - y) over the larger of e^x and e^y, at most 1. `distance` is |x - y|.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Entry (i, j) of exp'(S)[E]: for each pair of eigenvectors, adds their slope times their component of E.
+/// Returns entry (i, j) of exp'(S)[E]: a sum of slope times component of E over pairs of eigenvectors.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -126,7 +125,7 @@ VIETE_FOR(float)
 VIETE_FOR(double)
 #undef VIETE_FOR
 
-// The nearest rotation by Horn's quaternion (Closed-form solution of absolute orientation using unit
+// Computes the nearest rotation by Horn's quaternion (Closed-form solution of absolute orientation using unit
 // quaternions, 1987) and a Newton step.
 
 namespace {
@@ -136,7 +135,7 @@ constexpr int most_sweeps = 12;  // usually five or six are enough
 
 using Matrix4 = std::array<std::array<double, n>, n>;
 
-/// Horn's matrix H: q^T H q = tr(R^T M) for the rotation R of a unit quaternion q, scalar part first.
+/// Horn's matrix H: q^T H q = tr(R^T M) for the rotation R of a unit quaternion q = (w, x, y, z).
 Matrix4 horn(const std::array<double, 9>& m) {
   const auto [xx, xy, xz, yx, yy, yz, zx, zy, zz] = m;
   return {{{xx + yy + zz, zy - yz, xz - zx, yx - xy},
@@ -180,7 +179,7 @@ std::array<double, n> top_vector(Matrix4 a) {
   return {v[0][top], v[1][top], v[2][top], v[3][top]};
 }
 
-/// m scaled so that the size of the largest entry is between 1 and 2. Zero stays zero.
+/// Scales m so that the largest entry has a size between 1 and 2. A zero matrix stays zero.
 std::array<double, 9> normalized(const std::array<double, 9>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::fabs(x));
@@ -199,7 +198,7 @@ std::array<double, 9> to_matrix(const std::array<double, n>& q) {
           s * (x * z - w * y),     s * (y * z + w * x),     1 - s * (x * x + y * y)};
 }
 
-/// Entry (i, j) minus entry (j, i) of R^T M, summed in double-double.
+/// Returns entry (i, j) minus entry (j, i) of R^T M, added in double-double.
 double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m, int i, int j) {
   DoubleDouble sum;
   for (int k = 0; k < 9; k += 3) {
@@ -208,7 +207,7 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
   return sum.hi;
 }
 
-/// One Newton step. R^T M must be symmetric; a rotation by w changes the asymmetry by (tr(U) I - U) w.
+/// Takes one Newton step to make R^T M symmetric. A rotation by w changes the asymmetry by (tr(U) I - U) w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
   const auto r = to_matrix(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
@@ -255,7 +254,7 @@ VIETE_FOR(double)
 namespace {
 
 // Jacobi's method in double has errors relative to the largest eigenvalue. If the smallest eigenvalue is
-// smaller by more than this factor, the method is repeated in double-double.
+// smaller by more than this factor, the functions repeat the method in double-double.
 constexpr double wide = 8;
 
 struct LogOf {
@@ -268,7 +267,7 @@ double smallest(const Eigen3<Real>& e) {
   return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
 }
 
-/// A power of two that keeps sums, products and low parts of Jacobi's method in range.
+/// Returns a power of two that keeps sums, products and low parts of Jacobi's method in range.
 double comfortable_scale(const Sym3<double>& s) {
   const double largest = largest_entry(s);
   if (is_diagonal(s)) return 1;
@@ -282,7 +281,7 @@ Eigen3<Real> eigen_of(const Sym3<double>& s, double scale) {
   return e;
 }
 
-/// f(S) if all eigenvalues of S are above `least` times the largest entry, otherwise NaN.
+/// Returns f(S) if all eigenvalues of S are above `least` times the largest entry, otherwise NaN.
 template <class F>
 Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) {
   const double scale = comfortable_scale(s), bound = least * largest_entry(s);
@@ -294,7 +293,7 @@ Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) 
   return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
 }
 
-/// True if S is so close to I that S - I is exact. log1p of its eigenvalues is then more accurate.
+/// Returns true if S - I is exact because S is close to I. Then log1p of its eigenvalues is more accurate.
 bool is_near_identity(const Sym3<double>& s) {
   const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
   const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
@@ -321,7 +320,7 @@ Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
 }
 
-/// Negative eigenvalues down to this number, relative to the largest entry, count as rounding errors of S.
+/// Negative eigenvalues above this number, relative to the largest entry, count as rounding errors of S.
 template <class T>
 constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -343,7 +342,7 @@ std::array<double, 3> eigenvalues_in_double(const Sym3<double>& s) {
   return values;
 }
 
-/// (f(x) - f(y)) / (x - y) for positive x >= y, or f'(x) if x = y.
+/// Computes (f(x) - f(y)) / (x - y) for positive x >= y, or f'(x) if x = y.
 struct SlopeOf {
   Of f;
   double p;
@@ -359,7 +358,7 @@ struct SlopeOf {
   }
 };
 
-/// The exponent p with f(256 S) = 256^p f(S), up to a constant.
+/// Returns the exponent p with f(256 S) = 256^p f(S), up to a constant.
 double homogeneity(const SlopeOf& slope) {
   return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }

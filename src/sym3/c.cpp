@@ -14,9 +14,9 @@ namespace viete::sym3 {
 
 namespace {
 
-constexpr std::size_t block = 256;  // matrices that are copied at once
+constexpr std::size_t block = 256;  // number of matrices that are copied at once
 
-// An array of matrices, of which N entries are read or written.
+// An array of matrices. Functions read or write N entries of each matrix.
 template <class T, int N>
 struct Argument {
   T* data;
@@ -24,7 +24,7 @@ struct Argument {
 
   bool is_full() const { return layout.entry_stride == 0; }
   bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
-  // True if the layout needs no copy.
+  // Returns true if the layout needs no copy.
   bool is_viewed() const {
     if (is_full()) return layout.matrix_stride == 9;
     return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
@@ -41,7 +41,7 @@ struct Argument {
   }
 };
 
-// A part of an array: a view in place, or a copy that finish() writes back.
+// A part of an array. It is a view of the array itself, or a copy that finish() writes back.
 template <class T, int N>
 class Part {
 public:
@@ -77,7 +77,7 @@ private:
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// Calls f(views..., count) once for all matrices. If a layout needs copies, calls it for each block.
+// Calls f(views..., count) once for all matrices, or for each block if a layout needs copies.
 template <class F, class... T, int... N>
 int apply(std::size_t count, const F& f, const Argument<T, N>&... all) {
   if (!(all.is_sound() && ...)) return -1;
@@ -121,7 +121,7 @@ int polar_of(const T* in, viete_layout from, T* rotations, viete_layout to, T* s
 
 }  // namespace viete::sym3
 
-using namespace viete;  // NOLINT(google-build-using-namespace): these have no namespace
+using namespace viete;  // the functions have no namespace
 
 #define VIETE_C_FUNCTION(name, T, f)                                                         \
   int name(const T* in, viete_layout from, T* out, viete_layout to, size_t count) {          \

@@ -9,12 +9,12 @@
  *   {1, 9}  general matrices or rotations: nine entries by rows
  *   {0, n}  symmetric matrices with all nine entries, n >= 9; the upper triangle is read
  * All other strides must be positive. Packed and planar layouts are processed in place; other layouts are
- * copied block by block. Results may overwrite the input if the strides are equal; otherwise they must not
- * overlap it.
+ * copied block by block. If the strides are equal, the output may be the input. Otherwise the output must not
+ * overlap the input.
  *
- * Undefined results, such as the log of a matrix that is not positive definite, are NaN. Errors and ranges
- * are documented in the C++ headers, for example <viete/sym3/exp.h>. All functions are thread-safe. They
- * return 0, or do nothing and return -1 if a pointer is null or a stride is invalid.
+ * Undefined results, such as the log of a matrix that is not positive definite, are NaN. The C++ headers, for
+ * example <viete/sym3/exp.h>, document errors and ranges. All functions are thread-safe. If a pointer is null
+ * or a stride is invalid, they do nothing and return -1. Otherwise they return 0.
  *
  * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
  * change this interface. */
@@ -39,14 +39,14 @@ int viete_inv_sqrt(const double* in, viete_layout in_layout, double* out, viete_
                    size_t count);
 int viete_pow(const double* in, viete_layout in_layout, double p, double* out, viete_layout out_layout,
               size_t count);
-/* The derivatives of exp, log and sqrt at each matrix, in the direction of a symmetric matrix. */
+/* Compute the derivatives of exp, log and sqrt at each matrix, in the direction of a symmetric matrix. */
 int viete_exp_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_log_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_sqrt_derivative(const double* in, viete_layout in_layout, const double* direction,
                           viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
-/* m = r u: a general matrix (nine entries) as rotation (nine) times symmetric stretch (six). */
+/* Decomposes m = r u: general matrix (9 entries), rotation (9 entries), symmetric stretch (6 entries). */
 int viete_polar(const double* in, viete_layout in_layout, double* rotations, viete_layout rotation_layout,
                 double* stretches, viete_layout stretch_layout, size_t count);
 
@@ -61,7 +61,7 @@ int viete_pow_f(const float* in, viete_layout in_layout, double p, float* out, v
 int viete_polar_f(const float* in, viete_layout in_layout, float* rotations, viete_layout rotation_layout,
                   float* stretches, viete_layout stretch_layout, size_t count);
 
-/* The active instruction set, for example "avx512". The result is never null. */
+/* Returns the active instruction set, for example "avx512". The result is never null. */
 const char* viete_kernel(void);
 
 #ifdef __cplusplus

@@ -1,4 +1,4 @@
-// Calls functions of kernels and splits batches into chunks. Internal.
+// Calls kernel functions and splits batches into chunks. Internal.
 #pragma once
 
 #include "sym3/kernel.h"
@@ -18,20 +18,20 @@ const KernelFunctions<T>& functions(const Kernel& k) {
   }
 }
 
-/// A callable of a range of items, without its type.
+/// A type-erased callable that processes a range of items.
 struct RangeTask {
   void (*run)(const void* context, const Range& range);
   const void* context;
 };
 
-/// A task that calls `call`, which must outlive the task.
+/// Returns a task that calls `call`. `call` must outlive the task.
 template <class Call>
 RangeTask task_of(const Call& call) {
   return {[](const void* context, const Range& range) { (*static_cast<const Call*>(context))(range); },
           &call};
 }
 
-/// Processes items [0, count) with the batch's executor. `bytes` is the total size of all reads and writes.
+/// Processes items [0, count) with the batch's executor. `bytes` is the number of bytes read and written.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
 

@@ -1,17 +1,17 @@
-// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices: in one direction, several or all
-// six, for one matrix or many.
+// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices: in one, several or all six
+// directions, for one matrix or many.
 //
 // f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the direction
-// E. It is symmetric and linear in E. It is self-adjoint, tr(F f'(S)[E]) = tr(E f'(S)[F]), so it also serves
-// as the derivative in reverse mode. With eigenvectors V and eigenvalues x_i it is V (F o V^T E V) V^T, where
-// F_ij = (f(x_i) - f(x_j)) / (x_i - x_j), or f'(x_i) if they are equal, and o is the product by entries. The
-// code never subtracts close values, so equal eigenvalues lose no accuracy. exp uses the differentiated
-// recurrence of method `fast` (exp_derivative-inl.h); the other functions use eigenvectors
+// E. It is symmetric and linear in E. It is self-adjoint, tr(F f'(S)[E]) = tr(E f'(S)[F]), and therefore also
+// the derivative in reverse mode. With eigenvectors V and eigenvalues x_i it is V (F o V^T E V) V^T. Here
+// F_ij = (f(x_i) - f(x_j)) / (x_i - x_j), or f'(x_i) if the eigenvalues are equal, and o is the product by
+// entries. The code never subtracts close values, so equal eigenvalues lose no accuracy. exp uses the
+// differentiated recurrence of method `fast` (exp_derivative-inl.h); the other functions use eigenvectors
 // (derivative_kernel.cpp).
 //
-// The error is relative to |f'(S)| |E|, where |f'(S)| is the largest F_ij and norms are Frobenius norms. u is
-// 2^-53 for double and 2^-24 for float; the spread is the largest eigenvalue minus the smallest; k is the
-// largest over the smallest. For any distance of the eigenvalues:
+// The error is relative to |f'(S)| |E|, where |f'(S)| is the largest F_ij and |E| is the Frobenius norm. u is
+// 2^-53 for double and 2^-24 for float. The spread is the largest eigenvalue minus the smallest; k is the
+// largest over the smallest. The bounds are, for any distance of the eigenvalues:
 //   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
 //   log, sqrt  <= (16 + 2 k) u
 //   pow        <= (16 + 4 (1 + |p|) k + 4 |p log S|) u
@@ -19,10 +19,10 @@
 // + |p|) u and a derivative takes about 5 us. The bounds are empirical: tests/sym3 verifies them against
 // results with 113 bits.
 //
-// A NaN or an infinity in S or E gives six NaN. For log, sqrt and pow, so does an S that is not positive
-// definite. Otherwise exp gives no NaN: an entry that overflows becomes a signed infinity and leaves other
-// entries unchanged, and underflow is gradual. Powers that overflow are infinite or NaN. Thread-safe; no
-// allocation, no throw.
+// If S or E has a NaN or an infinity, the result is six NaN. If S is not positive definite, log, sqrt and pow
+// also give six NaN. In all other cases exp gives no NaN: an entry that overflows becomes a signed infinity
+// and leaves other entries unchanged, and underflow is gradual. Powers that overflow are infinite or NaN.
+// Thread-safe; no allocation, no throw.
 #pragma once
 
 #include <array>
@@ -37,18 +37,18 @@ namespace viete::sym3 {
 
 template <class T>
 Sym3<T> exp_derivative(const Sym3<T>& s, const Sym3<T>& direction);
-/// S must be positive definite for log, sqrt and pow.
+/// For log, sqrt and pow, S must be positive definite.
 template <class T>
 Sym3<T> log_derivative(const Sym3<T>& s, const Sym3<T>& direction);
 template <class T>
 Sym3<T> sqrt_derivative(const Sym3<T>& s, const Sym3<T>& direction);
-/// The derivative of S^p for any finite p.
+/// Returns the derivative of S^p for any finite p.
 template <class T>
 Sym3<T> pow_derivative(const Sym3<T>& s, double p, const Sym3<T>& direction);
 
 /// The derivatives in six directions, in the order of Sym3: xx xy xz yy yz zz. Number j of element k is the
-/// derivative of number j of f(S) by number k of S. For xy, xz and yz both off-diagonal entries change
-/// together. Equal to the single derivatives up to rounding. For Voigt order see eigen.h.
+/// derivative of number j of f(S) by number k of S. The directions xy, xz and yz change both off-diagonal
+/// entries. The derivatives are equal to the single derivatives up to rounding. For Voigt order see eigen.h.
 template <class T>
 using Tangent = std::array<Sym3<T>, 6>;
 
@@ -62,20 +62,20 @@ template <class T>
 Tangent<T> pow_tangent(const Sym3<T>& s, double p);
 
 // Batches. Item i of out[k] is the derivative at item i of `s`, in the direction of item i of directions[k].
-// Work that all directions share is done once:
+// The functions compute only once what all directions have in common:
 //   const SymView<const double> directions[] = {e0, e1, e2};
 //   const SymView<double> out[] = {f0, f1, f2};
 //   exp_derivative(s, directions, out, count);
 // The sizes of `directions` and `out` must be equal. All layouts are allowed; planes are fastest. out[k] may
-// be the same view as directions[k] or as `s`, and must not overlap any other view. Each result has the same
-// bits as a single call with the same kernel.
+// be equal to directions[k] or to `s`, and must not overlap any other view. Each result has the same bits as
+// a single call with the same kernel.
 
 template <class T>
 using Directions = std::span<const SymView<const T>>;
 template <class T>
 using Derivatives = std::span<const SymView<T>>;
 
-/// Number j of direction k of a tangent is entry 6 k + j. The layout must not be `full`.
+/// Entry 6 k + j is number j of direction k of a tangent. The layout must not be `full`.
 template <class T>
 using TangentView = View<T, 36>;
 

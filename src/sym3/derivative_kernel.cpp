@@ -12,13 +12,13 @@ HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
 // log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f for pairs of
-// eigenvalues (Daleckii and Krein 1965). No close values are subtracted, so equal eigenvalues lose no
+// eigenvalues (Daleckii and Krein 1965). The code subtracts no close values, so equal eigenvalues lose no
 // accuracy. The columns of V need only be orthonormal and solve S V = V diag up to rounding: for close
-// eigenvalues F has close entries, so any basis of their space works. The eigenvector of a, which is far from
-// b and c (spectral-inl.h), is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation diagonalises the
-// 2x2 block of b and c.
+// eigenvalues, F has close entries, so any basis of the eigenspace is good. The eigenvector of a, which is
+// far from b and c (spectral-inl.h), is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
+// diagonalises the 2x2 block of b and c.
 
-/// The eigenvectors of S and the matrix F, in the order of a, b and c. All directions at S share them.
+/// The eigenvectors of S and the matrix F, in the order a, b, c. All directions at S share this data.
 template <class V>
 struct Slopes {
   Three<V> a, b, c;
@@ -41,7 +41,7 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// A tiny positive number that avoids divisions by 0. Added to 1 it has no effect, and its square is in
+/// Returns a positive number so tiny that adding it to 1 gives 1. Avoids divisions by 0. The square is in
 /// range.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
@@ -49,7 +49,7 @@ static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
 }
 
-/// The unit eigenvector of a; (1, 0, 0) if B = 0.
+/// Returns the unit eigenvector of a, or (1, 0, 0) if B = 0.
 template <class D, class V>
 static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   const Six<V>&m = e.matrix, &c = e.adjugate;
@@ -65,8 +65,8 @@ static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   return {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
 }
 
-/// Two unit vectors orthogonal to the unit vector n and to each other (Duff et al. 2017, Building an
-/// orthonormal basis, revisited).
+/// Computes two unit vectors that are orthogonal to the unit vector n and to one another (Duff et al. 2017,
+/// Building an orthonormal basis, revisited).
 template <class D, class V>
 static HWY_INLINE void complete(D d, const Three<V>& n, Three<V>& u, Three<V>& v) {
   const V one = hn::Set(d, hn::TFromD<D>(1)), sign = hn::CopySign(one, n.z);
@@ -83,7 +83,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.a = far_vector(d, e);
   complete(d, s.a, u, v);
   const Three<V> bu = times(e.matrix, u), bv = times(e.matrix, v);
-  // The remaining 2x2 block is its mean plus (half, cross; cross, -half).
+  // The remaining 2x2 block is the mean of its diagonal plus (half, cross; cross, -half).
   const V half = hn::Mul(hn::Sub(dot(u, bu), dot(v, bv)), hn::Set(d, T(0.5))), cross = dot(u, bv);
   const V radius = hn::Sqrt(hn::MulAdd(half, half, hn::Mul(cross, cross)));
   const V size = hn::Add(hn::Add(hn::Abs(half), radius), next_to_nothing(d));
@@ -95,7 +95,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.c = combination(hn::Neg(sine), u, cosine, v);
 }
 
-/// 1 / (x + y) for each pair of a, b and c, the square roots of the eigenvalues.
+/// Returns 1 / (x + y) for each pair of a, b and c, the square roots of the eigenvalues.
 template <class D, class V>
 static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
   using T = hn::TFromD<D>;
@@ -129,7 +129,7 @@ struct PowSlopes {
 
   D d;
   V p;
-  hn::Mask<D> ok;  ///< lanes with powers in the normal range
+  hn::Mask<D> ok;  ///< lanes whose powers are in the normal range
 
   HWY_INLINE V power(V x) {
     const V one = hn::Set(d, T(1)), y = hn::Mul(p, log_ratio(d, x, one, hn::Sub(x, one)).log);
@@ -138,8 +138,8 @@ struct PowSlopes {
     return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
   }
 
-  /// The divided difference of x^p from that of log x, `of_log`. With t = p log(x / y) it is p of_log y^p
-  /// (e^t - 1) / t. If t is large, it is computed by its definition.
+  /// Returns the divided difference of x^p from `of_log`, the divided difference of log x. With t = p log(x /
+  /// y) it is p of_log y^p (e^t - 1) / t. For large t, the definition is used instead.
   HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
     constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
     const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);
@@ -204,7 +204,7 @@ static HWY_INLINE Six<V> by_slopes(const Slopes<V>& s, const Six<V>& e) {
           sum_of_products(a.z, s.a.z, b.z, s.b.z, c.z, s.c.z)};
 }
 
-// A derivative F has
+// A derivative type F has these members:
 //   Point<D>                      the data that all directions at S share, with one S in each lane
 //   f.put_point(d, s, point)      computes this data
 //   f.derivative(d, point, e)     f'(S)[E]
@@ -270,7 +270,7 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
-/// True if `count` items are whole registers in planes, which can be processed in place.
+/// Returns true if `count` items are whole registers in planes. Such items can be processed in place.
 template <class D, class T>
 static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
   return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;
@@ -284,7 +284,7 @@ static HWY_INLINE View<T, 6> planes_from(const View<T, 6>& v, std::size_t i) {
   return there;
 }
 
-/// Items [i, i + count) as planes: in place if possible, otherwise copied to a tile.
+/// Returns items [i, i + count) as planes: in place if possible, otherwise as a copy in a tile.
 template <class D, class T>
 static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std::size_t i, std::size_t count,
                                             T* tile) {
@@ -293,7 +293,7 @@ static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std:
   return Tile<T>::template view<6, const T>(tile);
 }
 
-/// For each tile, computes the shared data of all S, then one direction after the other.
+/// For each tile, computes the shared data of all S, then the directions one by one.
 template <class F, class T>
 static HWY_INLINE void many_by(const F& f, const View<const T, 6>& s, const View<const T, 6>* directions,
                                const View<T, 6>* out, std::size_t n, const Range& range) {
@@ -342,7 +342,7 @@ extern const DerivativeFunction<float> derivative_float;
 const DerivativeFunction<double> derivative_double = {derivative_one<double>, derivative_many<double>};
 const DerivativeFunction<float> derivative_float = {derivative_one<float>, derivative_many<float>};
 
-/// Computes a tangent one direction after the other. Leaves lanes in `done` unchanged.
+/// Computes a tangent direction by direction. Leaves lanes in `done` unchanged.
 template <class F, class D, class V, class M>
 static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F::template Point<D>& point,
                                                const M& done, V (&tangent)[36]) {

@@ -7,13 +7,13 @@
 
 namespace viete::sym3 {
 
-/// Exactly a + b. Requires |a| >= |b| or a = 0.
+/// Returns exactly a + b. Requires |a| >= |b| or a = 0.
 inline DoubleDouble quick_two_sum(double a, double b) {
   const double sum = a + b;
   return {sum, b - (sum - a)};
 }
 
-/// Exactly a + b.
+/// Returns exactly a + b.
 inline DoubleDouble two_sum(double a, double b) {
   const double sum = a + b, part = sum - a;
   return {sum, (a - (sum - part)) + (b - part)};
@@ -25,7 +25,7 @@ inline DoubleDouble halves(double a) {
   return {hi, a - hi};
 }
 
-/// Exactly a b, unless it overflows or underflows.
+/// Returns exactly a b, if it does not overflow or underflow.
 inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = halves(a), y = halves(b);
@@ -60,7 +60,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return quick_two_sum(first, second) + DoubleDouble{rest2.hi / b.hi, 0};
 }
 
-/// One step of Newton's method from the root in double (Karp and Markstein 1997).
+/// Takes one step of Newton's method from the root in double (Karp and Markstein 1997).
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.hi == 0) return {};
   const double root = std::sqrt(a.hi);

@@ -1,4 +1,4 @@
-// Converts between Sym3, Eigen's matrices and Voigt vectors. The only header that needs Eigen.
+// Converts between Sym3, Eigen's matrices and Voigt vectors. No other header needs Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -15,13 +15,13 @@ Eigen::Matrix<T, 3, 3> to_eigen(const Sym3<T>& s) {
   return m;
 }
 
-/// Reads only the upper triangle.
+/// Converts a symmetric matrix. Reads only the upper triangle.
 template <class T>
 Sym3<T> from_eigen(const Eigen::Matrix<T, 3, 3>& m) {
   return {m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)};
 }
 
-/// Voigt order of a stress: xx, yy, zz, yz, xz, xy.
+/// Converts a stress to Voigt order: xx, yy, zz, yz, xz, xy.
 template <class T>
 Eigen::Matrix<T, 6, 1> to_voigt_stress(const Sym3<T>& s) {
   Eigen::Matrix<T, 6, 1> v;
@@ -34,7 +34,7 @@ Sym3<T> from_voigt_stress(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5], v[4], v[1], v[3], v[2]};
 }
 
-/// Voigt order of a strain: xx, yy, zz, 2 yz, 2 xz, 2 xy (engineering shear strains).
+/// Converts a strain to Voigt order: xx, yy, zz, 2 yz, 2 xz, 2 xy (engineering shear strains).
 template <class T>
 Eigen::Matrix<T, 6, 1> to_voigt_strain(const Sym3<T>& s) {
   Eigen::Matrix<T, 6, 1> v;
@@ -47,8 +47,8 @@ Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
 }
 
-/// The tangent stiffness in Voigt order. Its product with a strain is the derivative of the stress. It is
-/// symmetric up to rounding.
+/// The tangent stiffness in Voigt order. The product with a strain is the derivative of the stress. The
+/// matrix is symmetric up to rounding.
 template <class T>
 Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {
   Eigen::Matrix<T, 6, 6> m;

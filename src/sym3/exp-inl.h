@@ -11,16 +11,16 @@
 //   ... const auto both = lanes::exp_lanes(d, lanes::together(s, t));  // lanes::first(both), second(both)
 //   ...
 // Link viete::sym3 and compile with -ffp-contract=off. Each lane has the same bits as a single call of
-// sym3::exp with the kernel of that instruction set, whatever other lanes contain. Bounds and special values:
-// exp.h, method `fast`.
+// sym3::exp with the kernel of that instruction set, whatever other lanes contain. For bounds and special
+// values see method `fast` in exp.h.
 //
-// Algorithm: S = (m + e) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
+// Algorithm: let S = (m + e) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
 // with p = |A|^2 / 2 and q = det A. Proof: A^3 = p A + q I (Cayley-Hamilton). Dividing f by x^3 - p x - q
 // gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, and A^2 - p I = adj A.
-// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. f is the
-// minimax polynomial of exp for p up to p_limit. For larger p, A is divided by 2^j and the result squared j
-// times.
+// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. If p is at
+// most p_limit, f is the minimax polynomial of exp. For larger p, A is divided by 2^j, and the result is
+// squared j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
@@ -53,7 +53,7 @@ static HWY_INLINE Split<V> split(D d, const Six<V>& s) {
   return {trace, mean, rest, {Sub(dx, rest), s.xy, s.xz, Sub(dy, rest), s.yz, Sub(dz, rest)}};
 }
 
-/// -p and q of A^3 = p A + q I for a matrix A with trace zero and adjugate c. (Storing -p saves a negation.)
+/// Returns -p of A^3 = p A + q I for a matrix A with trace zero and adjugate c. (-p saves a negation.)
 template <class V>
 static HWY_INLINE V minus_p(const Six<V>& c) {
   return Add(Add(c.xx, c.yy), c.zz);
@@ -63,14 +63,14 @@ static HWY_INLINE V determinant(const Six<V>& a, const Six<V>& c) {
   return sum_of_products(a.xx, c.xx, a.xy, c.xy, a.xz, c.xz);
 }
 
-/// f(A) = z0 I + z1 A + z2 adj A.
+/// The coefficients z of f(A) = z0 I + z1 A + z2 adj A.
 template <class V>
 struct Coefficients {
   V z0, z1, z2;
 };
 
-/// The recurrence above; a[k] are the coefficients of the polynomial, and the last is 1. Each step waits for
-/// the previous step. To use this time, each step also calls beside(step, z_{k+2}), which does other work.
+/// Computes the recurrence above. a[k] are the coefficients of the polynomial; the last one is 1. Each step
+/// must wait for the previous step. Meanwhile, each step calls beside(step, z_{k+2}) for other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -93,7 +93,7 @@ static HWY_INLINE Six<V> combine(const Coefficients<V>& z, const Six<V>& a, cons
           MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
 }
 
-/// x = n ln 2 + r with |r| <= 0.3467. The low bits of `shifted` are n as an integer.
+/// The reduction x = n ln 2 + r with |r| <= 0.3467. The low bits of `shifted` are n as an integer.
 template <class V>
 struct Reduced {
   V r, n, shifted;
@@ -109,7 +109,7 @@ static HWY_INLINE Reduced<V> reduce(D d, V x) {
   return {r, n, shifted};
 }
 
-/// x 2^n, for results in the normal range. Adds n, the low bits of `shifted`, to the exponent bits of x.
+/// Returns x 2^n, if it is in the normal range. Adds n, the low bits of `shifted`, to the exponent of x.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V add_to_exponent(D d, V x, V shifted) {
   const hn::RebindToUnsigned<D> du;
@@ -122,7 +122,7 @@ static HWY_INLINE Two<V> add_to_exponent(D d, Two<V> x, Two<V> shifted) {
   return {add_to_exponent(d, x.a, shifted.a), add_to_exponent(d, x.b, shifted.b)};
 }
 
-/// True if the polynomial is valid without squaring, and e^mean is in the normal range.
+/// Returns true if the polynomial is valid without squaring and e^mean is in the normal range.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_quick(D d, V minus_p, V trace) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -134,7 +134,7 @@ static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
   return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
 }
 
-/// Computes Table::lead e^(mean + rest) in steps, as other work during recurrence(). Valid if is_quick().
+/// Computes Table::lead e^(mean + rest) in steps during recurrence(). The result is valid if is_quick().
 template <class Table, class D, class V>
 struct ScalarExp {
   using T = hn::TFromD<D>;
@@ -162,7 +162,7 @@ static HWY_INLINE Coefficients<V> times(const Coefficients<V>& z, V factor) {
   return {Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)};
 }
 
-/// exp(S) from the parts of S and the invariants of A, valid if is_quick().
+/// Returns exp(S) from the parts of S and the invariants of A. The result is valid if is_quick().
 template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -174,7 +174,7 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
 }
 
 /// If every lane has a spread up to 4.9 (float 6.9) and e^mean in the normal range, computes exp without
-/// squaring and returns true. V is one register or Two.
+/// squaring and returns true. Otherwise returns false. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   const Split<V> m = split(d, s);
@@ -185,8 +185,8 @@ static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   return true;
 }
 
-/// m e^(x + rest) for any x; each entry overflows or underflows alone. Multiplies by four factors, because
-/// 2^n alone may overflow.
+/// Returns m e^(x + rest) for any x. Each entry overflows or underflows independently. Multiplies by four
+/// factors, because 2^n as one factor may overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   using T = hn::TFromD<D>;
@@ -202,8 +202,8 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// `count` halvings of A, at most max_squarings, bring p below p_limit. `scale` is their factor, and p is the
-/// value after them.
+/// The number of halvings of A that bring p to p_limit or below. `count` is at most max_squarings. `scale` is
+/// the product of these halvings, and p is the value after the halvings.
 template <class V>
 struct Halvings {
   V p, scale, count;
@@ -225,13 +225,13 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
   return h;
 }
 
-/// exp of any input. In each lane exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p below
-/// p_limit; then it is multiplied by e^mean. Squares the matrix, not the three coefficients: a rounding error
-/// of q would move two close large eigenvalues and cause an error of u times the square of the spread.
-/// Squaring the matrix has an error proportional to the spread. Lanes without squaring use the steps of
-/// exp_quick(), so that results do not depend on other lanes. Single lanes use Jacobi's method: after
-/// overflow or too many squarings, for NaN and infinities, and for diagonal matrices, whose entries are then
-/// accurate individually.
+/// Returns exp of any input. Each lane computes exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p
+/// to p_limit or below, then multiplies by e^mean. It squares the matrix, not the three coefficients: a
+/// rounding error of q would move two close large eigenvalues and cause an error of u times the squared
+/// spread. With the matrix, the error is proportional to the spread. Lanes without squaring use the steps of
+/// exp_quick(), so that results do not depend on other lanes. Some lanes use Jacobi's method one by one:
+/// after overflow or too many squarings, for NaN and infinities, and for diagonal matrices, to make each
+/// entry accurate.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
@@ -260,16 +260,16 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp of one matrix in each lane, float or double, for any number of lanes.
+/// Returns exp of one matrix in each lane, float or double, for any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_lanes(D d, const Six<V>& s) {
   Six<V> e;
   if (HWY_LIKELY(exp_quick(d, s, e))) return e;
-  const Six<V> matrix = s;  // a reference to s would keep s in memory, even without this call
+  const Six<V> matrix = s;  // a copy, because passing s by reference would keep s in memory
   return exp_general(d, matrix);
 }
 
-/// exp of two registers at once, which is faster than two calls.
+/// Returns exp of two registers at once, which is faster than two calls.
 template <class D, class V>
 static HWY_INLINE Six<Two<V>> exp_lanes(D d, const Six<Two<V>>& s) {
   Six<Two<V>> e;

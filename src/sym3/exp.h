@@ -3,7 +3,7 @@
 // u is the unit roundoff, 2^-53 for double and 2^-24 for float. The spread is the largest eigenvalue minus
 // the smallest. Errors are relative, in the Frobenius norm, for results in the normal range. The bounds are
 // empirical: tests/sym3 verifies them against results with 113 bits. All functions are thread-safe, do not
-// allocate and do not throw. They assume rounding to nearest and no flush-to-zero.
+// allocate and do not throw. They assume that the processor rounds to nearest and does not flush to zero.
 #pragma once
 
 #include <optional>
@@ -16,7 +16,7 @@
 
 namespace viete::sym3 {
 
-/// Methods to compute exp. `fast` is the default; the other methods are the paper's.
+/// Methods to compute exp. `fast` is the default. The other methods are from the paper.
 /// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
 /// gives exactly the identity matrix I.
 enum class Method {
@@ -25,30 +25,30 @@ enum class Method {
   /// and NaN.
   diag,
 
-  /// The paper's spectral decomposition: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues closer than
-  /// 1e-6 count as equal, which decides between three cases. There is no useful error bound, since x, y and z
-  /// lose digits if eigenvalues are close. The error is about 1e3 u on the paper's ensemble. For three
-  /// eigenvalues 1e-6 apart it is up to 4e-3 in double, and unlimited in float, where 1e-6 is the rounding
-  /// level. If a term of x, y or z overflows, the result has infinities and NaN.
+  /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues closer
+  /// than 1e-6 count as equal; their number decides between three cases. There is no useful error bound,
+  /// because x, y and z lose digits if eigenvalues are close. The error is about 1e3 u on the paper's
+  /// ensemble. For three eigenvalues 1e-6 apart it is up to 4e-3 in double, and unlimited in float, where
+  /// 1e-6 is the rounding level. If a term of x, y or z overflows, the result has infinities and NaN.
   sd,
 
-  /// As sd, but with Viete's closed form of the eigenvalues. The argument of its arc cosine is clamped to
-  /// [-1, 1], and triple eigenvalues are handled. Rounding errors of the closed form can make it less
-  /// accurate than sd. If S is finite and no term overflows, the result has no NaN.
+  /// Like sd, but with Viete's closed form of the eigenvalues. The argument of the arc cosine is clamped to
+  /// [-1, 1], and triple eigenvalues are a separate case. Rounding errors of the closed form can make this
+  /// method less accurate than sd. If S is finite and no term overflows, the result has no NaN.
   improved_sd,
 
-  /// The paper's formula without these guards, misprints corrected; for comparison only. It gives NaN for
-  /// multiples of the identity, for half of all matrices with a double eigenvalue, and for some with close
-  /// eigenvalues.
+  /// The paper's formula with corrected misprints, without clamping and without a case for triple
+  /// eigenvalues. Only for comparison. It gives NaN for multiples of the identity, for half of all matrices
+  /// with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 
   /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace
-  /// and any distance of eigenvalues the error is at most (6 + 2 spread) u with fused multiply-add, and (8
-  /// + 2.5 spread) u without. With fused multiply-add it is at most 6 u for a spread up to 3, and 8 u on the
-  /// paper's ensemble. Finite input never gives NaN. An entry that overflows becomes a signed infinity and
-  /// leaves other entries unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual. Small
+  /// and any distance of eigenvalues the error is at most (6 + 2 spread) u with fused multiply-add, and (8 +
+  /// 2.5 spread) u without. With fused multiply-add the error is at most 6 u for a spread up to 3, and 8 u on
+  /// the paper's ensemble. Finite input never gives NaN. An entry that overflows becomes a signed infinity
+  /// and leaves other entries unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual. Small
   /// entries are accurate relative to the norm of the result. If S is diagonal with a spread above 6 (float
-  /// 8), each entry is accurate relative to itself.
+  /// 8), each entry is accurate relative to this entry.
   fast,
 };
 
@@ -57,7 +57,7 @@ struct MethodEntry {
   Method method;
   const char* name;      ///< stable, for command lines and files: "improved_sd"
   const char* label;     ///< display name: "Improved SD"
-  const char* sentence;  ///< how it works
+  const char* sentence;  ///< how the method works
 };
 
 /// All methods, in the order of the enumeration.
@@ -66,18 +66,18 @@ std::string_view name(Method method);
 std::string_view label(Method method);
 std::optional<Method> method_from_name(std::string_view name);
 
-/// exp(S); T is float or double.
+/// Returns exp(S); T is float or double.
 template <class T>
 Sym3<T> exp(const Sym3<T>& s, Method method = Method::fast);
 
-/// exp of many matrices, with the same bits as single calls. The sizes of `in` and `out` must be equal. `in`
-/// and `out` must be the same span or not overlap.
+/// Computes exp of many matrices, with the same bits as single calls. The sizes of `in` and `out` must be
+/// equal. `in` and `out` must either be equal or not overlap.
 template <class T>
 void exp(std::span<const Sym3<T>> in, std::span<Sym3<T>> out, Method method = Method::fast);
 
-/// exp of `count` matrices by method `fast`. All layouts are allowed; equal layouts are faster. `in` and
-/// `out` must be the same view or not overlap. Each result has the same bits as a single call with the same
-/// kernel, for any number of threads.
+/// Computes exp of `count` matrices by method `fast`. All layouts are allowed; equal layouts are faster. `in`
+/// and `out` must either be equal or not overlap. Each result has the same bits as a single call with the
+/// same kernel, for any number of threads.
 void exp(const SymView<const double>& in, const SymView<double>& out, std::size_t count,
          const Batch& batch = {});
 void exp(const SymView<const float>& in, const SymView<float>& out, std::size_t count,

@@ -1,24 +1,23 @@
 // The derivative of exp in vector registers, for the kernels and for loops of other libraries.
 //
-// Use it as exp-inl.h, with
+// Use this header like exp-inl.h, with
 //   ... const auto at = lanes::exp_point(d, s);                      // once for each S
 //   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if needed
 //   ... const lanes::Six<V> df = lanes::exp_derivative(d, at, e);    // for each direction E at S
 // Points cannot be assigned; put_exp_point() initialises a point of an array. Each lane has the same bits as
 // a single call of sym3::exp_derivative with the kernel of that instruction set, whatever other lanes
-// contain. Bounds and special values: derivative.h. exp_value() has the error bounds of sym3::exp but other
-// bits, because it uses another polynomial.
+// contain. For bounds and special values see derivative.h. exp_value() has the error bounds of sym3::exp but
+// other bits, because the polynomial differs.
 //
-// Algorithm: the derivative of exp-inl.h. With t = tr E / 3 and C = adj A, where E - t I has trace zero,
+// The algorithm differentiates exp-inl.h. With t = tr E / 3 and C = adj A, where E - t I has trace zero,
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S).
 // The coefficients z_k are sums of a_{n+k} h_n over n, where h_n are the coefficients of the power series
 // g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore dz_k =
-// u_k dp + u_{k+1} dq with one more recurrence, which all directions share:
+// u_k dp + u_{k+1} dq. One more recurrence gives u_k for all directions:
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
-// There are no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The polynomial is
-// chosen so that its derivative is close to exp, see exp_tables.h. A squaring replaces f' by f f' + f' f and
-// f by f f.
+// There are no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The derivative of the
+// polynomial is close to exp, see exp_tables.h. A squaring replaces f' by f f' + f' f and f by f f.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H
@@ -33,20 +32,20 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// exp(S) = z0 I + z1 A + z2 C, the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq, and derived values.
+/// The parts of exp(S) = z0 I + z1 A + z2 C, and the derivatives u_k = dz_k / dp and u_{k+1} = dz_k / dq.
 template <class V>
 struct ExpParts {
   Six<V> a, c;
   V minus_p;
   Coefficients<V> z;
   V u0, u1, u2, u3;
-  V t0, t1;                        ///< z0 - z1 and z1 + z2, which are multiplied by t
+  V t0, t1;                        ///< z0 - z1 and z1 + z2; the code multiplies them by t
   Six<V> w;                        ///< z2 A
-  V beside_x, beside_y, beside_z;  ///< z1 - w.xx and so on
+  V beside_x, beside_y, beside_z;  ///< z1 minus w.xx, w.yy, w.zz
 };
 
-/// Computes the parts for A = `a`, multiplied by scalar.value(). Calls scalar.step(k) during the recurrence,
-/// see recurrence(). Writes in place, because GCC would compile the copy of a returned value for no specific
+/// Computes the parts for A = `a` and multiplies them by scalar.value(). Calls scalar.step(k) during
+/// recurrence(). Writes in place, because GCC would compile the copy of a returned value without the
 /// instruction set.
 template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
@@ -81,7 +80,7 @@ static HWY_INLINE Coefficients<V> coefficient_slopes(const ExpParts<V>& m, V t, 
           sum_of_products(m.u2, dp, m.u3, dq, m.z.z2, t)};
 }
 
-/// exp'(S)[E], in lanes with valid parts.
+/// Returns exp'(S)[E] in lanes with valid parts.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -103,7 +102,7 @@ static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   };
 }
 
-/// exp_slope() in the six directions of a tangent (derivative.h).
+/// Computes exp_slope() in the six directions of a tangent (derivative.h).
 template <class D, class V>
 static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -136,16 +135,16 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
   add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
 }
 
-/// The data that all directions at S share, with one S in each lane.
+/// The data that all directions at S share. Each lane has one S.
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
-  hn::Mask<D> ok;        ///< lanes with is_quick()
-  ExpParts<V> parts;     ///< if `ok` the parts of S, otherwise of A times halvings.scale
+  hn::Mask<D> ok;        ///< lanes where is_quick() is true
+  ExpParts<V> parts;     ///< the parts of S if `ok`, otherwise of A times halvings.scale
   Halvings<V> halvings;  ///< zero halvings if `ok`
 };
 
-/// As ScalarExp, but the value in lanes that are not `ok` is Table::lead.
+/// Like ScalarExp, but in lanes that are not `ok` the value is Table::lead.
 template <class Table, class D, class V>
 struct ScalarExpOrLead {
   ScalarExp<Table, D, V> scalar;
@@ -187,7 +186,7 @@ static HWY_INLINE V sum_of_six_products(V a, V b, V c, V d, V e, V f, V g, V h, 
   return MulAdd(a, b, MulAdd(c, d, MulAdd(e, f, sum_of_products(g, h, i, j, k, l))));
 }
 
-/// f g + g f for symmetric f and g.
+/// Returns f g + g f for symmetric f and g.
 template <class V>
 static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& g) {
   const V xx = sum_of_products(f.xx, g.xx, f.xy, g.xy, f.xz, g.xz),
@@ -201,7 +200,7 @@ static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& 
           Add(zz, zz)};
 }
 
-/// The derivative of exp_general(), for any S and E.
+/// Returns the derivative of exp_general() for any S and E.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point, const Six<V>& e) {
   using T = hn::TFromD<D>;
@@ -226,14 +225,14 @@ static HWY_NOINLINE Six<V> exp_derivative_general(D d, const ExpPoint<D>& point,
   return {to[0], to[1], to[2], to[3], to[4], to[5]};
 }
 
-/// exp'(S)[E], with one S and one E in each lane.
+/// Returns exp'(S)[E]. Each lane has one S and one E.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> exp_derivative(D d, const ExpPoint<D>& point, const Six<V>& e) {
   if (HWY_LIKELY(hn::AllTrue(d, point.ok))) {
     const Six<V> quick = exp_slope(d, point.parts, e);
     if (HWY_LIKELY(hn::AllTrue(d, is_finite(d, quick)))) return quick;
   }
-  const Six<V> direction = e;  // a reference to e would keep e in memory, even without this call
+  const Six<V> direction = e;  // a copy, because passing e by reference would keep e in memory
   return exp_derivative_general(d, point, direction);
 }
 

@@ -15,17 +15,17 @@
 
 namespace viete::sym3 {
 
-// Section numbers are the paper's. Its misprints are corrected, see "The paper, corrected" in README.md.
+// Section numbers refer to the paper. Misprints are corrected, see "The paper, corrected" in README.md.
 
 namespace {
 
-/// det(x I - S) = (x - shift)^3 + p (x - shift) + q, where p <= 0 up to rounding.
+/// The form det(x I - S) = (x - shift)^3 + p (x - shift) + q, where p <= 0 up to rounding.
 template <class T>
 struct DepressedCubic {
   T p, q, shift;
 };
 
-/// From x^3 + a x^2 + b x + c, as in the paper. If the roots are close, p and q lose digits by cancellation.
+/// Converts x^3 + a x^2 + b x + c as in the paper. If roots are close, cancellation makes p and q inaccurate.
 template <class T>
 DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   const T a = -(s.xx + s.yy + s.zz);
@@ -35,7 +35,7 @@ DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   return {b - a * a / 3, c + 2 * a * a * a / 27 - a * b / 3, -a / 3};
 }
 
-/// t cos((acos k + 2 pi i) / 3) + shift for i = 0, 1, 2: the largest, the smallest and the middle root.
+/// Returns t cos((acos k + 2 pi i) / 3) + shift for i = 0, 1, 2: the largest, smallest and middle root.
 template <class T>
 std::array<T, 3> viete_cosines(T t, T k, T shift) {
   constexpr T third_turn = 2 * std::numbers::pi_v<T> / 3;
@@ -44,15 +44,15 @@ std::array<T, 3> viete_cosines(T t, T k, T shift) {
           t * std::cos(angle + 2 * third_turn) + shift};
 }
 
-/// r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints it as -4 q / p^3), t = r / 3. NaN if rounding
-/// makes p positive or |k| > 1, or if r = 0.
+/// Uses r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints k as -4 q / p^3) and t = r / 3. If rounding
+/// makes p positive or |k| > 1, or if r = 0, returns NaN.
 template <class T>
 std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
   const T r = std::sqrt(-12 * f.p);
   return viete_cosines(r / 3, -108 * f.q / (r * r * r), f.shift);
 }
 
-/// As above, but clamps k to [-1, 1] and returns a triple root unless r^3 > 0.
+/// Works like viete_roots_as_printed(), but clamps k to [-1, 1]. If r^3 is 0 or NaN, returns a triple root.
 template <class T>
 std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
   const T r = std::sqrt(std::max(-12 * f.p, T(0)));
@@ -63,7 +63,7 @@ std::array<T, 3> viete_roots(const DepressedCubic<T>& f) {
 
 constexpr double same_eigenvalue = 1e-6;  // the paper's threshold, absolute
 
-/// exp(S) = x I + y S + z S^2.
+/// The coefficients of exp(S) = x I + y S + z S^2.
 template <class T>
 struct Spectral {
   T x, y, z;
@@ -76,7 +76,7 @@ Sym3<T> evaluate(const Spectral<T>& f, const Sym3<T>& s) {
           f.x + f.y * s.yy + f.z * s2.yy, f.y * s.yz + f.z * s2.yz, f.x + f.y * s.zz + f.z * s2.zz};
 }
 
-/// Case 2: two distinct eigenvalues. (In the paper eigenvalues 1 and 2 are equal; here any two can be.)
+/// Case 2: two distinct eigenvalues. (In the paper eigenvalues 1 and 2 are equal; here any two may be equal.)
 template <class T>
 Spectral<T> two_distinct(T a, T b) {
   const T ea = std::exp(a), eb = std::exp(b);

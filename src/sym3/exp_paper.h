@@ -1,4 +1,4 @@
-// The paper's methods for exp of one matrix, see Method in exp.h. Internal.
+// The methods of the paper for exp of one matrix, see Method in exp.h. Internal.
 #pragma once
 
 #include "sym3/sym3.h"
@@ -14,11 +14,12 @@ Sym3<T> exp_sd(const Sym3<T>& s);
 template <class T>
 Sym3<T> exp_improved_sd(const Sym3<T>& s);
 
-/// NaN whenever the printed formula gives NaN.
+/// Returns NaN if the printed formula gives NaN.
 template <class T>
 Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
 
-/// Number of eigenvalues that differ by more than the paper's threshold, 1 to 3. `s` must be finite.
+/// Return the number of eigenvalues, 1 to 3, that differ by more than the paper's threshold. s must be
+/// finite.
 int distinct_by_qr(const Sym3<double>& s);
 int distinct_by_viete(const Sym3<double>& s, bool as_printed);
 

@@ -16,13 +16,13 @@ namespace viete::sym3 {
 namespace {
 
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
-// The smallest stretch relative to the largest; smaller stretches are raised to it.
+// The smallest stretch relative to the largest stretch. Smaller stretches are raised to this value.
 constexpr double flattest = 1e-12;
 // bounded_log() changes from log M to X + Y while |log M| / (|X| + |Y|) is in this range.
 constexpr double kept_up_to = 2, left_from = 4;
-// If |sin| of a rotation angle is smaller, X + Y replaces log M.
+// If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
-// For larger logarithms, squarings would lose too many digits.
+// For logarithms with a larger norm, squarings would lose too many digits.
 constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
@@ -35,7 +35,7 @@ void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }
 
-// M = (base + above) I + D, where D has trace zero: D^3 = p D + q I (Cayley-Hamilton).
+// Splits M = (base + above) I + D, where D has trace zero: D^3 = p D + q I (Cayley-Hamilton).
 struct Deviator {
   double base, above;
   Mat3<double> d;
@@ -52,7 +52,7 @@ Deviator deviator(Mat3<double> m, double base) {
   return {base, above, m, p, determinant(m)};
 }
 
-// a I + b D + c D^2, the form of every power series of D.
+// The polynomial a I + b D + c D^2. Every power series of D has this form.
 struct InPowers {
   double a, b, c;
 };
@@ -83,14 +83,14 @@ constexpr auto exp_terms = [] {
   return terms;
 }();
 
-// The series of log(1 + x).
+// The coefficients of the power series of log(1 + x).
 constexpr auto log_terms = [] {
   std::array<double, 19> terms{0};
   for (std::size_t n = 1; n < terms.size(); ++n) terms[n] = (n % 2 ? 1.0 : -1.0) / static_cast<double>(n);
   return terms;
 }();
 
-// The real root of x^3 = p x + q with the largest absolute value, by Newton's method from above.
+// Returns the real root of x^3 = p x + q with the largest absolute value, by Newton's method from above.
 double largest_root(double p, double q) {
   const double size = std::abs(q);
   double x = std::cbrt(size) + std::sqrt(std::max(p, 0.0));
@@ -108,14 +108,13 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// True if eigenvalues are within about 13 % of each other. A series of M / mean - I then converges for any
-// norm.
+// Returns true if eigenvalues differ by at most about 13 %. A series of M / mean - I then always converges.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// log M by a series about a power of two, because the difference of M from it is exact.
+// Computes log M by a series about a power of two, because M minus this power is exact.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
@@ -127,12 +126,12 @@ Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   return l;
 }
 
-// M = A T A with A = `axes` symmetric and orthogonal. T has t[3] = t[6] = 0: an eigenvalue and a 2x2 block.
+// M = A T A. A = `axes` is symmetric and orthogonal. T has t[3] = t[6] = 0: one eigenvalue and a 2x2 block.
 struct Deflated {
   Mat3<double> axes, t;
 };
 
-// The reflection I - 2 n n^T whose first column is parallel to v.
+// Returns the reflection I - 2 n n^T whose first column is parallel to v.
 Mat3<double> reflection(const Vec3<double>& v) {
   const double length = norm(v);
   const Vec3<double> n{v[0] + std::copysign(length, v[0]), v[1], v[2]};
@@ -143,7 +142,7 @@ Mat3<double> reflection(const Vec3<double>& v) {
   return m;
 }
 
-// The approximate eigenvector of an eigenvalue: the longest cross product of two rows of M - value.
+// Returns an approximate eigenvector of an eigenvalue: the longest cross product of two rows of M - value I.
 Vec3<double> eigenvector(Mat3<double> m, double value) {
   add_to_diagonal(m, -value);
   const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
@@ -157,7 +156,7 @@ Vec3<double> eigenvector(Mat3<double> m, double value) {
 }
 
 // Finds A and T by Newton's method for the first axis, until t[3] and t[6] are zero up to rounding. `value`
-// must be approximately an eigenvalue that is well separated. Returns nullopt if the steps do not converge.
+// must be close to a well separated eigenvalue. If the steps do not converge, returns nullopt.
 std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   constexpr int most_steps = 8;
   const double rounding = 32 * u * norm(m), surely = rounding / 8;
@@ -181,7 +180,7 @@ std::optional<Deflated> deflated(const Mat3<double>& m, double value) {
   return best;
 }
 
-// The eigenvalues of the 2x2 block, middle +- sqrt(disc), and their product det.
+// The eigenvalues of the 2x2 block are middle +- sqrt(disc). Their product is det.
 struct Pair {
   double middle, disc, det;
 
@@ -195,17 +194,17 @@ struct Pair {
   bool turns() const { return disc < 0; }
   bool positive() const { return turns() || (middle > 0 && det > 0); }
   double angle() const { return turns() ? std::atan2(std::sqrt(-disc), middle) : 0; }
-  // False if |sin| of the angle is too small to define the rotation plane.
+  // Returns false if |sin| of the angle is too small to define the rotation plane.
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// A function of T: `single` for the separate eigenvalue, and mean + slope (B - middle) for the 2x2 block B.
+// A function of T: `single` for the separate eigenvalue, mean + slope (B - middle) for the 2x2 block B, and
 // difference = single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
 
-// (log s - log t) / (s - t) for the eigenvalues s and t of the pair.
+// Returns (log s - log t) / (s - t) for the eigenvalues s and t of the pair.
 double log_slope(const Pair& pair) {
   if (pair.turns()) return pair.angle() / std::sqrt(-pair.disc);
   const double d = std::sqrt(pair.disc), part = d / pair.middle;
@@ -213,7 +212,7 @@ double log_slope(const Pair& pair) {
   return d > 0 ? std::atanh(part) / d : 1 / pair.middle;
 }
 
-// The function of M, by Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
+// Returns the function of M by Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
 Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
   const Mat3<double>& t = d.t;
   const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
@@ -251,7 +250,7 @@ Mat3<double> exp_of_apart(const Deflated& d, const Pair& pair) {
   return value_of({single, mean, slope, single - mean}, d, pair);
 }
 
-// exp(L) by eigenvalues, if one of them is well separated.
+// Computes exp(L) by eigenvalues. If no eigenvalue is well separated, returns nullopt.
 std::optional<Mat3<double>> exp_of_apart(const Mat3<double>& l, const Deviator& v) {
   const auto d = deflated(l, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
@@ -278,16 +277,16 @@ Mat3<double> exp_general(const Mat3<double>& l) {
 
 namespace {
 
-// The number of whole turns between the angle of the principal branch and `turn`.
+// Returns the number of whole turns between the angle of the principal branch and `turn`.
 double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn) {
   const Vec3<double> axis{j[7] - j[5], j[2] - j[6], j[3] - j[1]};
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// The logarithm on the branch nearest to the rotation vector `turn`; for 0 the principal logarithm. Returns
-// nullopt if M has no logarithm or rounding would decide the branch.
+// Returns the logarithm on the branch nearest to the rotation vector `turn`. If `turn` is 0, it is the
+// principal logarithm. If M has no logarithm or rounding would decide the branch, returns nullopt.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
-  constexpr double close_angle = 0.2;  // matrices with close eigenvalues rotate by less
+  constexpr double close_angle = 0.2;  // matrices with close eigenvalues rotate by smaller angles
   const Deviator v = deviator(m, 0);
   const bool close = close_together(v);
   const double turned = norm(turn);
@@ -295,7 +294,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // maybe not the principal branch
+  const bool other = turned + pair.angle() > pi;  // another branch may be nearer
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
@@ -305,7 +304,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
 
-// M / e^shift, whose entries have powers in range.
+// M / e^shift. The powers of its entries are in range.
 struct InRange {
   Mat3<double> m;
   double shift;
@@ -333,7 +332,7 @@ std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<doubl
   return l;
 }
 
-// Rises smoothly from 0 at x = 0 to 1 at x = 1.
+// Increases smoothly from 0 at x = 0 to 1 at x = 1.
 double smooth_step(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -343,7 +342,7 @@ Mat3<double> sum_of(const PolarLog& parts) {
   return plus(full(parts.stretch), 1, cross_matrix(parts.turn));
 }
 
-// True if X and Y commute up to rounding. X + Y is then log M.
+// Returns true if X and Y commute up to rounding. Then X + Y is log M.
 bool commute(const PolarLog& parts) {
   const Mat3<double> x = full(parts.stretch), y = cross_matrix(parts.turn);
   return norm(plus(product(x, y), -1, product(y, x))) <= 8 * u * norm(parts.turn) * (1 + norm(x));
@@ -351,7 +350,7 @@ bool commute(const PolarLog& parts) {
 
 struct Split {
   PolarLog parts;
-  bool whole;  // true if M = exp(Y) exp(X): no stretch was raised or changed its sign
+  bool whole;  // true if M = exp(Y) exp(X), that is, no stretch was raised or changed its sign
 };
 
 Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
@@ -365,7 +364,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // If `near` is 0, both directions of a half turn are equally near; log_rotation() has chosen one.
+  // If `near` is 0, both directions of a half turn are equally near. log_rotation() has chosen a direction.
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
@@ -383,10 +382,10 @@ bool is_sum(const Split& s) {
 }  // namespace
 
 // With v = angle n, the squared distance of (angle + 2 pi k) n from the reference is a parabola in k. Its
-// minimum is at k = (n . reference - angle) / 2 pi, and the nearest integer is the branch. Near a whole turn
-// v is nearly 0 and its direction is rounding; then a long reference defines the axis.
+// minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch. Near a whole turn v
+// is nearly 0, and rounding decides its direction. Then a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
-  // If v deviates less from the axis of the reference, in radians, the deviation counts as rounding.
+  // If the angle in radians between v and the reference is smaller, the angle counts as rounding.
   constexpr double along_reference = 1e-13;
   const double angle = norm(v);
   if (dot(reference, reference) > pi * pi) {
@@ -409,13 +408,13 @@ PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
 
 namespace {
 
-// log M if it exists, otherwise X + Y.
+// log M if M has a logarithm, otherwise X + Y.
 struct Answer {
   Mat3<double> log;
   bool is_log;
 };
 
-// If |log M| < 3, M rotates by less than 122 degrees and is not flat, so the logarithm is reliable.
+// If |log M| < 3, M rotates by less than 122 degrees and is not flat. Then the logarithm is reliable.
 Answer principal_log(const Mat3<double>& m) {
   constexpr double is_short = 3;
   const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];

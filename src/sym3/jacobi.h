@@ -9,7 +9,7 @@
 
 namespace viete::sym3 {
 
-/// The eigenvector of values[k] is column k of `vectors`. Not sorted.
+/// The eigenvector of values[k] is column k of `vectors`. The values are not sorted.
 template <class Real>
 struct Eigen3 {
   std::array<Real, 3> values;
@@ -30,7 +30,7 @@ inline double leading(const DoubleDouble& x) {
   return x.hi;
 }
 
-/// An off-diagonal entry below this fraction of the diagonal entries changes no digit of the result.
+/// If an off-diagonal entry is below this fraction of diagonal entries, it changes no digit of the result.
 constexpr double negligible(double) {
   return 0x1p-56;
 }
@@ -49,7 +49,7 @@ bool is_diagonal(const Rows<Real>& a) {
   return is_negligible(a, 0, 1) && is_negligible(a, 0, 2) && is_negligible(a, 1, 2);
 }
 
-/// The tangent of the smaller rotation angle that makes the entry pq zero.
+/// Returns the tangent of the smaller rotation angle that makes the entry pq zero.
 template <class Real>
 Real tangent(const Real& app, const Real& aqq, const Real& apq) {
   using std::sqrt;
@@ -81,9 +81,9 @@ void rotate(Rows<Real>& a, Rows<Real>& v, int p, int q) {
 
 }  // namespace jacobi
 
-/// Cyclic Jacobi method (Golub and Van Loan, Matrix Computations, 8.5); Real is double or DoubleDouble. Zeros
-/// stay exactly zero: if S has diagonal blocks, the vectors have the same blocks. Entries must be finite and
-/// at most 1e290 in size.
+/// Computes eigenvalues and eigenvectors by the cyclic Jacobi method (Golub and Van Loan, Matrix
+/// Computations, 8.5). Real is double or DoubleDouble. If S has diagonal blocks, the vectors have exactly
+/// these blocks. Entries must be finite and at most 1e290 in size.
 template <class Real>
 Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   using namespace jacobi;
@@ -99,7 +99,7 @@ Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
 
-/// V f(values) V^T. Zero terms are skipped, so that an infinity stays in its diagonal block.
+/// Returns V f(values) V^T. Skips zero terms, so that an infinity stays in its diagonal block.
 template <class F, class Real>
 Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
@@ -130,7 +130,7 @@ inline Axes transposed(const Axes& v) {
   return {{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
-/// V^T E V for the vectors V.
+/// Returns V^T E V, where v has the columns of V.
 inline Sym3<double> in_axes(const Axes& v, const Sym3<double>& e) {
   Axes ev;
   for (int k = 0; k < 3; ++k) {

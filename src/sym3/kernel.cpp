@@ -54,7 +54,7 @@ constexpr Kernel compiled[] = {
 #if HWY_TARGETS & HWY_NEON
     {"neon", true, HWY_NEON, &N_NEON::table},
 #endif
-#if HWY_TARGETS & HWY_SCALAR  // not compiled if every processor of the platform supports a better one
+#if HWY_TARGETS & HWY_SCALAR  // not compiled if all processors of the platform support another kernel
     {"scalar", false, HWY_SCALAR, &N_SCALAR::table},
 #endif
 };
@@ -72,7 +72,7 @@ bool machine_can_run(const Kernel& k) {
   return k.highway_target == HWY_SCALAR || k.highway_target == HWY_NEON;
 }
 
-// A processor that supports a kernel also supports all kernels after it.
+// Returns the supported kernels. If a processor supports a kernel, it also supports all kernels after it.
 std::span<const Kernel> find() {
   const std::span<const Kernel> all(compiled);
   std::size_t skipped = 0;

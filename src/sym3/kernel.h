@@ -1,4 +1,4 @@
-// Kernels: the functions of this library, compiled for one instruction set each. One kernel is active.
+// A kernel is a copy of this library's functions, compiled for one instruction set. One kernel is active.
 #pragma once
 
 #include <span>
@@ -11,24 +11,24 @@ struct KernelTable;
 /// The functions for one instruction set. To force a kernel for one call, set Batch::kernel (batch.h).
 struct Kernel {
   std::string_view name;
-  bool fused;                ///< multiply-add rounds once; all fused kernels give the same bits
+  bool fused;                ///< multiply-add rounds once; all fused kernels give equal bits
   long long highway_target;  ///< Highway's name of the instruction set, such as HWY_AVX3
   const KernelTable* table;  ///< internal
 };
 
-/// Kernels that were compiled and that this processor supports, fastest first. The last one runs everywhere.
+/// The kernels that were compiled and that this processor supports, fastest first. "scalar" runs everywhere.
 ///   fused:      "avx512" (AVX-512 F, VL, DQ, BW), "avx2" (AVX2 and FMA), "neon" (64-bit ARM)
 ///   not fused:  "scalar"
 std::span<const Kernel> kernels();
 
-/// The active kernel, which single calls and, by default, batches use. It is the kernel that the environment
-/// variable VIETE_KERNEL names, if that is in kernels(), otherwise the first of kernels(). It is chosen at
-/// the first call. Thread-safe.
+/// The active kernel. Single calls always use this kernel; batches use it by default. If kernels() contains
+/// the kernel that the environment variable VIETE_KERNEL names, it is that kernel, otherwise the first of
+/// kernels(). The first call chooses. Thread-safe.
 const Kernel& kernel();
 
 std::string_view kernel_name();
 
-/// The kernel with this name in kernels(), or null.
+/// Returns the kernel with this name in kernels(), or null.
 const Kernel* kernel_from_name(std::string_view name);
 
 }  // namespace viete::sym3

@@ -1,5 +1,5 @@
-// The functions that are compiled for each instruction set. Internal. Must not have inline functions, see
-// fallback.h.
+// The functions that are compiled for each instruction set. This header must not have inline functions, see
+// fallback.h. Internal.
 #pragma once
 
 #include <cstddef>
@@ -14,17 +14,17 @@ struct View;
 /// Items [begin, end) of a batch; begin is a multiple of 64.
 struct Range {
   std::size_t begin, end;
-  bool stream;  ///< use non-temporal stores
+  bool stream;  ///< true for non-temporal stores
 };
 
-/// A function from N numbers to M numbers. More: types of further parameters, such as an exponent.
+/// A function from N numbers to M numbers. More: the types of further parameters, such as an exponent.
 template <class T, int N, int M, class... More>
 struct Function {
   void (*one)(const T* in, T* out, More... more);
   void (*many)(const View<const T, N>& in, const View<T, M>& out, More... more, const Range& range);
 };
 
-/// The polar decomposition. `one` writes nine numbers of the rotation, then six of the stretch.
+/// The polar decomposition. `one` writes nine numbers of the rotation, then six numbers of the stretch.
 template <class T>
 struct PolarFunction {
   void (*one)(const T* in, T* out);
@@ -32,7 +32,7 @@ struct PolarFunction {
                const Range& range);
 };
 
-/// A derivative at S in one direction, or in n directions. p is the exponent of pow.
+/// A derivative at S in one direction or in n directions. p is the exponent of pow.
 template <class T>
 struct DerivativeFunction {
   void (*one)(const T* s, const T* direction, T* out, Of f, double p);

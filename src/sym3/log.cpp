@@ -66,7 +66,7 @@ Sym3<T> log_qr(const Sym3<T>& s) {
   const auto& v = solver.eigenvectors();
   if (!(solver.eigenvalues().minCoeff() > 0)) return nan_matrix<T>();
   Eigen::Matrix<T, 3, 1> values = solver.eigenvalues().array().log();
-  for (int k = 0; k < 3; ++k) {  // Eigen replaces subnormal numbers by the smallest normal number
+  for (int k = 0; k < 3; ++k) {  // Eigen's log changes subnormal numbers to the smallest normal number
     const T value = solver.eigenvalues()[k];
     if (value < std::numeric_limits<T>::min()) values[k] = std::log(value);
   }

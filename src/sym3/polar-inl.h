@@ -2,8 +2,7 @@
 //
 // The trace x of U is the largest root of x^4 - 2 N x^2 - 8 det(M) x + N^2 - 4 Q, where N and Q are the
 // squared norms of M and of its cofactors. R = (x M + cof M)(M^T M + y I)^-1 with y = (x^2 - N) / 2. Rounding
-// errors of x and of the inverse stretch R along the axes of U; one step R (3 I - R^T R) / 2 makes it
-// orthogonal again.
+// errors of x and of the inverse make R inexact. One step R (3 I - R^T R) / 2 makes R orthogonal.
 #if defined(VIETE_SYM3_POLAR_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_POLAR_INL_H
 #undef VIETE_SYM3_POLAR_INL_H
@@ -48,7 +47,7 @@ static HWY_INLINE Nine<V> product(const Nine<V>& m, const Six<V>& s) {
           sum_of_products(m.zx, s.xz, m.zy, s.yz, m.zz, s.zz)};
 }
 
-/// a x + b.
+/// Returns a x + b.
 template <class V>
 static HWY_INLINE Nine<V> multiply_add(const Nine<V>& a, V x, const Nine<V>& b) {
   return {hn::MulAdd(a.xx, x, b.xx), hn::MulAdd(a.xy, x, b.xy), hn::MulAdd(a.xz, x, b.xz),
@@ -63,8 +62,8 @@ static HWY_INLINE V squared_norm(const Nine<V>& m) {
                  sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
 }
 
-/// The largest root, by Newton's method from above. Processes G registers at once, because divisions take
-/// long.
+/// Returns the largest root, by Newton's method from above. Processes G registers at once, because divisions
+/// take long.
 template <int G, class D, class V>
 static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G], const V (&q)[G],
                                          V (&x)[G]) {
@@ -89,14 +88,14 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   }
 }
 
-/// Rotations, which are valid in the lanes of `ok`: if s2 + s3 (polar.h) is not small relative to s1.
+/// Rotations. A lane is `ok`, that is valid, if s2 + s3 (polar.h) is not small relative to s1.
 template <class D, class V = hn::Vec<D>>
 struct Rotations {
   Nine<V> r;
   hn::Mask<D> ok;
 };
 
-/// The rotation of m, from cofactors k, squared norm n and trace x of the stretch.
+/// Returns the rotation of m, from cofactors k, squared norm n and trace x of the stretch.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const Nine<V>& k, V n, V x) {
   using T = hn::TFromD<D>;
@@ -138,7 +137,7 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
   for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
-/// The symmetric part of R^T M. Halves before it adds, so that large entries do not overflow.
+/// Returns the symmetric part of R^T M. Halves before it adds, so that large entries do not overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));

@@ -40,7 +40,7 @@ struct RotationOf {
   }
 };
 
-/// Nine numbers of the rotation, then six of the stretch.
+/// Computes nine numbers of the rotation, then six numbers of the stretch.
 struct RotationAndStretch {
   static constexpr int in = 9, out = 15, group = 2;
   static constexpr bool memory_bound = false;

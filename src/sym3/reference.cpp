@@ -17,7 +17,7 @@ using Matrix = Sym3<DoubleDouble>;
 
 constexpr int terms = 32;  // 1/32! < 2^-117
 constexpr double entry_limit = 1e6;
-constexpr double largest_exponent = 2800;  // beyond it every result overflows or underflows
+constexpr double largest_exponent = 2800;  // above it every result overflows or underflows
 
 const std::array<Real, terms>& inverse_factorials() {
   static const auto table = [] {
@@ -34,7 +34,7 @@ Matrix scaled(const Matrix& m, double s) {
           scaled(m.yy, s), scaled(m.yz, s), scaled(m.zz, s)};
 }
 
-/// The Taylor polynomial of exp at x, for |x| <= 1.
+/// Returns the Taylor polynomial of exp at x, for |x| <= 1.
 Real exp_taylor(const Real& x) {
   const auto& a = inverse_factorials();
   Real sum = a[terms - 1];
@@ -42,8 +42,8 @@ Real exp_taylor(const Real& x) {
   return sum;
 }
 
-/// The Taylor polynomial of exp at a matrix with trace zero and norm up to about 1, by the recurrence of
-/// exp-inl.h.
+/// Returns the Taylor polynomial of exp at a matrix with trace zero and norm up to about 1, by the recurrence
+/// of exp-inl.h.
 Matrix exp_taylor(const Matrix& m) {
   const Matrix c = {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
@@ -63,14 +63,14 @@ Real mean_of_diagonal(const Sym3<double>& s) {
   return (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
 }
 
-/// m 2^n. Multiplies in four steps, because 2^n alone may overflow.
+/// Returns m 2^n. Multiplies in four steps, because 2^n as one factor may overflow.
 Matrix times_power(Matrix m, int n) {
   const int quarter = n / 4;
   for (int i = 0; i < 3; ++i) m = scaled(m, std::ldexp(1.0, quarter));
   return scaled(m, std::ldexp(1.0, n - 3 * quarter));
 }
 
-/// m e^x, with x = n ln 2 + r and 160 bits of ln 2.
+/// Returns m e^x, with x = n ln 2 + r and 160 bits of ln 2.
 Matrix times_exp(const Matrix& m, double x) {
   x = std::clamp(x, -largest_exponent, largest_exponent);
   const double n = std::nearbyint(x / 0x1.62e42fefa39efp-1);
@@ -88,8 +88,8 @@ Matrix traceless(const Sym3<double>& s, const Real& mean) {
           Real{s.yy, 0} - mean, Real{s.yz, 0}, Real{s.zz, 0} - mean};
 }
 
-/// exp(S - top I), where `top` is about the largest eigenvalue. The norm is about 1, so squaring cannot
-/// overflow.
+/// Returns exp(S - top I), where `top` is about the largest eigenvalue. The result has a norm of about 1, so
+/// squaring cannot overflow.
 Matrix exp_below(const Sym3<double>& s, double top) {
   const Real mean = mean_of_diagonal(s);
   const Matrix a = traceless(s, mean);
@@ -102,7 +102,7 @@ Matrix exp_below(const Sym3<double>& s, double top) {
   return m;
 }
 
-/// x with the low part cleared if the high part has overflowed.
+/// Clears the low part of x if the high part has overflowed.
 Real tidy(const Real& x) {
   return std::isfinite(x.hi) ? x : Real{x.hi, 0};
 }
@@ -120,7 +120,7 @@ Matrix exp_reference(const Sym3<double>& s) {
 
 double relative_error(const Sym3<double>& computed, const Sym3<double>& s) {
   const Matrix exact = exp_reference(s);
-  const double unit = std::max({exact.xx.hi, exact.yy.hi, exact.zz.hi});  // other entries are not larger
+  const double unit = std::max({exact.xx.hi, exact.yy.hi, exact.zz.hi});  // no entry is larger
   const auto error = [unit](double x, const Real& y) { return ((x - y.hi) - y.lo) / unit; };
   const Sym3<double> difference = {error(computed.xx, exact.xx), error(computed.xy, exact.xy),
                                    error(computed.xz, exact.xz), error(computed.yy, exact.yy),

@@ -1,10 +1,9 @@
-// exp of rotation vectors and log of rotations in vector registers. How to use it: exp-inl.h. Bounds and
-// special values: rotation.h.
+// exp of rotation vectors and log of rotations in vector registers. For an example see exp-inl.h. For bounds
+// and special values see rotation.h.
 //
 // exp computes the quaternion of half the angle. Up to 3.24 radians, cos(sqrt h) and sin(sqrt h) / (2 sqrt h)
-// are polynomials in h = |w|^2 / 4, so small angles are no special case. log uses the tangent t of a quarter
-// of the angle, which is at most one, and a polynomial in t^2 for atan(t) / t. Small angles and half turns
-// are no special cases.
+// are polynomials in h = |w|^2 / 4. log uses the tangent t of a quarter of the angle, which is at most one,
+// and a polynomial in t^2 for atan(t) / t. Therefore small angles and half turns need no special cases.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -19,7 +18,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// Unit quaternions, scalar part first.
+/// Unit quaternions. The scalar part w is the first component.
 template <class V>
 struct Quaternion {
   V w, x, y, z;
@@ -47,19 +46,19 @@ static HWY_INLINE Nine<V> to_matrix(D d, const Quaternion<V>& q) {
           hn::Sub(hn::Sub(one, xx), yy)};
 }
 
-/// cos(angle / 2) and sin(angle / 2) / angle.
+/// The numbers cos(angle / 2) and sin(angle / 2) / angle.
 template <class V>
 struct HalfAngle {
   V cosine, sine;
 };
 
-/// h = |w|^2 / 4. NaN or infinite if w is, or if it overflows.
+/// Returns h = |w|^2 / 4. If w is NaN or infinite, or if h overflows, h is NaN or infinite.
 template <class D, class V>
 static HWY_INLINE V quarter_of_square(D d, const Three<V>& w) {
   return Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
 }
 
-/// True if the polynomials are valid: for angles up to 3.24.
+/// Returns true if the polynomials are valid: for angles up to 3.24.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_small_angle(D d, V h) {
   return hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
@@ -75,7 +74,7 @@ static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
   return {horner(d, C::cosine, h), horner(d, C::sine, h)};
 }
 
-/// Any angle. Lanes with angles above 3.24 are computed one by one.
+/// Works for any angle. Lanes with angles above 3.24 are computed one by one.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
@@ -98,19 +97,19 @@ template <class D, class V>
 static HWY_INLINE HalfAngle<V> half_angle_lanes(D d, const Three<V>& w) {
   const V h = quarter_of_square(d, w);
   if (HWY_LIKELY(hn::AllTrue(d, is_small_angle(d, h)))) return half_angle_quick(d, h);
-  const Three<V> vector = w;  // a reference to w would keep w in memory, even without this call
+  const Three<V> vector = w;  // a copy, because passing w by reference would keep w in memory
   return half_angle_general(d, vector, h);
 }
 
-/// In each lane the rotation about w / |w| by |w| radians, float or double, for any number of lanes.
+/// Returns in each lane the rotation about w / |w| by |w| radians, float or double, for any number of lanes.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
   return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
 }
 
-/// The vector u rotated by w, without the matrix: u + 2 c s w x u + 2 s^2 w x (w x u) with the cosine c and
-/// sine s of HalfAngle. V is one register or Two.
+/// Rotates the vector u by w without the matrix. Returns u + 2 c s w x u + 2 s^2 w x (w x u) with the cosine
+/// c and sine s of HalfAngle. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
@@ -128,8 +127,8 @@ static HWY_INLINE Quaternion<V> select(M mask, const Quaternion<V>& yes, const Q
           hn::IfThenElse(mask, yes.y, no.y), hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// A multiple of the quaternion of a rotation, with a length between 2 and 4. It is computed from the largest
-/// component, to avoid cancellation (Shepperd 1978).
+/// Returns a multiple of a rotation's quaternion, with a length between 2 and 4. The computation starts from
+/// the largest component to avoid cancellation (Shepperd 1978).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   const V one = hn::Set(d, hn::TFromD<D>(1));
@@ -145,7 +144,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// The first nonzero number of q. The rotation angle is at most pi for the sign that makes it positive.
+/// Returns the first nonzero number of q. If this number is positive, the rotation angle is at most pi.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);
@@ -153,8 +152,8 @@ static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   return hn::IfThenElse(hn::Eq(q.w, zero), xyz, q.w);
 }
 
-/// The rotation vector of the rotation in each lane, float or double, for any number of lanes. Entries that
-/// are infinite or whose squares overflow give NaN.
+/// Returns the rotation vector of the rotation in each lane, float or double, for any number of lanes.
+/// Infinite entries and entries whose squares overflow give NaN.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Three<V> log_rotation_lanes(D d, const Nine<V>& r) {
   using T = hn::TFromD<D>;

@@ -13,7 +13,7 @@ template <class T>
 void any_half_angle(const T* w, T* cosine_and_sine) {
   const T zero_if_finite = w[0] * 0 + w[1] * 0 + w[2] * 0;  // because std::hypot(inf, nan, 0) is inf
   const T angle = std::hypot(w[0], w[1], w[2]) + zero_if_finite;
-  if (std::isinf(angle)) {  // the length overflows; half of it does not
+  if (std::isinf(angle)) {  // the length overflows, but half the length does not
     const T half = std::hypot(w[0] / 2, w[1] / 2, w[2] / 2);
     cosine_and_sine[0] = std::cos(half);
     cosine_and_sine[1] = std::sin(half) / half / 2;

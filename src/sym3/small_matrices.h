@@ -1,5 +1,5 @@
-// Algebra of symmetric and general 3x3 matrices and vectors. Internal. Kernels must not include it: they must
-// not share inline functions with other code.
+// Algebra of symmetric and general 3x3 matrices and vectors. Internal. Kernels must not include this file,
+// because they must not share inline functions with other code.
 #pragma once
 
 #include <algorithm>
@@ -41,13 +41,13 @@ Sym3<T> square(const Sym3<T>& s) {
           s.xy * s.xz + s.yy * s.yz + s.yz * s.zz, s.xz * s.xz + s.yz * s.yz + s.zz * s.zz};
 }
 
-/// True if eigenvalues may overflow. Functions then compute with S / 256.
+/// Returns true if eigenvalues may overflow. In this case functions compute with S / 256.
 template <class T>
 bool has_huge_eigenvalues(const Sym3<T>& s) {
   return !is_diagonal(s) && largest_entry(s) > std::numeric_limits<T>::max() / 4;
 }
 
-/// log(256 S), from log(S).
+/// Returns log(256 S), from log(S).
 template <class T>
 Sym3<T> log_of_256_times(Sym3<T> log) {
   constexpr T more = T(5.545177444479562475337856971665412545);
@@ -55,7 +55,7 @@ Sym3<T> log_of_256_times(Sym3<T> log) {
   return log;
 }
 
-/// Converts six contiguous numbers.
+/// Converts six contiguous numbers to a matrix.
 template <class T>
 Sym3<double> from_six(const T* in) {
   return {in[0], in[1], in[2], in[3], in[4], in[5]};
@@ -76,7 +76,7 @@ inline Mat3<double> full(const Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
 }
 
-/// The antisymmetric matrix whose product with a vector is the cross product of w and that vector.
+/// Returns the antisymmetric matrix whose product with a vector is the cross product of w and that vector.
 inline Mat3<double> cross_matrix(const Vec3<double>& w) {
   return {0, -w[2], w[1], w[2], 0, -w[0], -w[1], w[0], 0};
 }
@@ -100,7 +100,7 @@ std::array<double, N> times(double s, std::array<double, N> a) {
   return a;
 }
 
-/// a + s b, of matrices or vectors.
+/// Returns a + s b for matrices or vectors.
 template <std::size_t N>
 std::array<double, N> plus(std::array<double, N> a, double s, const std::array<double, N>& b) {
   for (std::size_t i = 0; i < N; ++i) a[i] += s * b[i];
@@ -112,7 +112,7 @@ double dot(const std::array<double, N>& a, const std::array<double, N>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-/// The Euclidean norm of a vector, or the Frobenius norm of a matrix.
+/// Returns the Euclidean norm of a vector, or the Frobenius norm of a matrix.
 template <std::size_t N>
 double norm(const std::array<double, N>& a) {
   return std::sqrt(dot(a, a));
@@ -131,8 +131,8 @@ inline double determinant(const Mat3<double>& m) {
          m[2] * (m[3] * m[7] - m[4] * m[6]);
 }
 
-/// The solution X of A X = B, by elimination with pivoting. B and X are stored by rows. X is not finite if A
-/// is singular.
+/// Solves A X = B for X by elimination with pivoting. B and X are stored by rows. If A is singular, X is not
+/// finite.
 template <std::size_t N>
 std::array<std::array<double, N>, 3> solved(Mat3<double> a, std::array<std::array<double, N>, 3> b) {
   std::array<std::size_t, 3> row{0, 1, 2};

@@ -20,8 +20,8 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// The eigenvalues of B are a, b and c, where b >= c are the closer pair. Those of S are the mean eigenvalue
-/// plus `size` times a, b and c.
+/// The eigenvalues of B are a, b and c, where b >= c are the closer pair. The eigenvalues of S are the mean
+/// eigenvalue plus `size` times a, b and c.
 template <class V>
 struct Spectrum {
   Six<V> matrix, adjugate;  ///< B and C
@@ -30,7 +30,7 @@ struct Spectrum {
   V at_a, at_b, at_c;       ///< the eigenvalues of S
 };
 
-/// 2^e and 2^-e, where e is the binary exponent of x. x = 0 gives 0 and 2^1023 (float 2^127).
+/// Returns 2^e and 2^-e, where e is the binary exponent of x. x = 0 gives 0 and 2^1023 (float 2^127).
 template <class D, class V>
 static HWY_INLINE void power_of_two_below(D d, V x, V& power, V& inverse) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -47,16 +47,16 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// 4/3 of the discriminant D of B, the product of the squared differences of the eigenvalues, as a sum of
-/// squares. D is the Gram determinant of (I, B, B^2) for the inner product tr(X Y). Since C = B^2 - p I, it
-/// is also the Gram determinant of (I, B, C). B and C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) =
-/// 3, so D = 3 (|B|^2 |C'|^2 - tr(B C')^2). By Lagrange's identity this is 3 times the sum of all (b_i c_j -
-/// b_j c_i)^2 with i < j. Here b and c are coordinates of B and C' in an orthonormal basis of the matrices
+/// Returns 4/3 of the discriminant D of B as a sum of squares. D is the product of the squared differences of
+/// the eigenvalues, and the Gram determinant of (I, B, B^2) for the inner product tr(X Y). Since C = B^2 - p
+/// I, it is also the Gram determinant of (I, B, C). B and C' = C - (tr C / 3) I are orthogonal to I, and tr(I
+/// I) = 3, so D = 3 (|B|^2 |C'|^2 - tr(B C')^2). By Lagrange's identity D is 3 times the sum of all (b_i c_j
+/// - b_j c_i)^2 with i < j. Here b and c are coordinates of B and C' in an orthonormal basis of the matrices
 /// with trace zero: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz. The code uses sqrt 2
 /// times these coordinates.
 ///
-/// The formula 4 p^3 - 27 q^2 would have an error of u, and its root, the difference of close eigenvalues, an
-/// error of sqrt u. The minors have an error of u, so the root of the sum also has an error of u.
+/// The formula 4 p^3 - 27 q^2 would have an error of u. Its root, the difference of close eigenvalues, would
+/// have an error of sqrt u. The minors have an error of u, so the root of their sum also has an error of u.
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -107,7 +107,7 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
-/// True if S is positive definite, its condition is not too large, and nothing overflows or underflows.
+/// Returns true if S is positive definite, k is not too large, and nothing overflows or underflows.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -116,7 +116,7 @@ static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
                  hn::Ge(hn::Mul(low, hn::Set(d, C::condition)), high));
 }
 
-/// f(S) from f(b) and the divided differences f[b,c] and f[a,b,c] with respect to eigenvalues of B.
+/// Returns f(S) from f(b) and the divided differences f[b,c] and f[a,b,c] for the eigenvalues of B.
 template <class V>
 static HWY_INLINE Six<V> newton_form(const Spectrum<V>& e, V at_b, V over_bc, V over_abc) {
   const V z1 = hn::MulAdd(e.a, over_abc, over_bc);
@@ -143,7 +143,7 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y), and log(x / y) / (x - y), for positive normal x and y. `difference` is an accurate x - y.
+/// Computes log(x / y) and log(x / y) / (x - y) for positive normal x, y. `difference` is an accurate x - y.
 template <class V>
 struct LogRatio {
   V log, slope;
@@ -155,7 +155,7 @@ static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using C = SpectralTables<T>;
   const hn::RebindToUnsigned<D> du;
   using U = hn::TFromD<decltype(du)>;
-  // About the nearest 2^k to x / y: the exponent of the difference of the bits.
+  // Finds a power 2^k close to x / y from the exponent of the difference of the bits.
   const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
   const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
   const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
@@ -178,7 +178,7 @@ template <class D, class V>
 static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
-  // The eigenvalue b minus 1, from diagonal entries minus 1: exact if the logarithm is small.
+  // The eigenvalue b minus 1 comes from diagonal entries minus 1. It is exact if the logarithm is small.
   const V above = hn::Mul(hn::Add(hn::Add(hn::Sub(s.xx, one), hn::Sub(s.yy, one)), hn::Sub(s.zz, one)),
                           hn::Set(d, T(1) / T(3)));
   const V at_b = log_ratio(d, e.at_b, one, hn::MulAdd(e.size, e.b, above)).log;
@@ -189,7 +189,7 @@ static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   return newton_form(e, at_b, hn::Mul(e.size, bc), hn::Mul(e.size, curvature));
 }
 
-/// The eigenvalues in ascending order.
+/// Returns the eigenvalues in ascending order.
 template <class D, class V>
 static HWY_INLINE Three<V> eigenvalues_lanes(D d, const Spectrum<V>& e) {
   const auto far_is_top = hn::Ge(e.a, hn::Zero(d));

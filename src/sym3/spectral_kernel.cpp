@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// A function of positive definite matrices: F::lanes() if is_ordinary(), otherwise F::one().
+/// A function of positive definite matrices: F::lanes() for lanes with is_ordinary(), otherwise F::one().
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;
@@ -106,7 +106,7 @@ struct Eigenvalues {
   }
 
 private:
-  /// Returns the lanes that are valid: finite matrices whose invariants are in range.
+  /// Returns the valid lanes: finite matrices whose invariants are in range.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[3]) {
     using T = hn::TFromD<D>;

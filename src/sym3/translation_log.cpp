@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// The damping factor of E (see the header) at an angle: 0 at a whole turn, rising smoothly to 1.
+// Returns the damping factor of E (see the header) at an angle: 0 at a whole turn, with a smooth rise to 1.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -26,7 +26,7 @@ double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
 }
 
-// E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
+// Returns E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
 double across(double angle) {
   const double square = angle * angle;
   if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
@@ -41,11 +41,11 @@ Mat3<double> projector(const Vec3<double>& axis) {
   return m;
 }
 
-// Multiplies polynomials in L. Each is p[0] I + p[1] L + p[2] L^2 (Cayley-Hamilton).
+// Multiplies polynomials p[0] I + p[1] L + p[2] L^2. Higher powers reduce to these (Cayley-Hamilton).
 struct Powers {
   double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
 
-  // Multiplies by L.
+  // Returns L p.
   Vec3<double> shifted(const Vec3<double>& p) const {
     return {p[2] * t3, p[0] - p[2] * t2, p[1] + p[2] * t1};
   }
@@ -56,8 +56,8 @@ struct Powers {
   }
 };
 
-// phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k. Starts with |A| <= 1/2, then uses phi(2 A) = phi(A) +
-// A phi(A)^2 / 2.
+// Computes phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k and |A| <= 1/2. Then uses phi(2 A) = phi(A) +
+// A phi(A)^2 / 2 k times.
 struct Phi {
   Mat3<double> a;
   Vec3<double> c;
@@ -101,7 +101,7 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
 Sym3<double> even_part(const Vec3<double>& y) {
   const double angle = norm(y), g = across(angle);
   if (angle == 0) return identity<double>();
-  // If the angle is so small that the axis is only rounding, then 1 - g is small, too.
+  // If the angle is so small that rounding decides the axis, then 1 - g is also small.
   const double along = (1 - g) / dot(y, y);
   return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
           g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
@@ -122,7 +122,7 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, computed from half the angle theta.
+// Returns phi(Y) x with phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by theta / 2.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,

@@ -16,10 +16,10 @@ enum class Layout : unsigned char {
 };
 
 /// A view of many items of N numbers of type T, which may be const. An item is a symmetric matrix in the
-/// order of Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment;
-/// planes must not overlap each other. A symmetric matrix in `full` is read from its entries 0 1 2 4 5 8, and
-/// all nine are written. Planes are the fastest layout. Distances between planes that are multiples of 4096
-/// bytes are slow, see padded_stride().
+/// order of Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment.
+/// Planes must not overlap other planes. If the layout is `full`, functions read the entries 0 1 2 4 5 8 of a
+/// symmetric matrix and write all nine. Planes are the fastest layout, but distances between planes that are
+/// multiples of 4096 bytes are slow, see padded_stride().
 template <class T, int N>
 struct View {
   Layout layout = Layout::packed;
@@ -57,9 +57,9 @@ SymView<const T> packed(const Sym3<T>* data) {
   return {Layout::packed, reinterpret_cast<const T*>(data)};
 }
 
-/// A stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than the plane
-/// before it, so that planes use different cache sets. A processor can also confuse a load with a store 4096
-/// bytes away; this stride avoids that. If the first plane is aligned to 64 bytes, so are all others.
+/// Returns a stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than
+/// the previous plane, so that planes use different cache sets. A processor can also confuse a load with a
+/// store 4096 bytes away; the stride avoids that. If the first plane is aligned to 64 bytes, all planes are.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);

@@ -6,7 +6,7 @@ dragon = viete.read("assets/dragon/dragon.ply")
 vertices, faces = viete.make_cage(dragon.vertices, dragon.faces, triangles=120)
 deformer = viete.Deformer(dragon.vertices, dragon.faces, vertices, faces)
 
-# Rotates about the vertical axis, by an angle that grows with x.
+# Rotates points about the vertical axis. The angle increases with x.
 angle = 0.5 * vertices[:, 0]
 bent = vertices.copy()
 bent[:, 0] = np.cos(angle) * vertices[:, 0] + np.sin(angle) * vertices[:, 2]

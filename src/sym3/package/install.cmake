@@ -20,7 +20,7 @@ write_basic_package_version_file(viete-config-version.cmake COMPATIBILITY SameMi
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viete-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/viete-config-version.cmake
   DESTINATION ${package_dir} COMPONENT library)
 
-# The relative path from the .pc file to the prefix, so that installed files can be moved.
+# The relative path from the .pc file to the prefix makes it possible to move the installed files.
 file(RELATIVE_PATH up_to_prefix /prefix/${pkgconfig_dir} /prefix)
 configure_file(${CMAKE_CURRENT_LIST_DIR}/viete.pc.in viete.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/viete.pc DESTINATION ${pkgconfig_dir} COMPONENT library)
