@@ -9,19 +9,20 @@
 
 namespace viete::deform {
 
-/// The number of free bytes that bind() needs, at most 2^63. For the fused engine this is an upper bound. If
-/// the weights can be compressed (affine maps only), it assumes that compression leaves a quarter of their
-/// size. Weights along the surface need memory for all vertices before compression.
+/// Returns the number of free bytes that bind() needs, at most 2^63. For the fused engine, the number is an
+/// upper bound. If weights can be compressed, the number assumes that they shrink to a quarter. For weights
+/// along the surface, the number includes the uncompressed weights of all vertices.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
-/// Binds for the staged engine, in time proportional to vertices times handles. The result does not depend on
-/// the number of threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient, if the
-/// model has no vertices, or if weights along the surface are wanted and the model has no triangles.
+/// Binds a model for the staged engine. The time is proportional to vertices times handles. The result does
+/// not depend on the number of threads. Throws base::Cancelled. Throws base::Error if free memory is
+/// insufficient, if the model has no vertices, or if weights along the surface are wanted and the model has
+/// no triangles.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
-/// As above, for any engine. Shares data with `known` if possible: null, or a binding of this model and cage.
+/// Binds a model for any engine. `known` is null, or a binding of this model and cage to share data with.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
 

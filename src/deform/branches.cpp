@@ -19,7 +19,7 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
 // spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
 // the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
-// nearest to the reference, and this branch plus or minus one turn.
+// nearest to the reference, and this branch plus and minus one turn.
 
 constexpr double turn = 2 * std::numbers::pi;
 // If the reference is half a turn away, two branches are equally near, and rounding would choose one at
@@ -33,7 +33,7 @@ constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 constexpr double off_axis = 1e-6;
 // Logs are not coherent if neighbours are this many times farther apart than they are without turns.
 constexpr double incoherent = 3;
-// Safety margin in radians for comparisons that must be true despite rounding.
+// A margin in radians against rounding, for comparisons that must not be true by mistake.
 constexpr double to_spare = 1e-6;
 
 // The maps connected to a root; each parent comes before its children.
@@ -91,8 +91,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// True if `a` is smooth enough and nearer to the reference. If `a` and `b` are equally near to the reference,
-// the distance to the leader decides.
+// True if `a` is smooth enough and nearer to the reference than `b`. If `a` and `b` are equally near to the
+// reference, compares the distances to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -187,7 +187,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if a part's mean log may differ from its turns in the axis or in the number of whole turns.
+// True if the axis or the number of whole turns may differ between a part's mean log and its turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -195,7 +195,7 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// The sum of the squared distances between neighbours' logs, for each part.
+// Returns for each part the sum of the squared distances between neighbours' logs.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
@@ -248,8 +248,8 @@ std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// Follows a spanning forest from the triangle with the smallest rotation of each part. Every other triangle
-// gets the branch nearest to its parent's log.
+// Returns logs along a spanning forest that starts at the triangle with the smallest rotation of each part.
+// Every other triangle gets the branch nearest to its parent's log.
 std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
                             std::span<const Vec3> start) {
   const auto forest = mesh::adjacency(start.size(), spanning_forest(neighbours.pairs, rotations));
@@ -295,7 +295,7 @@ double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, s
   return sum;
 }
 
-// Gives a triangle the branch with the lowest cost. Returns true if this changes its log.
+// Gives a triangle the branch with the lowest cost. Returns true if the log changes.
 bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
   Vec3 best = logs[t];
   double least = cost(neighbours, t, best, logs);

@@ -14,14 +14,14 @@ namespace viete::deform {
 
 namespace {
 
-// The number of vertices of a block, whose weights take about a megabyte: at most 4,096, a multiple of
-// bind_lanes.
+// Returns the number of vertices per block: at most 4,096 and a multiple of bind_lanes. The weights of a
+// block take about a megabyte.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-// A binding of the vertices [begin, end), without triangles.
+// Returns a binding of the vertices [begin, end) without triangles.
 Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   const auto rows = [&](const auto& values, std::size_t length) {
     const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };

@@ -1,4 +1,4 @@
-// The anchor of each part of a moving shape. It determines the translation, which the triangles' logs do not.
+// The anchors of a moving shape's parts. An anchor determines the translation, which logs do not contain.
 #pragma once
 
 #include <span>
@@ -22,11 +22,12 @@ struct HangingParts {
 /// least, so a rotating part rotates about its axis.
 using Held = std::vector<double>;
 
-/// from: positions. ways: displacements. squares: squared lengths of displacements, or sums of such squares.
+/// Computes the weights from positions `from`, displacements `ways`, and their squared lengths `squares` (or
+/// sums of squared lengths).
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 
-/// Translates each part so that its anchor has the displacement that `straight` gives it.
+/// Translates each part so that its anchor's displacement is the weighted mean of `straight`.
 void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
 
 /// Translates each part so that the mean of its displacements is 0.

@@ -76,7 +76,7 @@ public:
   void add(const Opposite& edge) { edges_.push_back(edge); }
   std::size_t size() const { return edges_.size(); }
 
-  // Writes the vertices along the fans, separated by `self`, and removes the edges.
+  // Writes the vertices along the fans to `out`, with `self` between fans, and removes the edges.
   void chain(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     while (!edges_.empty()) {
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // As chain(), but each triangle is a separate fan. Takes linear instead of quadratic time.
+  // Does chain(), but each triangle is a separate fan. Takes linear instead of quadratic time.
   void list(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     for (const Opposite& edge : edges_) out.insert(out.end(), {edge[0], edge[1], self});
@@ -110,7 +110,7 @@ private:
     return i;
   }
 
-  // The first edge of an open fan, or any edge if all fans are closed.
+  // Returns the first edge of an open fan, or any edge if all fans are closed.
   std::size_t start() const {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::size_t j = 0;
@@ -154,7 +154,8 @@ private:
     }
   }
 
-  // The index of a slot among the leaf's positions. If the slot is in another leaf, adds a ghost once.
+  // Returns the index of a slot among the leaf's positions. Adds a ghost if a slot of another leaf has none
+  // yet.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {

@@ -27,11 +27,11 @@ struct Leaves {
   std::size_t end(std::size_t leaf) const { return std::min(order.size(), (leaf + 1) * leaf_slots); }
 };
 
-/// The slot of each vertex.
+/// Returns the slot of each vertex.
 std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 
 /// Makes leaves with a kd tree that splits the longest side of the bounding box. positions must not be empty.
-/// triangles_around: the number of triangles of each vertex. O(n log n).
+/// triangles_around has the number of triangles of each vertex. O(n log n).
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
 inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are processed together
@@ -40,10 +40,10 @@ inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are process
 inline constexpr std::size_t index_floats = 2;
 inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the length of a closed group
 
-/// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of
-/// (n_i - v) x (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form
-/// several fans, v itself is inserted between the lists, so that the products there are 0. The lists
-/// therefore work for nonmanifold surfaces too.
+/// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x
+/// (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form several fans, v is
+/// inserted between the fans, so that the products with v are 0. The lists therefore work for nonmanifold
+/// surfaces too.
 ///
 /// Four slots form a group with one common length. If all four rings are closed and have the same length, the
 /// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings
@@ -60,8 +60,8 @@ struct Rings {
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
   std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring if it is closed
 
-  /// A vertex with so many neighbours that 16-bit indices could overflow. Its group treats it as a vertex
-  /// without triangles. Its own list is open and contains indices of positions.
+  /// A vertex with so many neighbours that 16-bit indices could overflow. Its group treats this slot as a
+  /// vertex without triangles. The list below is open and contains indices of positions.
   struct HighValence {
     std::uint32_t slot, position;
     std::vector<std::uint32_t> neighbours;

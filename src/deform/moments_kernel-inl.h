@@ -63,7 +63,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input of a vertex's map. dual and scale: see RestMoment. rotation: the nearest to b, only if needed.
+// The input of a vertex's map. For dual and scale, see RestMoment. rotation, if needed, is the nearest to b.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -78,7 +78,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// One functor for each form of the map M. It returns M o for the offset o.
+// Each form of the map M has a functor that returns M o for the offset o.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>
@@ -120,12 +120,12 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
   r = {out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8]};
 }
 
-// The number of vectors of doubles fitted at once, which hides the latency of divisions.
+// The number of vectors of doubles that are fitted at once to hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
-// line, S has two small stretches, and cof S two large ones. With a = |M| / |cof M|, the sum determines R
-// well. M = 0 gives I.
+// Returns the rotation nearest to M = R S. It is also the nearest to M + a cof M, because cof M = R cof S.
+// For points along a line, S has two small stretches, and cof S has two large stretches. With a = |M| / |cof
+// M|, the sum determines R well. If M = 0, returns I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

@@ -8,7 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// If turns differ by more radians than this from the mean of a part's logs, logs cannot represent them.
+// If the turns differ from the mean of the part's logs by more radians, the logs cannot represent the turns.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {

@@ -1,4 +1,4 @@
-// The effect of probes on a model after the cage deformation. ProbeTiles computes it in vector code.
+// Moves a model by probes after the cage deformation. ProbeTiles does this in vector code.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@
 
 namespace viete::deform {
 
-/// Applies probes after another deformation, or to the model at rest. It moves a vertex at the deformed
-/// position x to
+/// Applies probes after another deformation, or to the model at rest. Moves a vertex at the deformed position
+/// x to
 ///
 ///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q.
 ///
@@ -35,9 +35,10 @@ public:
   const Probes& probes() const { return probes_; }
   /// True if some probe is not at rest.
   bool moves() const { return moves_; }
-  /// Grows when weights or the mask change.
+  /// Increases each time the weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex. shares() lists them by probe; it is empty if all near probes rest.
+  /// The weights of one probe at a vertex. shares() is sorted by probe, and empty if all near probes are at
+  /// rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
@@ -51,13 +52,14 @@ public:
   /// Sets the deformed positions of the anchors, before the probes move them. Until the next call, the
   /// positions of move() are relative to this origin.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
-  /// Thread-safe. positions.size() == vertices.size().
+  /// Moves the positions of these vertices. positions.size() == vertices.size(). Thread-safe.
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// The absolute places of the probes on the displayed model, after carry() and all motions but their own.
+  /// Returns the absolute places of the probes on the displayed model, after carry() and other probes'
+  /// motions.
   std::vector<mesh::Point> places() const;
-  /// The places after the last carry() alone, relative to its origin.
+  /// The places after the last carry() but before any probe's motion, relative to the origin of carry().
   std::span<const Vec3> carried() const { return places_; }
 
 private:
@@ -93,7 +95,7 @@ public:
   void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
   /// True if a probe that is not at rest affects the leaf.
   bool moves(const ProbeLayer& layer, std::size_t leaf) const;
-  /// positions has x y z x for each slot of the leaf, in multiples of unit. Thread-safe.
+  /// Moves the positions of a leaf's slots, which are x y z x in multiples of unit. Thread-safe.
   void move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,
             float* positions) const;
 

@@ -24,8 +24,8 @@ enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 /// The quantities that are summed with the weights, and how the sums become a position.
 enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
 
-/// How a frame is computed. staged: link by link in double. fused: in one pass over the weights in float.
-/// stitched: by solving for the positions. The program chooses the engine, see Deformer.
+/// How a frame is computed: `staged` computes link by link in double, `fused` in one pass over the weights in
+/// float, and `stitched` solves for the positions. The program chooses the engine, see Deformer.
 enum class EngineKind { staged, fused, stitched };
 
 /// The fields common to all tables of choices.
@@ -77,14 +77,14 @@ struct Weighting {
   bool partial() const { return weights == Weights::cut_off; }
   /// True if negative weights are set to 0 and the others rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
-  /// True if both give the same weights.
+  /// True if a and b give equal weights.
   friend bool operator==(const Weighting& a, const Weighting& b) {
     return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius();
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 removes it, 2 doubles it. Centres do not
-/// change.
+/// Factors of each map's rotation and stretch in log space. 0 removes and 2 doubles the rotation or stretch.
+/// Centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -195,7 +195,7 @@ struct AskedScheme {
 
 /// A setting that is a fraction. Users see and type it in percent; libraries use the fraction.
 struct NumberEntry : ChoiceEntry {
-  /// The condition under which a scheme uses the setting, and the error if it is not met.
+  /// The condition under which a scheme uses the setting, and the error if the condition is not met.
   struct Need {
     bool (*met)(const Scheme& scheme);
     std::string_view problem, advice;
@@ -214,7 +214,7 @@ std::string text_of_percent(double fraction);
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Changes `now` by the choices in `asked`. Other choices keep their value if it is compatible. Throws
+/// Returns `now` with the choices in `asked`. Other choices are kept if they are compatible. Throws
 /// base::Error for incompatible choices, for numbers that the scheme does not use, and if elements that only
 /// translate should be stitched. A radius selects cut-off weights, unless other weights were chosen by name
 /// here or earlier (`chosen`), for example in a session.

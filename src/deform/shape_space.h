@@ -36,9 +36,9 @@ public:
   /// The log space, for sums, shapes and the anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Converts a shape to a vector with coherent branches of the logs. If `before`, the vector of the
-  /// preceding shape, is given, each triangle continues its branch. Throws base::Error unless there is one
-  /// finite position per vertex. The result does not depend on the number of threads.
+  /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
+  /// vector) is not null, each log uses the branch nearest to its log there. Throws base::Error unless there
+  /// is one finite position per vertex. The result does not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 

@@ -32,7 +32,8 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for every vertex of [begin, end). `Rows` rows at once should fill the registers.
+// Calls store(vertex, sums) for every vertex of [begin, end). The sums of `Rows` rows should fill the
+// registers.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {

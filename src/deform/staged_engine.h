@@ -18,11 +18,11 @@ namespace viete::deform {
 /// and completes the centres. sums must have its final size. Any division into ranges gives the same bits.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Does the part of blend() after the products.
+/// Does the second part of blend(): scales the sums by the shares and completes the centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
-/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for link 4.
+/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for the link exp.
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
@@ -32,14 +32,14 @@ void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Runs links 4 and 5 for all vertices, from their sums. If `error`, returns the error of place_vertices().
+/// Runs the links exp and apply for all vertices. If `error`, returns the error of place_vertices(), else 0.
 double place_sums(const VertexBlock& block, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
 /// Runs all links after the rows for all vertices. positions has one entry per vertex. If `sums` is not
 /// empty, it receives the result of blend(). Returns the largest relative difference (Frobenius norm) between
-/// the method's exponentials and those of method `fast`, which is exact to 1e-15: infinity for NaN, 0 for
-/// `fast` and without exponentials.
+/// the exponentials of `method` and of `fast`, which is exact to 1e-15. Returns infinity for NaN, and 0 for
+/// `fast` or if there are no exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 

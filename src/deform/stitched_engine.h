@@ -21,7 +21,8 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' motions.
+  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. Shares also scale the motions
+  /// of pins.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.
@@ -30,8 +31,8 @@ public:
   /// hold, the vertex's blended position relative to the rows' origin. A triangle's map is computed from the
   /// mean of its corners' sums.
   ///
-  /// iterations, 1 or more, is the number of solves. Before each later solve, the rotations R_t are replaced
-  /// by the rotations that fit the positions best; the stretches S_t do not change (O. Sorkine, M. Alexa,
+  /// iterations, 1 or more, is the number of solves. Each solve after the first replaces the rotations R_t by
+  /// the rotations that best fit the positions; the stretches S_t do not change (O. Sorkine, M. Alexa,
   /// As-rigid-as-possible surface modeling, 2007). The energy never increases.
   void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
            int iterations);
@@ -65,9 +66,10 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// The fused engine computes the sums in float. All later steps are in double: maps of triangles, solving,
-/// positions. No pose needs a factorisation. The result agrees with deform_exactly() up to the error of the
-/// sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
+/// Computes stitched frames. The fused engine computes the sums in float. All later steps are in double: the
+/// maps of triangles, the solve and the positions. No pose needs a factorisation. The result agrees with
+/// deform_exactly() up to the error of the sums: 1e-6 of the diagonal, or the fused engine's error with
+/// compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form

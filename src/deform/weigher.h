@@ -14,8 +14,8 @@
 namespace viete::deform {
 
 /// Computes the weights of Binding for any points. The error is 1e-13, or the error of
-/// inverse_distance_weights() and mean_value_weights() if it is larger. For weights along the surface, has
-/// only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
+/// inverse_distance_weights() and mean_value_weights() if that is larger. For weights along the surface,
+/// provides only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
