@@ -93,8 +93,7 @@ struct FieldValues {
   FieldStats stats;
 };
 
-/// Computes a field. `input` must contain the data of the field's source. Throws base::Cancelled.
-/// Thread-safe.
+/// Computes a field. `input` must have the data of the field's Source. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
 /// Recomputes the histogram from stats.low and stats.high.
 void fit_counts(std::span<const float> values, FieldStats& stats);

@@ -29,8 +29,7 @@ PlaneMap plane_map(const FlatFace& face, std::span<const Point> positions) {
   return {x, (1 / face.across) * (positions[c] - positions[a] - face.along * x)};
 }
 
-// Computes the larger stretch as the root of an eigenvalue of J^T J, where J = (x, y), and the smaller
-// stretch from the area.
+// The larger stretch is the root of an eigenvalue of (x, y)^T (x, y). The area gives the smaller stretch.
 Stretches stretches(const PlaneMap& map) {
   const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
   const double larger = std::sqrt((xx + yy + std::hypot(xx - yy, 2 * mesh::dot(map.x, map.y))) / 2);

@@ -12,8 +12,7 @@
 
 namespace viete::analysis {
 
-/// A triangle with an area. In a 2D basis of its plane, two sides at rest are (length, 0) and (along,
-/// across).
+/// A triangle with an area. In its plane, two sides at rest are the vectors (length, 0) and (along, across).
 struct FlatFace {
   mesh::Triangle corners;
   double length, along, across;
@@ -24,8 +23,7 @@ struct FlatFace {
 /// Returns nullopt if the triangle has no area.
 std::optional<FlatFace> flat_face(std::span<const mesh::Point> rest, const mesh::Triangle& triangle);
 
-/// The map of a triangle from its plane at rest to space. x and y are the images of the plane's basis
-/// vectors.
+/// The map of a triangle from its rest plane to space. x and y are the images of the plane's basis vectors.
 struct PlaneMap {
   mesh::Vec3 x, y;
 };
@@ -50,9 +48,8 @@ public:
   /// Returns the mean of a function of the triangles' stretches at each vertex.
   std::vector<double> means(std::span<const mesh::Point> deformed, double (*of)(const Stretches&),
                             base::WorkerPool& pool) const;
-  /// Returns at each vertex the angle, 0 to 180 degrees, of the rotation that is nearest to the mean map of
-  /// the adjacent triangles. Each triangle's map is extended to map the normal at rest to the deformed
-  /// normal.
+  /// Returns for each vertex the angle (0 to 180 degrees) of the rotation nearest to the mean map of the
+  /// adjacent triangles. These maps also map the normal at rest to the deformed normal.
   std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
 
   /// Returns the offsets from `from` to `to` along the area-weighted normals of `from`, in the file's units.

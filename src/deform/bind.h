@@ -10,15 +10,14 @@
 namespace viete::deform {
 
 /// Returns the number of free bytes that bind() needs, at most 2^63. For the fused engine, the number is an
-/// upper bound. If weights can be compressed, the number assumes that they shrink to a quarter. For weights
-/// along the surface, the number includes the uncompressed weights of all vertices.
+/// upper bound. If weights can be compressed, the number assumes that the weights shrink to a quarter. For
+/// weights along the surface, the number includes the uncompressed weights of all vertices.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
 /// Binds a model for the staged engine. The time is proportional to vertices times handles. The result does
 /// not depend on the number of threads. Throws base::Cancelled. Throws base::Error if free memory is
-/// insufficient, if the model has no vertices, or if weights along the surface are wanted and the model has
-/// no triangles.
+/// insufficient, if the model has no vertices, or no triangles for weights along the surface.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 

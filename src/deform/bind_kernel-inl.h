@@ -99,8 +99,7 @@ struct CutOffSum {
   V weights, near;  // near: not 0 if a distance is too small for float precision
 };
 
-// Writes the weight of each triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the
-// radius.
+// Writes the weight of triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the radius.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {

@@ -14,14 +14,12 @@ struct BindKernel {
   /// Computes the inverse distance weights of 16 points as floats, and the sums in RowJob. If a point is too
   /// near to a triangle for an accurate distance, returns false and leaves the rows undefined.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Computes cut_off_weights() of eight points. Writes weights [triangle][8 lanes] and the return values to
-  /// totals [8 lanes].
+  /// Computes cut_off_weights() of eight points: weights [triangle][8 lanes], and the sums totals [8 lanes].
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// Does for cut-off weights what inverse_distance_rows() does.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
   /// Computes mean value weights [corner][8 lanes] that sum to 1 per lane. Returns a bit mask of lanes that
-  /// failed because the point is too near to a triangle's plane or the sum is 0. Use mean_value_weights()
-  /// there.
+  /// need mean_value_weights(), because p is too near to a triangle's plane or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Converts weights [handle][8 lanes] to floats, writes them to eight lanes of the rows, and computes sums.
   void (*to_rows)(const double* weights, const RowJob& rows);

@@ -25,12 +25,10 @@ struct TiledBinding;
 /// s) x. If there are shares, the origin of all poses is the middle of the rest cage.
 using Shares = std::vector<double>;
 
-/// Factors from 0 to 1 that the user paints on the vertices; null if all are 1. They do not change the
-/// binding.
+/// Factors from 0 to 1 that users paint on vertices; null if all are 1. A mask does not change the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
-/// The vertex positions that the cage deforms, or null for the rest positions. Weights always depend on the
-/// rest positions only.
+/// The vertex positions that the cage deforms, or null for the rest positions. Weights ignore this shape.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
 /// The weights of n vertices for k handles, with the model at rest.
@@ -41,7 +39,7 @@ struct Binding {
   std::vector<mesh::Point> rest;              ///< x, the model's positions
   std::vector<std::string> warnings;
 
-  // Only the staged engine uses the members below. They are empty in bindings for other engines.
+  // Only the staged engine uses the members below. In bindings for other engines, they are empty.
   Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
   std::vector<double> weights;  ///< n rows of k weights; a row sums to 1, or to 0 if the vertex's share is 0
   Shares shares;                ///< empty unless weights are partial (see Weighting)

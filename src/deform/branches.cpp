@@ -26,8 +26,8 @@ constexpr double turn = 2 * std::numbers::pi;
 // random. Two distances count as equal if their difference is smaller than this number of radians.
 constexpr double half_turn_tie = 1e-2;
 // Another branch of the root may multiply the distances between neighbours' logs by at most `rougher`, and
-// add at most `rougher_at_rest` radians. Rigid rotations need the second limit: their distances are rounding
-// errors.
+// add at most `rougher_at_rest` radians. For rigid rotations, all distances are rounding errors, which need
+// the second limit.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
@@ -54,7 +54,7 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Two logs for comparison with a tree's logs: the turns of its part, and the mean log of the first part.
+// Two logs for comparison with a tree's logs: the turns of the tree's part, the mean log of the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -91,8 +91,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// True if `a` is smooth enough and nearer to the reference than `b`. If `a` and `b` are equally near to the
-// reference, compares the distances to the leader.
+// Returns true if `a` is smooth enough and nearer to the reference than `b`. If `a` and `b` are equally near
+// to the reference, compares the distances to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -113,17 +113,19 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// True if nearest_branch(v, reference) is certainly v. |v| and |reference| must be at most half a turn.
+// Returns true if nearest_branch(v, reference) is certainly v. |v| and |reference| must be at most half a
+// turn.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if every log stays principal, whatever the forest is. This needs two conditions. First, the principal
-// log of each element must be the nearest to its neighbours' principal logs. Second, it must be the nearest
-// to all references and to the leader. Let r be the length of the longest reference. The distance between a
-// principal log v and a reference is at most |v| + r. Another branch has a length of at least 2 pi - |v|, so
-// its distance is at least 2 pi - |v| - r. This distance is larger if |v| + r < pi.
+// Returns true if every log stays principal, whatever the forest is. This needs two conditions. First, the
+// principal log of each element must be the branch nearest to the neighbours' principal logs. Second, the
+// principal log must be the branch nearest to all references and to the leader. Let r be the length of the
+// longest reference. The distance between a principal log v and a reference is at most |v| + r. Another
+// branch has at least the length 2 pi - |v| and the distance 2 pi - |v| - r. This distance is larger if |v| +
+// r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -187,7 +189,8 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if the axis or the number of whole turns may differ between a part's mean log and its turns.
+// Returns true if the axis or the number of whole turns may differ between a part's mean log and the part's
+// turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;

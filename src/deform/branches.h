@@ -21,15 +21,14 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
 /// Returns the edges of the spanning forest with the smallest relative angles. If angles are equal, prefers
-/// the edge with the lower index.
+/// lower indices.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
 /// Returns the mean log of each part of the cage.
 std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs);
 
-/// Returns the number of whole turns by which the rotation vector `turn` is longer than `least`, the shortest
-/// rotation vector of the pose.
+/// Returns the number of whole turns that `turn` has in addition to `least`, the pose's shortest rotation.
 double whole_turns(const Vec3& turn, const Vec3& least);
 /// Returns `count` whole turns about an axis of length 1, plus the component of `least` along this axis.
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
@@ -43,9 +42,8 @@ struct Branches {
 /// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage, a spanning
 /// forest of the smallest relative angles starts at the root. Each log is the branch nearest to the parent's
 /// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part] (0
-/// if missing), unless neighbours' logs would become farther apart. Therefore, a single flipped map does not
-/// rotate the others. If two branches are equally near, the part uses the branch nearer to the first part's
-/// mean log.
+/// if missing), unless neighbours' logs would become farther apart. So a single flipped map does not rotate
+/// other maps. If two branches are equally near, the branch nearer to the first part's mean log wins.
 ///
 /// A log can have whole turns only about the axis of its rotation. If a part's turns are longer than half a
 /// turn and have another axis, Branches::turns keeps their whole turns. If the logs of such a part are not

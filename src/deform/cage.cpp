@@ -218,8 +218,7 @@ void add_elements(Cage& cage) {
                           " cage triangles have zero area and do not deform the model: " + listed(found));
 }
 
-// Returns the extent of the cage along the normal of the first triangle with an area, in diagonals of the
-// cage.
+// Returns the cage's extent along the normal of the first triangle with an area, in diagonals of the cage.
 double thickness(const Cage& cage) {
   const auto e = std::find(cage.degenerate.begin(), cage.degenerate.end(), 0) - cage.degenerate.begin();
   const auto& p = cage.surface.positions;

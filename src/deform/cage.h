@@ -30,8 +30,7 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. The length of the result is the side of a square
-/// with this area.
+/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. A square with this side has the area |x|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -39,7 +38,7 @@ RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangl
 /// The rest cage, with all data that do not depend on the pose. Its elements are its triangles.
 struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
-  std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if it belongs to no polygon
+  std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex
   std::vector<mesh::Edge> edges;         ///< edges of the polygons, without duplicates
   std::vector<Vec3> centers;             ///< rest centroid of each element
   std::vector<RestBasis> bases;          ///< one per element; undefined if the element has no area
@@ -51,7 +50,7 @@ struct Cage {
   std::vector<std::uint32_t> parts;  ///< index into roots per element; roots.size() for elements without area
   double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;                   ///< mesh::used_size(), the unit of radii
-  double contact = 0;                ///< points nearer to an element count as on it; about the rounding error
+  double contact = 0;    ///< a point at this distance counts as on the element; about the rounding error
   bool closed = false;   ///< true: every edge has two triangles, which traverse it in opposite directions
   mesh::OneSided sides;  ///< sides for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
@@ -76,8 +75,8 @@ Cage no_cage(const mesh::Bounds& box);
 inline constexpr double largest_turn = 1e6;
 
 /// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
-/// logs of a part's elements are the branches nearest to this vector. If the vector is missing or 0, the
-/// smallest rotations are used.
+/// logs of a part's elements are the branches nearest to this vector. A missing vector counts as 0, the
+/// smallest rotation.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
@@ -91,8 +90,7 @@ struct DualGraph {
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges that throw FinError. A fin, which is a surface with the outside on both sides, ends at such an
-  /// edge.
+  /// Edges that cause a FinError. A fin (a surface with the outside on both sides) ends at such an edge.
   std::vector<mesh::Edge> fins;
 };
 

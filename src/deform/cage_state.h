@@ -42,9 +42,9 @@ struct Rows {
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// The maps, logs and rows of a pose. They do not depend on the model. During a drag, only the maps of
-/// elements with moved vertices are computed again, and the origin stays. Any other row keeps all bits unless
-/// the branch or the lower limit of the row's log changes. Not thread-safe.
+/// The maps, logs and rows of a pose. The model has no influence. During a drag, only the maps of elements
+/// with moved vertices are computed again, and the origin stays. Any other row keeps all bits unless the
+/// branch or the lower limit of the row's log changes. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.
@@ -69,14 +69,13 @@ public:
   std::span<const std::uint32_t> moving() const { return moving_; }
   /// Increases each time the row of a handle outside moving() changes.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// The report of the last pose. If the rows do not use logs, it contains only the pose's turns.
+  /// The report of the last pose. If the rows do not use logs, the report contains only turns.
   const LogReport& report() const { return report_; }
   /// Computing times of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:
-  // These update all handles or, if `few`, the dragged handles. They return true if other handles' rows
-  // changed.
+  // Update all handles or, if `few`, the dragged handles. Return true if rows of other handles changed.
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
   bool takes_logs() const;

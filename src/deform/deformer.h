@@ -18,9 +18,8 @@
 namespace viete::deform {
 
 /// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
-/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All other frames
-/// use the staged engine. Not thread-safe. The cage and the binding never change, so another thread can make
-/// a new binding at any time.
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All others use the
+/// staged engine. Not thread-safe. The cage and the binding never change, so other threads can read them.
 class Deformer {
 public:
   /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.
@@ -44,15 +43,14 @@ public:
   /// If `all`, every method uses the staged engine for blends with exponentials. Times are then comparable.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// Returns the engine for the method, or nullopt if data for this engine (binding or stitching) are
-  /// missing.
+  /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
   /// Until end_drag(), poses must differ from the last pose only in these cage vertices. During a drag, the
   /// cost of a fused frame is proportional to the number of moved handles.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
-  /// engine(method) is nullopt, uses the fused engine, which must then exist.
+  /// engine(method) is nullopt, the fused engine must exist and is used.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.

@@ -29,17 +29,16 @@ struct ExactModel {
 };
 
 /// Deforms one model by any number of poses. The results differ from the staged engine's by at most 1e-12 of
-/// the cage's diagonal. They do not depend on the number of threads or on earlier poses. Needs memory for the
-/// positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along the
-/// surface also need memory for the weights of all vertices. Not thread-safe.
+/// the cage's diagonal. The number of threads and earlier poses do not change the results. Needs memory for
+/// the positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along
+/// the surface also need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// If `kept`, all weights are kept for the next pose, but only if they need less than a quarter of the free
-  /// memory.
+  /// `kept`: keeps all weights for the next pose if the weights need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
-  /// model and pool must outlive the deformer; cage must not be null. progress may be null; it reports the
-  /// work before the first pose. Throws base::Error if the model has no vertices, and base::Cancelled.
+  /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
+  /// first pose, and may be null. Throws base::Error if the model has no vertices, and base::Cancelled.
   ExactDeformer(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);

@@ -26,7 +26,7 @@ constexpr double longest_step = 0.7;         // largest change of a weight, and 
 constexpr double least_damping = 1e-9, most_damping = 1e3;
 constexpr double at_rest = 1e-5;  // solve() ends after a shorter step
 
-// True if the rotation nearest to a matrix is unique.
+// Returns true if the rotation nearest to a matrix is unique.
 bool tells_rotation(const Mat& m) {
   const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
   return singular[0] + singular[1] > 1e-6 * singular[2];

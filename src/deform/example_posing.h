@@ -32,8 +32,7 @@ struct PosingSettings {
   /// Strength of the force that keeps the examples' weights near their initial values (usually 0), relative
   /// to the elastic energy of one unit of the model's area.
   double restraint = 1e-3;
-  /// How freely triangles may rotate away from the blend of examples, 0 to 1. If there are no examples, 1 is
-  /// ARAP.
+  /// How freely triangles may rotate away from the blend, from 0 to 1. If there are no examples, 1 is ARAP.
   double freedom = 0.3;
 };
 
@@ -72,8 +71,8 @@ public:
   std::span<const mesh::Point> positions() const { return positions_; }
   /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
-  /// Restarts from these weights (one per example) and the shape that they blend. Later steps keep the
-  /// weights near these values.
+  /// Restarts from the weights (one per example) and from `shape`, the blend of the examples. Later steps
+  /// keep the weights near these values.
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:

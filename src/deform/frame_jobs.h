@@ -29,8 +29,7 @@ struct TileRun {
 /// The number of values per vertex: n, s, dual and scale of RestMoment, with lengths in units of l.
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf, each as x y z x. The slots come first, then the ghosts (copies of other leaves'
-/// slots).
+/// The positions of one leaf as x y z x: first the slots, then the ghosts (copies of other leaves' slots).
 struct RingRun {
   float* positions;                 ///< all positions of the model
   std::size_t first, slots, count;  ///< the leaf's first position; number of slots; slots plus ghosts

@@ -246,10 +246,10 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// Sets mean_, the mean of the rows. Because it is subtracted from the rows, rotations of the whole cage are
+// Sets mean_, the mean of the rows. If this mean is subtracted from the rows, rotations of the whole cage are
 // exact (see RowShape::with_mean). The mean does not change during a drag. For uncompressed weights, the mean
-// is rounded to a multiple of 0.5. Edits rarely change this value, so vertices that an edit does not
-// influence keep their bits.
+// is rounded to a multiple of 0.5. Edits rarely change this mean, so vertices that an edit does not influence
+// keep all bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -294,7 +294,7 @@ void FusedEngine::begin_drag(Handles moving) {
   });
 }
 
-// Lists for each leaf the moving handles with weight there. Returns the number of their weights.
+// Lists the moving handles with weight in each leaf. Returns the number of weights of all listed handles.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
   drag_.starts = {0};

@@ -36,12 +36,11 @@ public:
   /// Always uses method `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// Runs the first half of a frame: computes the sums of rows [vertex][column], multiplied by shares, in the
-  /// file's order and unit.
+  /// Runs the first half of a frame: sums rows [vertex][column] times shares, in the file's order and unit.
   void blend(const CageState& state, std::span<double> sums);
   /// Runs the second half of a frame for these positions, relative to the rows' origin: fills vertices().
   void show(std::span<const Vec3> positions);
-  /// True if the last frame used cached sums and added only the moved handles.
+  /// Returns true if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }
   /// Returns the bytes of weights or factors that the last frame read.
   std::size_t bytes() const;

@@ -7,7 +7,7 @@ namespace viete::deform {
 
 namespace {
 
-// This part of the largest motion is added to the motion of each vertex (both squared). A resting vertex
+// The square of this part of the largest motion is added to each vertex's squared motion. A resting vertex
 // therefore has 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
 // If a map rotates and stretches less than this, the map's fixed point is too far away to matter.
@@ -75,8 +75,8 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 }  // namespace
 
-// Multiplies the weights by a linear function of the positions, so that the weighted mean becomes the fixed
-// point of the fitted affine map.
+// Multiplies the weights by a linear function of the positions, so that the weighted mean is the fixed point
+// of the map.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());

@@ -19,11 +19,11 @@ struct HangingParts {
 /// The weight of each vertex in the anchor of its part. The anchor is a weighted mean of the vertices and
 /// moves on a straight line. Vertices that move little have large weights, so a resting region stays, and a
 /// limb rotates about its joint. If the part moves by an affine map, the anchor is the point that moves
-/// least, so a rotating part rotates about its axis.
+/// least: for a rotation, a point on the axis.
 using Held = std::vector<double>;
 
-/// Computes the weights from positions `from`, displacements `ways`, and their squared lengths `squares` (or
-/// sums of squared lengths).
+/// ways are the displacements of the positions `from`. squares are squared lengths of ways, or sums of
+/// squared lengths.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 

@@ -36,7 +36,7 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
 }
 
-// The cotangent at a corner is the dot product of its two sides divided by twice the area of the triangle.
+// The cotangent at a corner is the dot product of the corner's two sides divided by twice the area.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   const auto s = scaled_sides(a, b, c);
   const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));
@@ -70,8 +70,7 @@ constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
 constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
 
-// Returns the area of a triangle with the side lengths a, b, c. W. Kahan, Miscalculating Area and Angles of a
-// Needle-like Triangle (2014).
+// Returns the area of a triangle. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b < c) std::swap(b, c);
@@ -81,8 +80,7 @@ double area_of(double a, double b, double c) {
   return std::max(0.25 * std::sqrt(std::max(square, 0.0)), least * a * a);
 }
 
-// Triangles without positions, given by edge lengths and adjacency. Half-edge h runs from tail_[h] to
-// tail_[next_[h]].
+// Triangles given by edge lengths and adjacency. Half-edge h runs from tail_[h] to tail_[next_[h]].
 class IntrinsicTriangles {
 public:
   IntrinsicTriangles(const std::vector<mesh::Point>& positions,
@@ -170,9 +168,8 @@ private:
     }
   }
 
-  // Pairs the half-edges of an edge. On a doubled surface, each triangle has a forward half-edge on its front
-  // and a backward half-edge on its back. The next triangle's backward half-edge is the twin of the forward
-  // one.
+  // Pairs half-edges. On a doubled surface, each triangle has a forward half-edge on its front and a backward
+  // half-edge on its back. The twin of a forward half-edge is the next triangle's backward half-edge.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
@@ -201,7 +198,7 @@ private:
     for (double& l : length_) l = mean > 0 ? l / mean : 1;
   }
 
-  // Adds the same length to all edges, so that every triangle has an area.
+  // Adds one length to all edges, so that every triangle has an area.
   void lengthen() {
     double missing = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h)

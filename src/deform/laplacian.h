@@ -11,7 +11,7 @@
 namespace viete::deform {
 
 /// A triangle is thin if twice its area divided by the square of its longest side is less than this ratio. A
-/// thin triangle is treated as if it had exactly this ratio.
+/// thin triangle is treated as if its ratio were this number.
 inline constexpr double thin_triangle = 1e-6;
 
 bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
@@ -38,12 +38,12 @@ struct IntrinsicLaplacian {
 };
 
 /// Returns cotangent weights of the intrinsic Delaunay triangulation (A. Bobenko and B. Springborn, Discrete
-/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Solutions of L u = 0
-/// then obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian for
-/// Nonmanifold Triangle Meshes (SGP 2020): lengthens all edges by up to 1e-5 of the mean edge, so that every
-/// triangle has an area. Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation,
-/// and joins the two sides, so that no weight is negative at such edges. Unlike the paper, joins the sides
-/// around an edge of three or more triangles in file order, not by angle.
+/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Therefore, solutions
+/// of L u = 0 obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
+/// for Nonmanifold Triangle Meshes (SGP 2020): lengthens all edges by up to 1e-5 of the mean edge, so that
+/// every triangle has an area. Doubles a surface with a boundary, nonmanifold edges or inconsistent
+/// orientation, and joins the two sides, so that no weight is negative at such edges. Unlike the paper, joins
+/// the sides around an edge of three or more triangles in file order, not by angle.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

@@ -65,9 +65,9 @@ namespace {
 
 using Opposite = std::array<std::uint32_t, 2>;  // the edge of a triangle opposite to the vertex
 
-// The largest numbers of triangles and neighbours of a vertex in a group. A leaf then has at most
-// 512 (1 + 63) = 2^15 positions, so 16 bits are enough for an index times 4 / index_floats = 2. One fan of 60
-// triangles has 61 neighbours; several fans have more.
+// The largest numbers of triangles and neighbours of a vertex in a group. With these limits, a leaf has at
+// most 512 (1 + 63) = 2^15 positions, so 16 bits are enough for an index times 4 / index_floats = 2. One fan
+// of 60 triangles has 61 neighbours; several fans have more.
 constexpr std::size_t most_valence = 60, most_neighbours = 63;
 
 // Collects the opposite edges around a vertex and orders them into fans of triangles.
@@ -154,8 +154,7 @@ private:
     }
   }
 
-  // Returns the index of a slot among the leaf's positions. Adds a ghost if a slot of another leaf has none
-  // yet.
+  // Returns the index of a slot among the leaf's positions. Adds a ghost for each new slot of other leaves.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {
@@ -193,7 +192,7 @@ private:
     rings_.lengths.push_back(static_cast<std::uint16_t>(length + (closed ? closed_ring : 0)));
   }
 
-  // True if all rings are closed and have the same length.
+  // Returns true if all rings are closed and have equal lengths.
   bool are_closed() const {
     const std::size_t size = around_slot_[0].size();
     return size > 2 && std::all_of(around_slot_.begin(), around_slot_.end(), [=](const auto& around) {

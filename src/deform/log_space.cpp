@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 constexpr std::size_t places_per_block = 1024;
 
-// Returns for each vertex the first vertex that has its position.
+// Returns for each vertex v the first vertex that has the position of v.
 std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
   mesh::PointIndex index;
   std::vector<mesh::Point> places;
@@ -50,7 +50,7 @@ public:
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
   // Computes the pull of each side of the triangles on the side's first end. The pull on the second end is
-  // the negative of it. Uses the block of triangles that starts at `first` in triangles_.
+  // the negative pull. Uses the block of triangles that starts at `first` in triangles_.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });

@@ -51,9 +51,9 @@ struct LogTerm {
 ///     sum_t area_t |(grad p - M_t) T_t|^2.
 ///
 /// T_t projects onto the triangle's plane at rest. This is a Poisson problem (Y. Yu et al., Mesh editing with
-/// Poisson-based gradient field manipulation, 2004); its matrix is factored once. Vertices at the same
-/// position count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a
-/// vector also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
+/// Poisson-based gradient field manipulation, 2004); the matrix is factored once. Vertices at one position
+/// count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a vector
+/// also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
 ///
 /// A second step moves the rotations of doubtful triangles towards rotations that best fit the positions, and
 /// solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This step keeps edge
@@ -67,7 +67,7 @@ public:
     std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
   };
-  /// The buffers of one thread. If reused, they are not allocated again.
+  /// The buffers of one thread. If a thread reuses them, no memory is allocated.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
     std::vector<Vec3> wholes;                // whole turns of the sum, per part
@@ -93,20 +93,19 @@ public:
   /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
-  /// Computes the shape of a sum. positions must have the size of rest(). The result does not depend on the
-  /// number of threads.
+  /// Computes the shape of a sum. positions.size() == rest().size(). The number of threads does not change
+  /// the result.
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
   /// Does a step of shape(): sets work.ways to the displacements that fit the sum's logs, without leftovers.
-  /// One vertex of each part does not move. If `whole` is not null, it replaces the sum's whole turns.
+  /// One vertex of each part does not move. If `whole` is not null, *whole replaces the sum's whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
   /// Does follow(), but moves the rotations by a factor `share`, 0 to 1, towards a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at place() of
-  /// vertices, and writes the solution to work.ways. One vertex of each part does not move. Solves three
-  /// columns at once.
+  /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and
+  /// writes the solution to work.ways. One vertex of each part does not move. Solves three columns at once.
   void solve(Work& work) const;
 
   /// The triangles with area: their corners, half cotangents and indices in the mesh.
@@ -149,7 +148,7 @@ private:
   std::vector<std::uint32_t> part_of_;    // parts of triangles_
   std::vector<Vec3> cotangents_;          // half cotangents of triangles_, one per corner
   base::AlignedVector<double> sides_;     // sides and half cotangents, block by block, see PlaneKernel::pull
-  std::vector<std::uint32_t> places_;     // per vertex: its place, the first vertex at the same position
+  std::vector<std::uint32_t> places_;     // per vertex: its place, which is the first vertex at its position
   mesh::Adjacency around_;                // per place: 3 i + corner for each index i of triangles_
   HangingParts parts_;
   std::vector<std::uint32_t> copies_;    // vertices that are not places

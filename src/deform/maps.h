@@ -96,9 +96,9 @@ inline std::array<double, 9> numbers(const MapLog& log) {
 struct LogReport {
   std::vector<Vec3> turns;               ///< one per part of the cage; pass them with the next pose
   std::vector<std::uint32_t> collapsed;  ///< indices of maps whose stretch was raised, ascending
-  /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees, or whose logs differ by more
-  /// than 180 degrees. Blends between such maps are ambiguous. (A ring of elements that makes one whole turn
-  /// has such a pair.)
+  /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees or whose logs by more than
+  /// 180 degrees. Blends between such maps are ambiguous. (A ring of elements that turns once has such a
+  /// pair.)
   std::vector<mesh::Edge> torn;
 };
 
@@ -119,7 +119,7 @@ Polar polar(const sym3::Mat3<double>& m);
 /// Returns X = axes diag(log stretches) axes^T. The stretches must be positive.
 sym3::Sym3<double> log_stretch(const Polar& polar);
 
-/// True if both stretches of a map are above the minimums of log_maps(). False for NaN.
+/// Returns true if both stretches of a map are above the minimums of log_maps(). False for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
 /// Computes the split by SVD, for a map that mirrors, collapses or is not finite. Raises singular values to
@@ -133,12 +133,12 @@ bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 ///
 /// choose_branches() chooses the branches of Y. If each call gets report.turns of the previous call, the logs
 /// follow a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
-/// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Unless such
-/// elements rotate rigidly together, they blend badly; `torn` lists them.
+/// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Elements with
+/// such rotations blend badly unless they rotate rigidly together; `torn` lists such elements.
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
-/// True if the rows are moments, from which maps are fitted to points: see moments.h.
+/// Returns true if the rows are moments, from which maps are fitted to points: see moments.h.
 inline bool has_moments(RowForm form) {
   return form >= RowForm::affine_moments;
 }

@@ -24,9 +24,9 @@ using ViewV = hn::Vec<ViewTag>;
 //     m   = sum of (a_i / |c_i|) c_i / 2         is the integral of unit vectors over the spherical triangle
 //     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
 // The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
-// of a corner is the sum of the s_i of its triangles, divided by its distance from p (Ju, Schaefer, Warren
-// 2005). The two triangles of an edge have the same c_i, except for its sign, and the same a_i / (2 |c_i|)
-// and |c_i|^2. Therefore these three are computed once per edge, and u_i once per corner.
+// of a corner is the sum of the s_i of its triangles, divided by the corner's distance from p (Ju, Schaefer,
+// Warren 2005). The two triangles of an edge have equal a_i / (2 |c_i|) and |c_i|^2, and equal c_i except for
+// the sign. Therefore these three are computed once per edge, and u_i once per corner.
 
 constexpr double in_plane = 1e-8;   // if the sine of an angle is less, p may be in a triangle's plane
 constexpr double vanishing = 1e-9;  // a smaller sum counts as 0; relative to the absolute weights' sum
@@ -46,8 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for c from 0 to 1, with an error of 4e-17 before rounding. Interpolates at
-// Chebyshev points.
+// Interpolates acos(c) / sqrt(1 - c^2), 0 <= c <= 1, at Chebyshev points; error 4e-17 before rounding.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,

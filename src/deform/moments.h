@@ -25,9 +25,9 @@ namespace viete::deform {
 /// edges. With these terms, K is never singular. `affine` still follows affine poses of the cage exactly
 /// (only similarities if the cage is flat); `rigid` and `similar` follow similarities.
 ///
-/// Negative (biharmonic) weights affect only the sums of w p and w p'. In K they could cancel other weights.
-/// Computes the positions of the vertices [begin, end) independently, in double. Shares scale the
-/// displacements. The rows must have a moment form.
+/// Negative (biharmonic) weights affect only the sums of w p and w p'. In K, negative weights could cancel
+/// other weights. Computes the positions of the vertices [begin, end) independently, in double. Shares scale
+/// the displacements. The rows must have a moment form.
 void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions);
 

@@ -123,9 +123,9 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
 // The number of vectors of doubles that are fitted at once to hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// Returns the rotation nearest to M = R S. It is also the nearest to M + a cof M, because cof M = R cof S.
-// For points along a line, S has two small stretches, and cof S has two large stretches. With a = |M| / |cof
-// M|, the sum determines R well. If M = 0, returns I.
+// Returns the rotation R nearest to M = R S. R is also nearest to M + a cof M, because cof M = R cof S. For
+// points along a line, S has two small stretches, and cof S has two large stretches. With a = |M| / |cof M|,
+// the sum determines R well. If M = 0, returns I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

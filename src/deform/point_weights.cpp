@@ -196,9 +196,9 @@ int widest(const View& v) {
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Returns the coefficients of m along u[0], u[1], u[2]. If p is almost in the triangle's plane, the three
-// directions are nearly dependent, and m is almost in their plane. The function then uses only the two most
-// independent directions.
+// Returns the coefficients of m along u[0], u[1], u[2]. If p is almost in the triangle's plane, the
+// directions are nearly dependent, and m is almost in their plane. If so, uses only the two most independent
+// directions.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

@@ -34,7 +34,7 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 /// Sets weights[i] = w_i / sum of w_j, where w is 1 / (squared distance). Weights are in [0, 1] and sum to 1.
 /// Uses only ratios of distances, so no length scale overflows. Distances below cage.contact count as
 /// cage.contact. At a point on the cage, touching elements get equal weights, other elements nearly 0.
-/// weights has one entry per element of this kind. Elements without extent (see HandleShape) get 0.
+/// weights has one entry per handle. Elements without extent (see HandleShape) get 0.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               Elements elements = Elements::face);
 
@@ -47,12 +47,12 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 
 /// Returns x - sum w h for a vertex at the rest position x. Rounds as blend() does, so that a cage at rest
 /// reproduces all bits of x. If the result is only a rounding error, returns 0, because the error would not
-/// shrink with the pose. handles (the h) and x must be relative to one origin.
+/// shrink with the pose. handles (the h) and x must have one origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
-/// Returns the fraction of the blended motion that a point makes. `total` is the sum of its weights before
-/// normalisation. If a point is near the radius of all its elements, the fraction is less than 1.
+/// Returns the fraction of the blended motion that a point makes. `total` is the sum of the point's weights
+/// before normalisation. If the point is near the radius of its elements, the fraction is less than 1.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }
@@ -72,8 +72,8 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 /// that it covers, is split along the directions to its corners. Over a closed cage the mean vectors cancel,
 /// so the weights reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). If p is nearer to the
 /// cage than cage.contact, the weights are barycentric. If the sum of the weights vanishes (possible outside,
-/// or for open cages), writes the weights of the closest point of the cage and returns false. weights has one
-/// entry per vertex. Thread-safe.
+/// or for open cages), writes the weights of the cage's closest point and returns false. weights.size() ==
+/// vertices. Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform

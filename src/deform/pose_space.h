@@ -12,8 +12,8 @@
 namespace viete::deform {
 
 /// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses other
-/// elements. The whole turns of a vector are the turns that its logs cannot represent, because they have
-/// another axis than the part's rotation, see choose_branches(). Constant after construction, so thread-safe.
+/// elements. The whole turns of a vector are the turns that its logs cannot represent, because the axis of
+/// the part's rotation differs, see choose_branches(). Constant after construction, so thread-safe.
 class PoseSpace {
 public:
   /// Throws base::Error as LogSpace does.

@@ -15,8 +15,7 @@
 
 namespace viete::deform {
 
-/// Applies probes after another deformation, or to the model at rest. Moves a vertex at the deformed position
-/// x to
+/// Applies probes to a deformed model or to the model at rest. Moves a vertex at the position x to
 ///
 ///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q.
 ///
@@ -33,12 +32,11 @@ public:
   /// if weights or the set of probes at rest change; otherwise O(1).
   void set(const Probes& probes, const Mask& mask);
   const Probes& probes() const { return probes_; }
-  /// True if some probe is not at rest.
+  /// Returns true if some probe is not at rest.
   bool moves() const { return moves_; }
   /// Increases each time the weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex. shares() is sorted by probe, and empty if all near probes are at
-  /// rest.
+  /// One probe's weights at a vertex. shares() is sorted by probe, and empty if all near probes are at rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
@@ -56,8 +54,7 @@ public:
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// Returns the absolute places of the probes on the displayed model, after carry() and other probes'
-  /// motions.
+  /// Returns the absolute places of the probes on the displayed model, including other probes' motions.
   std::vector<mesh::Point> places() const;
   /// The places after the last carry() but before any probe's motion, relative to the origin of carry().
   std::span<const Vec3> carried() const { return places_; }
@@ -85,15 +82,15 @@ private:
   Vec3 origin_{0, 0, 0};
 };
 
-/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: one for each part of
-/// its motion, with its own weight, and one with its place for the pivot:
+/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: one with a separate
+/// weight for each part of the motion, and one with the probe's place for the pivot:
 ///
 ///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
 class ProbeTiles {
 public:
   /// Updates the weights if the layer's weights changed.
   void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
-  /// True if a probe that is not at rest affects the leaf.
+  /// Returns true if a probe that is not at rest affects the leaf.
   bool moves(const ProbeLayer& layer, std::size_t leaf) const;
   /// Moves the positions of a leaf's slots, which are x y z x in multiples of unit. Thread-safe.
   void move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,

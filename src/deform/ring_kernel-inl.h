@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
-// A point has four lanes x y z x. If rotated left by one lane, they are y z x y, which a cross product needs.
-// A register has as many points as fit. Each point has a block of four lanes.
+// A point has four lanes x y z x. A rotation left by one lane gives y z x y, which a cross product needs. A
+// register has as many points as fit. Each point has a block of four lanes.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -182,8 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (sum of absolute values) of area vectors z x y 0. Lane k of a block is for areas[k]; 0 if no
-// area.
+// Returns 1 / (sum of absolute values) for each vector z x y 0: in lane k for areas[k], 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -215,9 +214,8 @@ struct Areas {
 };
 
 // Returns twice the sum of the area vectors around `self`. Two consecutive triangles form a quadrilateral.
-// Twice its area vector is the cross product of the diagonals, so only half as many products are needed.
-// Neighbours are `stride` numbers apart, each in units of `floats` floats. Open rings have an odd number of
-// neighbours.
+// Twice the quadrilateral's area vector is the cross product of the diagonals, so half as many products
+// suffice. Neighbours are `stride` numbers apart, in units of `floats` floats. Open rings have an odd length.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -312,8 +310,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// Computes the slots of a block from `begin` on. Each step runs for all slots before the next step, which
-// hides the latency of divisions.
+// Computes the slots of a block from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

@@ -25,8 +25,7 @@ struct RowShape {
   /// The number of leading columns whose mean is subtracted from the rows and added to the sums again.
   /// Because exact weights sum to 1, this only removes the compression error of the mean.
   std::size_t with_mean;
-  /// Index of the first of three columns with the handles' centres, or `columns` if there are none. See
-  /// Shares in binding.h.
+  /// Index of the first of three columns with the handles' centres; `columns` if there are none. See Shares.
   std::size_t center;
 };
 

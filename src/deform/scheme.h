@@ -73,18 +73,18 @@ struct Weighting {
   double radius = 0.25;  ///< the radius of cut-off weights, in sizes of the cage
 
   double used_radius() const { return partial() ? radius : 0; }
-  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1, see Shares.
+  /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
+  /// Shares.
   bool partial() const { return weights == Weights::cut_off; }
-  /// True if negative weights are set to 0 and the others rescaled to sum 1.
+  /// Returns true if negative weights are set to 0 and the other weights are rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
-  /// True if a and b give equal weights.
+  /// Returns true if a and b give equal weights.
   friend bool operator==(const Weighting& a, const Weighting& b) {
     return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius();
   }
 };
 
-/// Factors of each map's rotation and stretch in log space. 0 removes and 2 doubles the rotation or stretch.
-/// Centres do not change.
+/// Factors of each map's rotation and stretch in log space: 0 removes, 2 doubles. Centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -110,9 +110,9 @@ struct Scheme {
   Holding holding{};  ///< for stitched models
 
   bool stitched() const { return iterations > 0; }
-  /// True if a frame needs an exponential per vertex.
+  /// Returns true if a frame needs an exponential per vertex.
   bool exponential() const { return blend == Blend::srl; }
-  /// True if elements rotate and stretch; false if they only translate.
+  /// Returns true if elements rotate and stretch; false if they only translate.
   bool has_maps() const { return weighting.elements == Elements::face; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting == b.weighting && a.blend == b.blend && a.amounts == b.amounts &&
@@ -128,14 +128,14 @@ inline Scheme no_motion() {
 /// Returns why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// A choice of weights, of a blend, of both, or no choice. A member without a value allows any value.
+/// A choice of weights and a choice of a blend. A member without a value allows any value.
 struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
 
   bool any() const { return weights || blend; }
 };
-/// True if the scheme agrees with the choice.
+/// Returns true if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
 /// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
@@ -159,8 +159,8 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer is Way::smooth. It has the lowest energy over the poses of many models and is never
-/// among the worst (see the manual). Models without triangles get weights that need no surface.
+/// The default deformer is Way::smooth. This deformer has the lowest energy over the poses of many models and
+/// is never among the worst (see the manual). Models without triangles get weights that need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {
@@ -170,7 +170,7 @@ inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
 
-/// Returns a scheme with these choices. It keeps as much as possible of `preferred`: the radius, the amounts,
+/// Returns a scheme with these choices. Keeps as much as possible of `preferred`: the radius, the amounts,
 /// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 
@@ -193,7 +193,7 @@ struct AskedScheme {
   bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
-/// A setting that is a fraction. Users see and type it in percent; libraries use the fraction.
+/// A setting that is a fraction. Users see and type percent; libraries use the fraction.
 struct NumberEntry : ChoiceEntry {
   /// The condition under which a scheme uses the setting, and the error if the condition is not met.
   struct Need {

@@ -16,7 +16,7 @@ namespace viete::deform {
 /// share is 1, v' is the linear part of this map times v. Not thread-safe.
 class ShapeFollower {
 public:
-  /// True if the scheme's rows are positions. All other rows have maps.
+  /// Returns true if the scheme's rows are positions. All other rows have maps.
   static bool is_for(const Scheme& scheme) {
     return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
   }
@@ -28,8 +28,7 @@ public:
   /// Returns the moved displacements of all vertices, scaled by the mask. Uses tiles if the binding has them.
   std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                  base::WorkerPool& pool);
-  /// Returns the moved displacements of the block's vertices. block.ways must be empty. Thread-safe between
-  /// poses.
+  /// Returns moved displacements of a block's vertices. block.ways must be empty. Thread-safe between poses.
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:

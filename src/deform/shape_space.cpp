@@ -22,7 +22,7 @@ constexpr std::size_t triangles_at_once = 64;
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
-// doubtful; above `given_up`, it is fully replaced.
+// doubtful; above `given_up`, the rotation is fully replaced.
 constexpr double doubted = 0.3, given_up = 1;
 
 Mat transposed(const Mat& m) {

@@ -14,8 +14,9 @@
 
 namespace viete::deform {
 
-/// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales them by the shares
-/// and completes the centres. sums must have its final size. Any division into ranges gives the same bits.
+/// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales the sums by the
+/// shares and completes the centres. sums must have its final size. The division into ranges does not change
+/// the result.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
 /// Does the second part of blend(): scales the sums by the shares and completes the centres.
@@ -26,8 +27,8 @@ void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs they are
-/// origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). See RowForm for forms and symbols.
+/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs, the
+/// positions are origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). Symbols: see RowForm.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);

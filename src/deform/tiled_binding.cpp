@@ -221,7 +221,7 @@ private:
     b_.failed = failed;
   }
 
-  // Handles that only translate need a quarter of the work, so factors do not pay for them.
+  // Handles that only translate need a quarter of the work, so factors are not worth their cost.
   bool worth_sampling(double tolerance) const {
     return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);

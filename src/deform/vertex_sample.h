@@ -42,7 +42,7 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
 /// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
-/// from the staged engine's data or, without it, from the tiles. Keeps references to its arguments.
+/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to its arguments.
 class BoundVertices {
 public:
   BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);

@@ -33,7 +33,7 @@ public:
                  LaneShares& shares) const;
   /// Computes weights as floats, with errors up to 2e-6, for points near each other. Their number must be a
   /// multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times handle
-  /// positions, and the share. Returns for each point whether it lacks mean value coordinates.
+  /// positions, and the share. Returns true for each point without mean value coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().
@@ -56,7 +56,7 @@ private:
   Weighting weighting_;
   const BindKernel& kernel_;
   Vec3 origin_;
-  double scale_;  // a power of two: the cage's diagonal times it is near 1
+  double scale_;  // a power of two; scale_ times the cage's diagonal is near 1
   std::vector<Vec3> handles_;
   std::vector<Vec3> corners_;  // these and all members below are relative to origin_ and scaled
   // For distances: the handles as triangles, and the origins of their axes.

@@ -30,7 +30,7 @@ std::size_t groups(std::size_t columns) {
   return (columns + column_group - 1) / column_group;
 }
 
-// Returns the multiplications of a supernode, plus its overhead in multiplications.
+// Returns the multiplications of a supernode, plus an overhead in multiplications.
 double work_of(const Supernode& node) {
   const double b = node.below, m = node.columns + b;
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
@@ -97,7 +97,7 @@ private:
     return roots;
   }
 
-  // Eliminates a subtree. Its supernodes are contiguous, and parents follow their children.
+  // Eliminates a subtree. The supernodes of a subtree are contiguous, and parents follow their children.
   void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
     while (!factor_.children.of(first).empty()) first = factor_.children.of(first).front();
@@ -231,7 +231,7 @@ private:
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  // The update matrix that each supernode passes to its parent: the lower triangle of its rows.
+  // The update matrix that each supernode passes to its parent: a lower triangle of the rows below the node.
   std::vector<base::AlignedVector<double>> updates_;
   std::vector<double> work_;  // per subtree
   double total_ = 0;

@@ -47,8 +47,7 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},
                     const SparseKernel& kernel = sparse_kernel(sym3::kernel()));
 
-/// Solves A x = b for three columns at once. Constant after construction, so thread-safe with one workspace
-/// per thread.
+/// Solves A x = b for three columns at once. Constant; thread-safe with one workspace per thread.
 class SparseCholesky {
 public:
   struct Workspace {
@@ -93,8 +92,7 @@ public:
   /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
   /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, from place()
-  /// on, aligned to a cache line. If `part`, a result of part_with(), is given, solves only for its unknowns.
-  /// Thread-safe.
+  /// on, aligned to a cache line. If `part` is given, solves for part_with() only. Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel,
              const std::vector<Supernode>* part = nullptr) const;
   std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;

@@ -25,10 +25,10 @@ inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that ar
 
 inline constexpr std::size_t column_group = 4;  ///< columns of L that are stored and processed together
 
-/// The columns [first, first + columns) of L. Below these columns, all have their entries in equal rows.
-/// Values are stored by column group, and within a group row by row. The rows of the group's own columns come
-/// first and have 0 entries, 1 entry and so on (the unit diagonal is not stored). Then come the rows of the
-/// supernode's later columns, and then the rows below the supernode.
+/// The columns [first, first + columns) of L. Below the supernode, all of these columns have entries in equal
+/// rows. Values are stored by column group, and within a group row by row. The rows of the group's own
+/// columns come first and have 0 entries, 1 entry and so on (the unit diagonal is not stored). Then come the
+/// rows of the supernode's later columns, and then the rows below the supernode.
 struct Supernode {
   std::uint32_t first, columns, below;
   std::size_t rows, values;  ///< offsets of the supernode's row indices and values

@@ -22,7 +22,7 @@ public:
   std::size_t size() const { return order_.size(); }
   std::vector<std::uint32_t> take_order() { return std::move(order_); }
   std::uint32_t parent(std::size_t column) const { return parents_[column]; }
-  /// Number of entries of a column below its diagonal.
+  /// Returns the number of entries of a column below the diagonal.
   std::uint32_t count(std::size_t column) const { return counts_[column]; }
 
   /// Calls visit(place) for the neighbours of the unknown at this place.

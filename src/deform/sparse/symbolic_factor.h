@@ -1,5 +1,4 @@
-// Symbolic factorisation of a sparse symmetric matrix: the elimination order and the positions of the
-// factor's entries.
+// Symbolic factorisation of a symmetric matrix: elimination order and positions of the factor's entries.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +12,19 @@
 
 namespace viete::deform {
 
-/// Gets the progress in [0, 1], often and from any thread of the pool. If it throws, the work ends.
+/// Gets the progress in [0, 1], often, from any thread of the pool. If this function throws, the work ends.
 using FactorReport = std::function<void(double)>;
 
 /// Returns the neighbours of each unknown: two unknowns with an entry in the lower triangle are neighbours.
 mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix);
 
 /// Returns an elimination order with little fill-in, by approximate minimum degree (P. R. Amestoy, T. A.
-/// Davis, I. S. Duff, 1996; Eigen's implementation). Takes 0.04 seconds for 100,000 unknowns and cannot be
-/// interrupted.
+/// Davis, I. S. Duff, 1996; Eigen's implementation). Not interruptible: 0.04 s for 100,000 unknowns.
 std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours);
 
 inline constexpr std::uint32_t no_parent = 0xffffffff;
 
-/// A supernode is a run of columns with (nearly) equal rows. If rows differ, it stores a few zeros.
+/// A supernode is a run of columns with (nearly) equal rows. A few zeros are stored where rows differ.
 /// Supernodes follow their children, and each subtree is contiguous.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order;  // unknowns in elimination order
