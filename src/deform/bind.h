@@ -17,7 +17,8 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
 
 /// Binds a model for the staged engine. The time is proportional to vertices times handles. The result does
 /// not depend on the number of threads. Throws base::Cancelled. Throws base::Error if free memory is
-/// insufficient, if the model has no vertices, or no triangles for weights along the surface.
+/// insufficient, if the model has no vertices, or if the weights are along the surface and the model has no
+/// triangles.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 

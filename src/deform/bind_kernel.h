@@ -19,7 +19,7 @@ struct BindKernel {
   /// Does for cut-off weights what inverse_distance_rows() does.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
   /// Computes mean value weights [corner][8 lanes] that sum to 1 per lane. Returns a bit mask of lanes that
-  /// need mean_value_weights(), because p is too near to a triangle's plane or the sum is 0.
+  /// need mean_value_weights(), because the point is too near to a triangle's plane or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Converts weights [handle][8 lanes] to floats, writes them to eight lanes of the rows, and computes sums.
   void (*to_rows)(const double* weights, const RowJob& rows);

@@ -113,19 +113,17 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// Returns true if nearest_branch(v, reference) is certainly v. |v| and |reference| must be at most half a
-// turn.
+// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| are at most half a turn.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// Returns true if every log stays principal, whatever the forest is. This needs two conditions. First, the
-// principal log of each element must be the branch nearest to the neighbours' principal logs. Second, the
-// principal log must be the branch nearest to all references and to the leader. Let r be the length of the
-// longest reference. The distance between a principal log v and a reference is at most |v| + r. Another
-// branch has at least the length 2 pi - |v| and the distance 2 pi - |v| - r. This distance is larger if |v| +
-// r < pi.
+// Returns true if every log stays principal for any forest. This needs two conditions. First, the principal
+// log of each element must be the branch nearest to the neighbours' principal logs. Second, the principal log
+// must be the branch nearest to all references and to the leader. Let r be the length of the longest
+// reference. The distance between a principal log v and a reference is at most |v| + r. Another branch has at
+// least the length 2 pi - |v| and the distance 2 pi - |v| - r. This distance is larger if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -189,8 +187,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// Returns true if the axis or the number of whole turns may differ between a part's mean log and the part's
-// turns.
+// Returns true if a part's mean log and turns may differ in the axis or in the number of whole turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;

@@ -21,7 +21,7 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
 /// Returns the edges of the spanning forest with the smallest relative angles. If angles are equal, prefers
-/// lower indices.
+/// the edge with the lower index.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
@@ -42,8 +42,8 @@ struct Branches {
 /// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage, a spanning
 /// forest of the smallest relative angles starts at the root. Each log is the branch nearest to the parent's
 /// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part] (0
-/// if missing), unless neighbours' logs would become farther apart. So a single flipped map does not rotate
-/// other maps. If two branches are equally near, the branch nearer to the first part's mean log wins.
+/// if missing), unless neighbours' logs would become farther apart. So a flipped map does not rotate other
+/// maps. If two branches are equally near, the part uses the branch nearer to the first part's mean log.
 ///
 /// A log can have whole turns only about the axis of its rotation. If a part's turns are longer than half a
 /// turn and have another axis, Branches::turns keeps their whole turns. If the logs of such a part are not

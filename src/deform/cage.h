@@ -30,7 +30,7 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. A square with this side has the area |x|.
+/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. A square of this side length has the area |x|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -50,7 +50,7 @@ struct Cage {
   std::vector<std::uint32_t> parts;  ///< index into roots per element; roots.size() for elements without area
   double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;                   ///< mesh::used_size(), the unit of radii
-  double contact = 0;    ///< a point at this distance counts as on the element; about the rounding error
+  double contact = 0;    ///< a point this near to an element counts as touching; about the rounding error
   bool closed = false;   ///< true: every edge has two triangles, which traverse it in opposite directions
   mesh::OneSided sides;  ///< sides for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
@@ -75,8 +75,8 @@ Cage no_cage(const mesh::Bounds& box);
 inline constexpr double largest_turn = 1e6;
 
 /// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
-/// logs of a part's elements are the branches nearest to this vector. A missing vector counts as 0, the
-/// smallest rotation.
+/// logs of a part's elements are the branches nearest to this vector. A missing vector counts as 0, which
+/// gives the smallest rotations.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
@@ -106,7 +106,7 @@ struct GraphParts {
   std::vector<std::uint32_t> of;  ///< index into centers per element; centers.size() for skipped elements
 };
 /// Returns the connected parts of a graph without skipped elements, sorted by their lowest elements. The
-/// centre of a part is its (lowest) element with the least eccentricity. If a part has more than 4,096
+/// centre of a part is the lowest element of those with the least eccentricity. If a part has more than 4,096
 /// elements, the centre is the middle of a long path, which takes linear time to find.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);

@@ -18,7 +18,7 @@
 
 namespace viete::deform {
 
-/// Throws base::Error if `vertices` is not the cage's number. `place` names the source of the pose.
+/// Throws base::Error if `vertices` is not the cage's vertex count. `place` names the source of the pose.
 void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
 
 /// Returns the numbers from 0 to count - 1.
@@ -42,9 +42,9 @@ struct Rows {
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// The maps, logs and rows of a pose. The model has no influence. During a drag, only the maps of elements
-/// with moved vertices are computed again, and the origin stays. Any other row keeps all bits unless the
-/// branch or the lower limit of the row's log changes. Not thread-safe.
+/// The maps, logs and rows of a pose, which do not depend on the model. During a drag, only the maps of
+/// elements with moved vertices are computed again, and the origin does not change. Any other row keeps all
+/// bits unless the branch or the lower limit of the row's log changes. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.

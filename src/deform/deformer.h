@@ -18,8 +18,9 @@
 namespace viete::deform {
 
 /// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
-/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All others use the
-/// staged engine. Not thread-safe. The cage and the binding never change, so other threads can read them.
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All other frames
+/// use the staged engine. Not thread-safe. The cage and the binding are constant, so other threads can read
+/// them.
 class Deformer {
 public:
   /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.

@@ -29,7 +29,7 @@ public:
   void set_layer(ProbeLayer* layer) { layer_ = layer; }
   /// Computes one frame. The state must have the cage, elements and blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;
-  /// Vertices of the last frame, in the file's order, relative to the rows' origin. Undefined before a frame.
+  /// The last frame's vertices in file order, relative to the rows' origin. Undefined before the first frame.
   virtual std::span<const FrameVertex> vertices() const = 0;
   const LinkTimes& times() const { return times_; }
 

@@ -14,8 +14,8 @@ namespace viete::deform {
 
 namespace {
 
-// Returns the number of vertices per block: at most 4,096, a multiple of bind_lanes, for about a megabyte of
-// weights.
+// Returns the number of vertices per block: a multiple of bind_lanes and at most 4,096. The weights of a
+// block take about a megabyte.
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
@@ -47,8 +47,7 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
-// Returns true if weights, offsets and rest positions of all vertices take less than a quarter of the free
-// memory.
+// Returns true if all weights, offsets and rest positions take less than a quarter of the free memory.
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);

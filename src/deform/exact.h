@@ -1,4 +1,4 @@
-// The deformed model in double precision, for files. Computed block by block to save memory.
+// Computes the deformed model in double precision, for files. Works block by block to save memory.
 #pragma once
 
 #include <memory>
@@ -43,7 +43,7 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// The cage deforms the shape (null: the rest model). Then the probes deform the result, see ProbeLayer.
+  /// Deforms the shape (null: the rest model) by the cage, and the result by the probes, see ProbeLayer.
   /// Throws base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);

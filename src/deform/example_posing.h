@@ -50,8 +50,8 @@ public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Replaces the pins. Weights, rotation and positions stay. Each vertex may occur once. Takes some
-  /// milliseconds per pin. Throws base::Error before any change, if there are more than most_pins pins, a
+  /// Replaces the pins. Weights, rotation and positions do not change. Each vertex may occur once. Takes some
+  /// milliseconds per pin. Throws base::Error before any change if there are more than most_pins pins, a
   /// vertex has no triangle with area, or memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 

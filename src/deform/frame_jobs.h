@@ -23,7 +23,7 @@ struct TileRun {
   const float* base = nullptr;            ///< initial values of the sums, [tile][sum][lane]; null: 0
   const float* mean = nullptr;            ///< [RowShape::with_mean]: `place` adds it to the sums; null: 0
   const float* shares = nullptr;          ///< [tile][lane], used by `place`, see Shares; null: all 1
-  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: equal index
+  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: row i for row i
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
 /// The number of values per vertex: n, s, dual and scale of RestMoment, with lengths in units of l.

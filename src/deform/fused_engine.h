@@ -23,8 +23,8 @@ namespace viete::deform {
 /// If weights are not compressed, a vertex where no moved handle has weight keeps all bits while the origin
 /// of the pose (see pose_origin) and the mean of the rows do not change.
 ///
-/// Moment forms (see moments.h) need uncompressed weights. The first frame takes three times as long as later
-/// frames, because it computes the data that do not depend on the pose.
+/// Moment forms (see moments.h) need uncompressed weights. With these forms, the first frame takes three
+/// times as long as later frames, because it computes the data that do not depend on the pose.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.

@@ -75,8 +75,8 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 }  // namespace
 
-// Multiplies the weights by a linear function of the positions, so that the weighted mean is the fixed point
-// of the map.
+// Multiplies the weights by a linear function of the positions, so that the weighted mean of the positions is
+// the fixed point of the fitted affine map.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());

@@ -34,7 +34,7 @@ std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 /// triangles_around has the number of triangles of each vertex. O(n log n).
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
-inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are processed together
+inline constexpr std::size_t ring_group = 4;  ///< number of slots whose rings are processed together
 /// A position has four floats, so neighbour i has the offset 4 i. The lists contain 4 i / index_floats,
 /// because processors can multiply by index_floats within an address.
 inline constexpr std::size_t index_floats = 2;
@@ -42,7 +42,7 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the 
 
 /// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x
 /// (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form several fans, v is
-/// inserted between the fans, so that products with v are 0. So nonmanifold surfaces also work.
+/// inserted between the fans, so that products with v are 0. The lists also work for nonmanifold surfaces.
 ///
 /// Four slots form a group with one common length. If all four rings are closed and have equal lengths, the
 /// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings
@@ -53,7 +53,7 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the 
 /// neighbour indices are relative to this start.
 struct Rings {
   std::vector<std::uint32_t> position_starts;  ///< size: number of leaves + 1
-  /// For each ghost the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
+  /// For each ghost, the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
   std::vector<std::uint32_t> ghosts;
   std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]

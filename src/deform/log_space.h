@@ -1,5 +1,5 @@
 // Converts shapes of a triangle mesh to vectors of logs, which can be added and scaled, and back. Half of a
-// half turn is then a quarter turn; linear interpolation of positions would collapse the shape.
+// half turn becomes a quarter turn. Linear interpolation of positions would collapse the shape.
 #pragma once
 
 #include <array>
@@ -93,15 +93,14 @@ public:
   /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
-  /// Computes the shape of a sum. positions.size() == rest().size(). The number of threads does not change
-  /// the result.
+  /// Computes the shape of a sum, independent of the number of threads. positions.size() == rest().size().
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// Does a step of shape(): sets work.ways to the displacements that fit the sum's logs, without leftovers.
-  /// One vertex of each part does not move. If `whole` is not null, *whole replaces the sum's whole turns.
+  /// Does one step of shape(): sets work.ways to the displacements that fit the sum's logs, without
+  /// leftovers. One vertex of each part does not move. `whole`, if not null, replaces the whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// Does follow(), but moves the rotations by a factor `share`, 0 to 1, towards a best fit of work.ways.
+  /// Does what follow() does, and moves rotations by a factor `share` (0 to 1) to a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and

@@ -96,13 +96,12 @@ inline std::array<double, 9> numbers(const MapLog& log) {
 struct LogReport {
   std::vector<Vec3> turns;               ///< one per part of the cage; pass them with the next pose
   std::vector<std::uint32_t> collapsed;  ///< indices of maps whose stretch was raised, ascending
-  /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees or whose logs by more than
-  /// 180 degrees. Blends between such maps are ambiguous. (A ring of elements that turns once has such a
-  /// pair.)
+  /// Neighbouring maps whose rotations differ by more than 120 degrees or whose logs differ by more than 180
+  /// degrees. Blends between such maps are ambiguous. (A ring of elements that turns once has such a pair.)
   std::vector<mesh::Edge> torn;
 };
 
-/// Returns a pose's overall scale: the geometric mean of the largest stretch of each element not skipped.
+/// Returns a pose's overall scale: the geometric mean of the largest stretches of unskipped elements.
 double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
 
 /// The polar decomposition M = rotation * axes diag(stretches) axes^T.

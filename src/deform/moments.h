@@ -22,8 +22,8 @@ namespace viete::deform {
 /// The paper has only the first terms of B and K. These terms vanish if one point has all the weight, and
 /// lose rank if the weighted points lie in a plane. M would then be undetermined. Therefore every point also
 /// adds the map A of its patch (patch_maps.h), like a cloud of points of radius l. l is 10 % of the cage's
-/// edges. With these terms, K is never singular. `affine` still follows affine poses of the cage exactly
-/// (only similarities if the cage is flat); `rigid` and `similar` follow similarities.
+/// edge length. With these terms, K is never singular. `affine` still follows affine poses of the cage
+/// exactly (only similarities if the cage is flat); `rigid` and `similar` follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w p and w p'. In K, negative weights could cancel
 /// other weights. Computes the positions of the vertices [begin, end) independently, in double. Shares scale

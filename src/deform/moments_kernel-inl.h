@@ -63,7 +63,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input of a vertex's map. For dual and scale, see RestMoment. rotation, if needed, is the nearest to b.
+// The input of a vertex's map. For dual and scale, see RestMoment. rotation is the nearest to b, if needed.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;

@@ -12,7 +12,7 @@ namespace viete::deform {
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// Sums over triangles start as this number of partial sums, so that all computers add in one order.
+/// Sums over triangles consist of this number of partial sums, so that all computers add in one order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -36,8 +36,8 @@ struct PlaneKernel {
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// Computes the images of two directions u and v under exp(Y) exp(X), and their derivatives by the weights.
   /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log X
-  /// (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives,
-  /// then the images as last entry. Writes only the first group_size numbers of each plane.
+  /// (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives by
+  /// the weights, and the images as the last entry. Writes only the first group_size numbers of each plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
   /// Applies the first two columns of `count` maps to columns[n][2][plane_size]. Adds the results, summed
   /// over groups, to sums[map][column][3][group_size].

@@ -33,8 +33,8 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 
 /// Sets weights[i] = w_i / sum of w_j, where w is 1 / (squared distance). Weights are in [0, 1] and sum to 1.
 /// Uses only ratios of distances, so no length scale overflows. Distances below cage.contact count as
-/// cage.contact. At a point on the cage, touching elements get equal weights, other elements nearly 0.
-/// weights has one entry per handle. Elements without extent (see HandleShape) get 0.
+/// cage.contact. At a point on the cage, touching elements get equal weights, and other elements get nearly
+/// 0. weights has one entry per handle. Elements without extent (see HandleShape) get 0.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               Elements elements = Elements::face);
 
@@ -47,12 +47,12 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 
 /// Returns x - sum w h for a vertex at the rest position x. Rounds as blend() does, so that a cage at rest
 /// reproduces all bits of x. If the result is only a rounding error, returns 0, because the error would not
-/// shrink with the pose. handles (the h) and x must have one origin.
+/// shrink with the pose. handles (the h) and x must be relative to one origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
 /// Returns the fraction of the blended motion that a point makes. `total` is the sum of the point's weights
-/// before normalisation. If the point is near the radius of its elements, the fraction is less than 1.
+/// before normalisation, which is small if all elements are almost a radius away.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }

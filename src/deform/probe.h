@@ -30,7 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight at a distance of t radii: a decreasing function. If t >= 1, only `endless` is not 0.
+/// Returns the weight, 0 to 1, at a distance in radii. If radii >= 1, only `endless` is greater than 0.
 double weight_at(Falloff falloff, double radii);
 
 /// The range of the turn, the stretch or the move of a probe.

@@ -82,8 +82,8 @@ private:
   Vec3 origin_{0, 0, 0};
 };
 
-/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: one with a separate
-/// weight for each part of the motion, and one with the probe's place for the pivot:
+/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: three for the parts of
+/// the motion (each with a separate weight), and one with the probe's place for the pivot:
 ///
 ///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
 class ProbeTiles {

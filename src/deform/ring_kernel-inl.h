@@ -138,7 +138,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 1) {
-    hn::Store(blocks, d, vertices[*order].position);  // and the normal after it
+    hn::Store(blocks, d, vertices[*order].position);  // also stores the normal behind it
   } else {
     const hn::Half<D> half;
     store_blocks(half, hn::LowerHalf(half, blocks), order, vertices);
@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (sum of absolute values) for each vector z x y 0: in lane k for areas[k], 0 without area.
+// Returns 1 / (sum of absolute values) of 4 area vectors z x y 0. Lane k is for areas[k]; 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});

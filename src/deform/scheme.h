@@ -66,7 +66,7 @@ auto find_by_name(std::span<const Entry> table, std::string_view name)
 /// Limit of Scheme::iterations. More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
 
-/// All settings that the weights of a binding depend on; the blend is not one of them.
+/// All settings that affect the weights of a binding. (The blend does not affect the weights.)
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
@@ -205,7 +205,7 @@ struct NumberEntry : ChoiceEntry {
   Need need;
   double least = 0, largest = 1;
 
-  /// The value in percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
+  /// The value in percent, rounded to the number that a user typed: 29 instead of 28.999999999999996.
   double percent(Scheme scheme) const;
 };
 /// Returns a fraction as "25 %".

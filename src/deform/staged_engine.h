@@ -14,9 +14,8 @@
 
 namespace viete::deform {
 
-/// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales the sums by the
-/// shares and completes the centres. sums must have its final size. The division into ranges does not change
-/// the result.
+/// Computes sums [vertex][column] = weights * rows of the vertices [begin, end). Scales the sums by the
+/// shares and completes the centres. sums must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
 /// Does the second part of blend(): scales the sums by the shares and completes the centres.

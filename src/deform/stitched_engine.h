@@ -27,8 +27,8 @@ public:
   /// the shape's edges with the cotangents at rest.
   void set_shape(std::span<const Vec3> ways);
   /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. held has the blended
-  /// position of each hold's vertex, relative to the rows' origin. The mean of the corners' sums gives a
-  /// triangle's map.
+  /// position of each hold's vertex, relative to the rows' origin. A triangle's map is computed from the mean
+  /// of the corners' sums.
   ///
   /// iterations, 1 or more, is the number of solves. Each solve after the first replaces the rotations R_t by
   /// the rotations that best fit the positions; the stretches S_t do not change (O. Sorkine, M. Alexa,
@@ -82,7 +82,7 @@ public:
   /// Positions of the last frame, in double, relative to the rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// Returns the last frame's blended positions of the vertices before stitching, relative to rows' origin.
+  /// Returns blended positions of the vertices in the last frame, before stitching, from the rows' origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

@@ -93,17 +93,17 @@ struct TiledBinding {
 /// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// Returns a binding without weights but with other members. Throws base::Error if the model has no vertices.
+/// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// Returns true if compression may pay off for these sizes. (For handles that only move, compression never
-/// pays off.)
+/// Returns true if compression may be worth its cost for these sizes. For handles that only move, compression
+/// is never worth its cost.
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Computes weights leaf by leaf, in parallel, without a full matrix. Stores weights with a radius as lists.
-/// Compresses other weights with `tolerance` if this is not 0 and a sample of leaves predicts cheaper frames.
-/// `storage` overrides these choices. Results do not depend on the number of threads. Throws base::Cancelled.
-/// Throws base::Error if free memory is insufficient or the model has no vertices.
+/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Stores weights with a radius
+/// as lists. Compresses other weights with `tolerance` if this is not 0 and a sample of leaves predicts
+/// cheaper frames. `storage` overrides these choices. Results do not depend on the number of threads. Throws
+/// base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

@@ -31,9 +31,9 @@ public:
   /// mask of points without mean value coordinates.
   unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
                  LaneShares& shares) const;
-  /// Computes weights as floats, with errors up to 2e-6, for points near each other. Their number must be a
-  /// multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times handle
-  /// positions, and the share. Returns true for each point without mean value coordinates.
+  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. The number of points must
+  /// be a multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times
+  /// handle positions, and the point's share. Returns true for each point without mean value coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().

@@ -92,7 +92,8 @@ public:
   /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
   /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, from place()
-  /// on, aligned to a cache line. If `part` is given, solves for part_with() only. Thread-safe.
+  /// on, aligned to a cache line. If `part` is given, solves only for the unknowns of part_with().
+  /// Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel,
              const std::vector<Supernode>* part = nullptr) const;
   std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;
