@@ -98,7 +98,7 @@ std::vector<double> signed_differences(const FieldInput& in) {
   return values;
 }
 
-// Returns an entry for a ratio to the value at rest.
+// Returns the table entry of a field whose values are ratios to the value at rest.
 constexpr FieldEntry factor(const base::Choice& choice, Source source,
                             std::vector<double> (*compute)(const FieldInput&)) {
   return {.choice = choice,

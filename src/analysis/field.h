@@ -17,7 +17,7 @@
 
 namespace viete::analysis {
 
-/// Methods offered to users.
+/// The methods that users can compare.
 inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
                                                 sym3::Method::improved_sd, sym3::Method::fast};
 
@@ -70,7 +70,7 @@ struct FieldEntry {
   Scale scale = Scale::plain;
   bool symmetric = false;  ///< true: 0 is the value at rest and has the middle colour
   double least_range = 1;  ///< smallest range of the colours
-  double floor = 0;        ///< lower clamp before taking logarithms
+  double floor = 0;        ///< smaller values count as this value before taking logarithms
   bool worst_is_least = false;
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
@@ -84,7 +84,8 @@ struct FieldStats {
   double least = 0, median = 0, most = 0;    ///< of the finite values
   std::uint32_t worst = 0;                   ///< vertex of the largest value (smallest if worst_is_least)
   bool is_nan = false;                       ///< true: a value is NaN
-  /// The values of the first and the last colour. At most half a percent of the values is beyond each end.
+  /// The values of the first and the last colour. At most 0.5 % of the values are below low, and at most 0.5
+  /// % above high.
   double low = 0, high = 1;
   std::array<std::uint32_t, 48> counts{};  ///< histogram: number of vertices per interval from low to high
 };

@@ -80,7 +80,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
   for (const auto& [i, j] : pairs) {
     if (skip[i] && skip[j]) clusters.join(i, j);
   }
-  std::vector<mesh::Edge> kept, rim;  // rim has pairs of a cluster of skipped elements and a neighbour
+  std::vector<mesh::Edge> kept, rim;  // a pair in rim is a cluster of skipped elements and a neighbour
   for (const auto& [i, j] : pairs) {
     if (!skip[i] && !skip[j]) kept.push_back({i, j});
     if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});

@@ -89,7 +89,7 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // tells show() to fit to positions_
+  work_.ways.resize(shape.size());  // show() will fit rotations to positions_
 }
 
 std::size_t ExamplePosing::blocks() const {
@@ -219,7 +219,8 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
-// Returns the part of the blocks [begin, end) in the pins' positions and in their derivatives by the weights.
+// Returns the contribution of the blocks [begin, end) to the pins' positions and their derivatives by
+// weights.
 std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
   const PlaneKernel& kernel = plane_kernel(sym3::kernel());
   const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
@@ -305,7 +306,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
-  if (energy > energy_) {  // the last step was too long: undoes it and increases the damping
+  if (energy > energy_) {  // the last step was too long, so undo the step and increase the damping
     weights_ = last_weights_, turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();

@@ -24,7 +24,7 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
-// Access by slot to an array [tile][line][lane].
+// Gives access by slot to an array [tile][line][lane].
 template <class T>
 struct TileLines {
   T* data;

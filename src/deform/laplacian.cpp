@@ -151,8 +151,8 @@ private:
     return true;
   }
 
-  // Makes half-edge i of triangle t with the index 3 t + i. If the surface is doubled, the half-edges of the
-  // back sides follow, with opposite directions.
+  // Half-edge i of triangle t gets the index 3 t + i. If the surface is doubled, the half-edges of the back
+  // sides follow, with opposite directions.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());
     next_.resize(sides_ * front);

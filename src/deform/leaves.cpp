@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // Does chain(), but each triangle is a separate fan. Takes linear instead of quadratic time.
+  // Does what chain() does, but each triangle is a separate fan. Takes linear instead of quadratic time.
   void list(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     for (const Opposite& edge : edges_) out.insert(out.end(), {edge[0], edge[1], self});

@@ -29,7 +29,7 @@ using ViewV = hn::Vec<ViewTag>;
 // the sign. Therefore these three are computed once per edge, and u_i once per corner.
 
 constexpr double in_plane = 1e-8;   // if the sine of an angle is less, p may be in a triangle's plane
-constexpr double vanishing = 1e-9;  // a smaller sum counts as 0; relative to the absolute weights' sum
+constexpr double vanishing = 1e-9;  // a smaller (sum of weights / sum of absolute weights) counts as 0
 constexpr double pi = 3.14159265358979323846;
 
 // Returns 1 / sqrt(x) to two ulp, for x from 1e-38 to 1e38. Improves the hardware estimate by two third-order

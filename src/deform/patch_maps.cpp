@@ -117,7 +117,7 @@ VertexPatches::VertexPatches(const Cage& cage, double size)
   patches_ = make_patches(cage, size, rest_normals_);
 }
 
-// Returns the sum of the area vectors around a vertex, scaled to the root of its length; 0 if areas cancel.
+// Returns x / sqrt|x| for the sum x of the area vectors around a vertex. If the areas cancel, returns 0.
 Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at) const {
   Vec3 sum{0, 0, 0};
   double total = 0;

@@ -154,7 +154,7 @@ namespace {
 
 constexpr double in_plane = 1e-8;     // if the sine of an angle is less, p may be in a triangle's plane
 constexpr double negligible = 1e-14;  // a smaller component of a mean vector off this plane counts as 0
-constexpr double vanishing = 1e-9;    // a smaller sum counts as 0; relative to the absolute weights' sum
+constexpr double vanishing = 1e-9;    // a smaller (sum of weights / sum of absolute weights) counts as 0
 
 // A triangle seen from p: directions to its corners, and for each corner the cross product of the other two.
 struct View {
@@ -178,8 +178,8 @@ View view_of(const mesh::Point& p, const Cage& cage, const mesh::Triangle& t) {
   return view;
 }
 
-// Returns the integral of the unit vectors over the spherical triangle: half the sum of its edges' angles
-// times their normals. Both triangles of an edge get the same bits with opposite signs.
+// Returns the integral of the unit vectors over the spherical triangle: half the sum over the edges of angle
+// times normal. The two triangles of an edge get equal bits with opposite signs.
 Vec3 mean_vector(const View& v) {
   Vec3 m{0, 0, 0};
   for (int i = 0; i < 3; ++i) {

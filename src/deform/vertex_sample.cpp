@@ -115,7 +115,7 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
 
 namespace {
 
-// Moves positions by the probes, which have the places of the frame.
+// Moves positions by the probes, with the probes' places in the frame.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

@@ -143,7 +143,7 @@ private:
     const Front panel{scratch.panel.data(), stride};
     for (const auto child : factor_.children.of(s)) {
       add_child(child, panel, update_of(s), top, scratch);
-      base::AlignedVector<double>().swap(updates_[child]);  // frees it
+      base::AlignedVector<double>().swap(updates_[child]);  // frees the memory
     }
     return panel;
   }
@@ -233,7 +233,7 @@ private:
   const SparseKernel& kernel_;
   // The update matrix that each supernode passes to its parent: a lower triangle of the rows below the node.
   std::vector<base::AlignedVector<double>> updates_;
-  std::vector<double> work_;  // per subtree
+  std::vector<double> work_;  // work of each subtree
   double total_ = 0;
   std::atomic<double> done_{0};
   bool shared_ = false;

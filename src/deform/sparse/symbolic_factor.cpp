@@ -52,7 +52,7 @@ private:
   // is directly before its parent, and the child's subtree directly before the child.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
-    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // per subtree, last the whole
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
     const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
     for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
     for (auto v = n; v-- > 0;) {
