@@ -64,7 +64,7 @@ struct FinError : base::Error {
 };
 
 /// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is closed and flat.
-/// Open, flat, inside-out and self-touching surfaces are valid; Cage::warnings lists such defects.
+/// Open, flat, inside-out and self-touching surfaces are valid; Cage::warnings lists these defects.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at corners of the box, and no elements. With the scheme

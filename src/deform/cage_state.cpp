@@ -213,8 +213,8 @@ void CageState::write_row_of(std::uint32_t h) {
   form_ == RowForm::logs ? write_log_row(log, row) : write_map_row(map_of(log), rest_centers_[h], row);
 }
 
-// Returns true if no log changed among the elements without moved vertices. (The branch of such a log can
-// follow a change of the neighbours' logs.) Logs that are equal as floats count as unchanged.
+// Returns true if the logs of elements without moved vertices did not change. (Their branches can change if
+// the neighbours' logs change.) Logs that are equal as floats count as unchanged.
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());

@@ -41,7 +41,7 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// If `all`, every method uses the staged engine for blends with exponentials. Times are then comparable.
+  /// If `all`, every method uses the staged engine for blends with exponentials, to compare computing times.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.

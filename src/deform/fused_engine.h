@@ -13,8 +13,8 @@
 
 namespace viete::deform {
 
-/// Computes the same frame as the staged engine with method `fast`, but in float and in one pass over the
-/// weights. The difference is at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
+/// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
+/// The frames differ by at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
 ///
 /// The cost of a drag is proportional to the number of moved handles. The first frame of a drag stores the
 /// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves where no

@@ -12,7 +12,8 @@ namespace {
 constexpr double stillness = 1e-7;
 // If a map rotates and stretches less than this, the map's fixed point is too far away to matter.
 constexpr double least_motion = 1e-4;
-// If the spread of vertices in a direction is less than this part of the largest spread, it counts as 0.
+// If the spread of vertices in a direction is less than this part of the largest spread, the direction is
+// ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {

@@ -97,7 +97,8 @@ public:
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
   /// Does one step of shape(): sets work.ways to the displacements that fit the sum's logs, without
-  /// leftovers. One vertex of each part does not move. `whole`, if not null, replaces the whole turns.
+  /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole replaces the sum's
+  /// whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
   /// Does what follow() does, and moves rotations by a factor `share` (0 to 1) to a best fit of work.ways.

@@ -18,9 +18,9 @@ namespace viete::deform {
 //     z^2                               if (x, y) is inside, left of all three edges;
 //     z^2 + the least of e_1, e_2, e_3  otherwise; e_i is the squared distance from (x, y) to edge i.
 //
-// Let t be the coordinate along an edge of length L, and s the distance from its line. Then e = (t - clamp(t,
-// 0, L))^2 + s^2. For edge a b, t = x and s = y; for other edges, t and s are affine in x and y. Rounding can
-// choose the wrong formula only near an edge, where the two formulas agree.
+// Let t be the coordinate along an edge of length L, and s the distance from its line. With these numbers, e
+// = (t - clamp(t, 0, L))^2 + s^2. For edge a b, t = x and s = y; for other edges, t and s are affine in x and
+// y. Rounding can choose the wrong formula only near an edge, where the two formulas agree.
 
 /// Converts a triangle, whose longest side must be at most about 1, and writes the origin of its coordinates.
 /// A triangle without area becomes its longest edge or a point.

@@ -37,9 +37,9 @@ double place_sums(const VertexBlock& block, RowForm form, std::span<const double
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
 /// Runs all links after the rows for all vertices. positions has one entry per vertex. If `sums` is not
-/// empty, it receives the result of blend(). Returns the largest relative difference (Frobenius norm) between
-/// the exponentials of `method` and of `fast`, which is exact to 1e-15. Returns infinity for NaN, and 0 for
-/// `fast` or if there are no exponentials.
+/// empty, writes the result of blend() to `sums`. Returns the largest relative difference (Frobenius norm)
+/// between the exponentials of `method` and of `fast`, which is exact to 1e-15. Returns infinity for NaN, and
+/// 0 for `fast` or if there are no exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 
