@@ -52,7 +52,7 @@ Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
 /// Returns the fraction of the blended motion that a point makes. `total` is the sum of the point's weights
-/// before normalisation, which is small if all elements are almost a radius away.
+/// before normalisation, which is less than 1 if all elements are almost a radius away.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }

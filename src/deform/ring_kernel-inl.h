@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (sum of absolute values) of 4 area vectors z x y 0. Lane k is for areas[k]; 0 without area.
+// Returns 1 / (sum of absolute values) of vectors z x y 0: lane k of a block for areas[k], 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});

@@ -64,8 +64,8 @@ public:
   /// Solves A x = b. b and x have size() entries and may be one array.
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
   /// Solves A x = b + c, where c is nonzero only at the unknowns in `some` and depends on the solution of A x
-  /// = b. b must be 0 at `some`. correct() reads the values at `some` from x, and writes c to b. The forward
-  /// solve of the unknowns that are eliminated before `some` runs only once.
+  /// = b. Writes the solution of A x = b to x and 0 to b at `some`, and calls correct(), which must write c
+  /// to b. The forward solve of the unknowns that are eliminated before `some` runs only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 
