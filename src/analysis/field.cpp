@@ -13,14 +13,14 @@ namespace viete::analysis {
 
 namespace {
 
-constexpr double least_log2 = -20;  // value of a collapsed triangle: one millionth
+constexpr double least_log2 = -20;  // the value of a collapsed triangle, about one millionth
 constexpr std::size_t portion = 1024;
 
 double log2_of(double ratio) {
   return std::max(std::log2(ratio), least_log2);
 }
 
-// Distances between corresponding points, divided by the diagonal.
+// Returns the distances between corresponding points, divided by the diagonal.
 std::vector<double> distances(std::span<const mesh::Point> a, std::span<const mesh::Point> b,
                               double diagonal) {
   std::vector<double> values;
@@ -46,13 +46,13 @@ double smaller_log(const Stretches& s) {
 double shear_log(const Stretches& s) {
   return s.larger > 0 ? std::min(std::log2(s.larger / s.smaller), -least_log2) : 0;
 }
-// The symmetric Dirichlet energy minus its value at rest, which is 4.
+// Returns the symmetric Dirichlet energy minus 4, the energy at rest.
 double energy_of(const Stretches& s) {
   const double a = std::max(s.larger, 1e-6), b = std::max(s.smaller, 1e-6);
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
 }
 
-// The base-2 logarithm of det exp S = exp tr S, where S is the blended matrix.
+// Returns the base-2 logarithms of det exp S = exp tr S for the blended matrices S.
 std::vector<double> volumes(const FieldInput& in) {
   std::vector<double> values;
   values.reserve(in.matrices.size());
@@ -60,7 +60,8 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// The smallest gap between eigenvalues, relative to the largest. The published methods choose a case by it.
+// Returns the smallest gaps between eigenvalues, divided by the largest absolute eigenvalue. The published
+// methods choose a case by this number.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -75,7 +76,7 @@ std::vector<double> gaps(const FieldInput& in) {
   return values;
 }
 
-// Relative error in the Frobenius norm against a reference of 106 bits; about 2 us each.
+// Returns relative errors in the Frobenius norm, against a 106-bit reference. Takes about 2 us per matrix.
 std::vector<double> exp_errors(const FieldInput& in) {
   std::vector<double> values;
   std::vector<sym3::Sym3<double>> computed(portion);
@@ -90,14 +91,14 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-// Differences from the first view, signed along its normals.
+// Returns the differences from the first view, signed along the normals of the first view.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();
   return values;
 }
 
-// An entry for a ratio to the value at rest.
+// Returns the table entry of a field whose values are ratios to the value at rest.
 constexpr FieldEntry factor(const base::Choice& choice, Source source,
                             std::vector<double> (*compute)(const FieldInput&)) {
   return {.choice = choice,
@@ -108,7 +109,7 @@ constexpr FieldEntry factor(const base::Choice& choice, Source source,
           .compute = compute};
 }
 
-// In the order of the enumeration.
+// The entries in the order of enum Field.
 constexpr FieldEntry table[] = {
     {.choice = {"none", "None", "Show no map."}},
     {.choice = {"displacement", "Displacement",
@@ -201,7 +202,7 @@ double quantile(std::vector<float>& values, double share) {
   return static_cast<double>(values[static_cast<std::size_t>(at)]);
 }
 
-// Rounds up to steps of 12 %, so that the colour range does not flicker during editing.
+// Rounds up to a power of 2^(1/6), so that the colour range does not flicker during editing.
 double rounded_up(double value) {
   if (!(value > 0)) return 0;
   const double steps = std::ceil(6 * std::log2(value) - 1e-9);
@@ -221,7 +222,7 @@ void fit_range(const FieldEntry& e, std::vector<float> values, FieldStats& stats
   stats.low = e.symmetric ? -stats.high : 0;
 }
 
-// Fits the colour range to the errors of all methods on a sample of the matrices.
+// Sets the colour range from the errors of all methods on a sample of the matrices.
 void fit_error_range(std::span<const sym3::Sym3<double>> matrices, FieldStats& stats) {
   constexpr std::size_t most = 4096;
   constexpr double floor = 1e-17, fewest_decades = 2;

@@ -17,7 +17,7 @@
 
 namespace viete::analysis {
 
-/// Methods offered to users.
+/// The methods that users can compare.
 inline constexpr std::array compared_methods = {sym3::Method::diag, sym3::Method::sd,
                                                 sym3::Method::improved_sd, sym3::Method::fast};
 
@@ -40,7 +40,7 @@ enum class Field : unsigned char {
 };
 std::span<const base::Choice> choices(Field);
 
-/// The stored form of values: as they are, or as logarithms.
+/// The stored form of values: unchanged, or as logarithms.
 enum class Scale : unsigned char { plain, log2, log10 };
 /// The input that a field is computed from.
 enum class Source : unsigned char {
@@ -48,7 +48,7 @@ enum class Source : unsigned char {
   surface,   ///< positions at rest and as displayed
   matrices,  ///< the blended symmetric logarithm at each vertex
   frame,     ///< positions as displayed, and in double precision
-  shares,    ///< share of the selection's motion at each vertex
+  shares,    ///< weight of the selection at each vertex
   first,     ///< displayed positions in this view and in the first view
 };
 
@@ -65,37 +65,38 @@ struct FieldInput {
 
 struct FieldEntry {
   base::Choice choice;
-  std::string_view unit{};  ///< shown after the title: "in diagonals"
+  std::string_view unit{};  ///< displayed after the title: "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< 0 is the value at rest and gets the middle colour
+  bool symmetric = false;  ///< true: 0 is the value at rest and has the middle colour
   double least_range = 1;  ///< smallest range of the colours
-  double floor = 0;        ///< lower clamp before taking logarithms
+  double floor = 0;        ///< smaller values count as this value before taking logarithms
   bool worst_is_least = false;
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
 
-/// Values in stored form: logarithms if the entry's scale is logarithmic.
+/// Statistics of a field. Values are in stored form (logarithms if the entry's scale is logarithmic).
 struct FieldStats {
   Field field = Field::none;
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0: not computed
-  double least = 0, median = 0, most = 0;    ///< over finite values
-  std::uint32_t worst = 0;                   ///< vertex of the maximum, or of the minimum if worst_is_least
-  bool is_nan = false;                       ///< a value is NaN
-  /// The values of the first and the last colour. Outliers, half a percent at each end, are beyond.
+  double least = 0, median = 0, most = 0;    ///< of the finite values
+  std::uint32_t worst = 0;                   ///< vertex of the largest value (smallest if worst_is_least)
+  bool is_nan = false;                       ///< true: a value is NaN
+  /// The values of the first and the last colour. At most 0.5 % of the values are below low, and at most 0.5
+  /// % above high.
   double low = 0, high = 1;
-  std::array<std::uint32_t, 48> counts{};  ///< histogram of vertices, from low to high
+  std::array<std::uint32_t, 48> counts{};  ///< histogram: number of vertices per interval from low to high
 };
 struct FieldValues {
   std::vector<float> values;
   FieldStats stats;
 };
 
-/// Computes a field. `input` must contain the field's source. Throws base::Cancelled. Thread-safe.
+/// Computes a field. `input` must have the data of the field's Source. Throws base::Cancelled. Thread-safe.
 FieldValues measure(Field field, const FieldInput& input);
-/// Recomputes the histogram for the given low and high.
+/// Recomputes the histogram from stats.low and stats.high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 
 /// Formats a stored value for display: "1.25 x", "3.2 %".

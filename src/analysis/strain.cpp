@@ -29,7 +29,7 @@ PlaneMap plane_map(const FlatFace& face, std::span<const Point> positions) {
   return {x, (1 / face.across) * (positions[c] - positions[a] - face.along * x)};
 }
 
-// The larger stretch is the root of an eigenvalue of J^T J, where J = (x, y). The area gives the smaller one.
+// The larger stretch is the root of an eigenvalue of (x, y)^T (x, y). The area gives the smaller stretch.
 Stretches stretches(const PlaneMap& map) {
   const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
   const double larger = std::sqrt((xx + yy + std::hypot(xx - yy, 2 * mesh::dot(map.x, map.y))) / 2);
@@ -50,7 +50,7 @@ void add_product(const Vec3& a, const Vec3& b, double share, sym3::Mat3<double>&
   for (std::size_t k = 0; k < 9; ++k) sum[k] += share * a[k / 3] * b[k % 3];
 }
 
-// The axes of a face at rest: along its first side, across this side, and the normal.
+// Returns the axes of a face at rest: along the first side, across this side in the plane, and the normal.
 std::array<Vec3, 3> axes(const FlatFace& face, std::span<const Point> rest) {
   const auto& [a, b, c] = face.corners;
   const Vec3 x = unit(rest[b] - rest[a]), n = unit(cross(rest[b] - rest[a], rest[c] - rest[a]));

@@ -37,7 +37,7 @@ void allocate(Binding& binding) {
 }
 
 // Writes the weights of the vertices [begin, end). Returns the number of vertices without mean value
-// coordinates. handles: rest positions relative to origin.
+// coordinates. handles has the rest positions of the handles relative to origin.
 std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
                       std::size_t end, Binding& b) {
   std::size_t failed = 0;
@@ -50,7 +50,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // solve_surface_weights() ran
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // already solved
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }

@@ -8,17 +8,17 @@ namespace viete::deform {
 
 inline constexpr std::size_t bind_lanes = 8;  ///< the number of points that a kernel processes at once
 
-/// A triangle in its own coordinates, see distance_triangle.h. The first edge is the longest; x runs along
-/// it, y points inward, z is the normal. A point p has the coordinates axes * p - shift.
+/// A triangle in its own coordinates, see distance_triangle.h. The first edge is the longest. The x axis runs
+/// along this edge, y points inward, and z is the normal. A point p has the coordinates axes * p - shift.
 template <class T>
 struct DistanceTriangle {
   T axes[3][3];
   T length[3];  ///< edge lengths
-  /// For the second and third edge: along . (x, y, 1) is the coordinate of a point along the edge, and
-  /// inward . (x, y, 1) is the point's distance from the edge line, positive inside.
+  /// Coefficients for the second and the third edge. For a point (x, y), along . (x, y, 1) is the coordinate
+  /// along the edge, and inward . (x, y, 1) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< 0; infinity if the triangle has no area, so that every point is outside
-  T near;           ///< square of about 1/16 of the longest edge; smaller distances are inaccurate in float
+  T outside;        ///< infinity if the triangle has no area, so that every point is outside; otherwise 0
+  T near;           ///< (about 1/16 of the longest edge)^2; smaller squared distances are inaccurate in float
   bool degenerate;  ///< true: the triangle has no area, and its weight is 0
 };
 
@@ -28,14 +28,14 @@ struct WeightJob {
   const T (*shifts)[3];
   std::size_t count;
   T least_square;   ///< lower limit of squared distances; only for inverse distance weights
-  T cut;            ///< 1 / radius of cut-off weights
+  T cut;            ///< 1 / r for the radius r of cut-off weights
   const T* points;  ///< [3][lane]
 };
 
-/// A triangle of the cage: its corners, and for each corner the opposite edge.
+/// The corner indices of a cage triangle, and for each corner the index of the opposite edge.
 struct MeanValueTriangle {
   std::uint32_t corner[3], edge[3];
-  double sign[3];  ///< 1: the triangle traverses the edge from its first to its second corner; -1: reversed
+  double sign[3];  ///< 1 if the triangle traverses the edge from its first to its second corner, else -1
 };
 
 struct MeanValueJob {
@@ -53,7 +53,7 @@ struct MeanValueJob {
   }
 };
 
-/// The weights of a tile of 16 points, or of eight of these points.
+/// Output for the weights of 16 points (a tile), or for eight points of a tile.
 struct RowJob {
   const double (*handles)[3];  ///< positions
   std::size_t count;

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
-constexpr float farthest = 1e24f;           // limit of float precision: squared distance in cage diagonals
+constexpr float farthest = 1e24f;           // limit of squared distances for float, in cage diagonals
 constexpr std::size_t summed_at_once = 16;  // short partial sums keep the rounding errors of floats small
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
@@ -46,15 +46,15 @@ static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
   return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
 }
 
-// Squared distance to an edge. The point has the coordinates `along` the edge and `beside` the edge.
+// Returns the squared distance from an edge to a point with the coordinates `along` and `beside` the edge.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
   const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
   return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
-// Squared distance from a point to a triangle. If the point projects into the triangle, this is the distance
-// to the plane, otherwise to the nearest edge. On an edge the two distances are equal.
+// Returns the squared distance from a point to a triangle. If the point projects into the triangle, this is
+// the distance to the plane, otherwise the distance to the nearest edge. On an edge, these are equal.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
                                               const T* shift) {
@@ -99,7 +99,7 @@ struct CutOffSum {
   V weights, near;  // near: not 0 if a distance is too small for float precision
 };
 
-// For each triangle i, writes (1 - distance * cut)^2, or 0 beyond the radius, to weights[i * stride].
+// Writes the weight of triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the radius.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& job, const Points<D>& p,
                                                       T* weights, std::size_t stride) {
@@ -173,8 +173,8 @@ static void to_rows(const double* weights, const RowJob& job) {
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
 
-// Returns 1 / x with an error of at most two ulp, in a third of the time of a division: improves the estimate
-// of the processor by one third-order step.
+// Returns 1 / x with an error of at most two ulp. Improves the processor's estimate by one third-order step,
+// which takes a third of the time of a division.
 static HWY_INLINE RowV inverse(RowV x) {
   const RowTag d;
   const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));
@@ -240,7 +240,7 @@ static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
   return true;
 }
 
-// Four independent sums hide the latency of the additions.
+// Returns the dot products of 16 rows with a unit row. Four separate sums hide the latency of additions.
 static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
   const RowTag d;
   RowV s[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};

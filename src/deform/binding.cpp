@@ -29,7 +29,7 @@ base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t 
 
 namespace {
 
-// The number of cage triangles that mesh::one_sided() flipped or removed.
+// Returns the number of cage triangles that mesh::one_sided() flipped or removed.
 std::size_t seen_otherwise(const Cage& cage) {
   const auto& [triangles, of, closed] = cage.sides;
   std::size_t alike = 0;

@@ -19,17 +19,16 @@ namespace viete::deform {
 
 struct TiledBinding;
 
-/// One factor s per vertex, from 0 (the vertex stays at rest) to 1 (full motion), in the model's order.
-/// Empty: all 1. The sums over the handles are multiplied by s. For weights w, rest centres c and posed
-/// centres c', a vertex x has the offset s (x - sum w c) and the centre s sum w c' + (1 - s) x. With shares,
-/// the origin of all poses is the middle of the rest cage.
+/// One factor s per vertex, from 0 (the vertex stays at rest) to 1 (full motion), in the model's order. If
+/// the vector is empty, all factors are 1. The sums over the handles are multiplied by s. For weights w, rest
+/// centres c and posed centres c', a vertex x has the offset s (x - sum w c) and the centre s sum w c' + (1 -
+/// s) x. If there are shares, the origin of all poses is the middle of the rest cage.
 using Shares = std::vector<double>;
 
-/// The painted factors of the deformation, 0 to 1 per vertex; null: all 1. They do not change the binding.
+/// Factors from 0 to 1 that users paint on vertices; null if all are 1. A mask does not change the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
-/// Vertex positions before the cage deforms them; null: the rest positions. Weights are always computed from
-/// the rest positions.
+/// The vertex positions that the cage deforms, or null for the rest positions. Weights ignore this shape.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
 /// The weights of n vertices for k handles, with the model at rest.
@@ -40,7 +39,7 @@ struct Binding {
   std::vector<mesh::Point> rest;              ///< x, the model's positions
   std::vector<std::string> warnings;
 
-  // Only the staged engine uses the members below. They are empty in bindings for other engines.
+  // Only the staged engine uses the members below. In bindings for other engines, they are empty.
   Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
   std::vector<double> weights;  ///< n rows of k weights; a row sums to 1, or to 0 if the vertex's share is 0
   Shares shares;                ///< empty unless weights are partial (see Weighting)
@@ -49,14 +48,14 @@ struct Binding {
   mesh::Adjacency around;
 };
 
-/// Displacements of a shape's vertices from rest; empty if shape is null.
+/// Returns the displacements of a shape's vertices from rest, or an empty vector if shape is null.
 std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
 
-/// A view of a binding's vertices, with the shares and the shape of a frame. All members must outlive it.
+/// A view of a binding's vertices, with the shares and the shape of a frame. The viewed data must outlive it.
 struct VertexBlock {
   const Binding& binding;
   std::span<const double> shares{};  ///< see Shares
-  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; empty: all 0
+  std::span<const Vec3> ways{};      ///< displacements of the shape from rest; if empty, all are 0
 
   double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
   Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
@@ -68,7 +67,7 @@ private:
   }
 };
 
-/// The values of the given vertices; empty if `values` is empty.
+/// Returns the values of the given vertices, or an empty vector if `values` is empty.
 template <class T, class Indices>
 std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   std::vector<T> some;
@@ -86,15 +85,15 @@ void drop_whole(Vector& shares) {
 inline std::span<const float> values(const Mask& mask) {
   return mask ? std::span<const float>(*mask) : std::span<const float>();
 }
-/// Multiplies each share by the mask's value. An empty argument counts as all 1.
+/// Multiplies each share by the mask's value. If an argument is empty, all of its values count as 1.
 Shares product(Shares shares, std::span<const float> mask);
 
-/// Warnings about mean value coordinates: an open cage, flipped or ignored triangles, and the number `failed`
-/// of vertices without coordinates. Empty for other weights.
+/// Returns warnings about mean value coordinates: an open cage, flipped or ignored triangles, and the number
+/// `failed` of vertices without coordinates. If weights are of another kind, returns no warnings.
 std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std::size_t failed,
                                          std::size_t vertices);
 
-/// The memory of a binding of this many bytes, with the error text for insufficient memory.
+/// Returns the memory need of a binding with this many bytes, and the error text for insufficient memory.
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
 
 }  // namespace viete::deform

@@ -19,21 +19,21 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
 // spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
 // the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
-// nearest to the reference, and this branch plus or minus one turn.
+// nearest to the reference, and this branch plus and minus one turn.
 
 constexpr double turn = 2 * std::numbers::pi;
 // If the reference is half a turn away, two branches are equally near, and rounding would choose one at
 // random. Two distances count as equal if their difference is smaller than this number of radians.
 constexpr double half_turn_tie = 1e-2;
 // Another branch of the root may multiply the distances between neighbours' logs by at most `rougher`, and
-// add at most `rougher_at_rest` radians. Rigid rotations need the second limit: their distances are rounding
-// errors.
+// add at most `rougher_at_rest` radians. For rigid rotations, all distances are rounding errors, which need
+// the second limit.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
 // Logs are not coherent if neighbours are this many times farther apart than they are without turns.
 constexpr double incoherent = 3;
-// Safety margin in radians for comparisons that must be true despite rounding.
+// A margin in radians against rounding, for comparisons that must not be true by mistake.
 constexpr double to_spare = 1e-6;
 
 // The maps connected to a root; each parent comes before its children.
@@ -54,7 +54,7 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Two logs for comparison with a tree's logs: the turns of its part, and the mean log of the first part.
+// Two logs for comparison with a tree's logs: the turns of the tree's part, the mean log of the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -91,8 +91,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// True if `a` is smooth enough and nearer to the reference. If `a` and `b` are equally near to the reference,
-// the distance to the leader decides.
+// Returns true if `a` is smooth enough and nearer to the reference than `b`. If `a` and `b` are equally near
+// to the reference, compares the distances to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -113,17 +113,17 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// True if nearest_branch(v, reference) is certainly v. |v| and |reference| must be at most half a turn.
+// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| are at most half a turn.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// True if every log stays principal, whatever the forest is. This needs two conditions. First, the principal
-// log of each element must be the nearest to its neighbours' principal logs. Second, it must be the nearest
-// to all references and to the leader. Let r be the length of the longest reference. The distance between a
-// principal log v and a reference is at most |v| + r. Another branch has a length of at least 2 pi - |v|, so
-// its distance is at least 2 pi - |v| - r. This distance is larger if |v| + r < pi.
+// Returns true if every log stays principal for any forest. This needs two conditions. First, the principal
+// log of each element must be the branch nearest to the neighbours' principal logs. Second, the principal log
+// must be the branch nearest to all references and to the leader. Let r be the length of the longest
+// reference. The distance between a principal log v and a reference is at most |v| + r. Another branch has at
+// least the length 2 pi - |v| and the distance 2 pi - |v| - r. This distance is larger if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -187,7 +187,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// True if a part's mean log may differ from its turns in the axis or in the number of whole turns.
+// Returns true if a part's mean log and turns may differ in the axis or in the number of whole turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -195,7 +195,7 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// The sum of the squared distances between neighbours' logs, for each part.
+// Returns for each part the sum of the squared distances between neighbours' logs.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
@@ -248,8 +248,8 @@ std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// Follows a spanning forest from the triangle with the smallest rotation of each part. Every other triangle
-// gets the branch nearest to its parent's log.
+// Returns logs along a spanning forest that starts at the triangle with the smallest rotation of each part.
+// Every other triangle gets the branch nearest to its parent's log.
 std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
                             std::span<const Vec3> start) {
   const auto forest = mesh::adjacency(start.size(), spanning_forest(neighbours.pairs, rotations));
@@ -295,7 +295,7 @@ double cost(const WeightedPairs& neighbours, std::uint32_t t, const Vec3& log, s
   return sum;
 }
 
-// Gives a triangle the branch with the lowest cost. Returns true if this changes its log.
+// Gives a triangle the branch with the lowest cost. Returns true if the log changes.
 bool follow_neighbours(const WeightedPairs& neighbours, std::uint32_t t, std::vector<Vec3>& logs) {
   Vec3 best = logs[t];
   double least = cost(neighbours, t, best, logs);

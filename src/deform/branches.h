@@ -20,54 +20,54 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
 /// Returns trace(A^T B), which is 1 + 2 cos(angle between the rotations A and B).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
-/// The edges of the spanning forest with the smallest relative angles. Equal angles: lowest index first.
+/// Returns the edges of the spanning forest with the smallest relative angles. If angles are equal, prefers
+/// the edge with the lower index.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges,
                                         std::span<const sym3::Mat3<double>> rotations);
 
-/// The mean log of each part of the cage.
+/// Returns the mean log of each part of the cage.
 std::vector<Vec3> means_of_parts(const Cage& cage, std::span<const Vec3> logs);
 
-/// The number of whole turns by which the rotation vector `turn` exceeds `least`, the shortest rotation
-/// vector of the same pose.
+/// Returns the number of whole turns that `turn` has in addition to `least`, the pose's shortest rotation.
 double whole_turns(const Vec3& turn, const Vec3& least);
-/// The rotation vector of `count` turns about an axis of length 1, plus the component of `least` along it.
+/// Returns `count` whole turns about an axis of length 1, plus the component of `least` along this axis.
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
   std::vector<Vec3> logs;  ///< one log per map
-  /// The mean log of each part, or with_whole_turns() if the logs cannot represent the turns.
+  /// For each part the mean log or, if the logs cannot represent the turns, with_whole_turns().
   std::vector<Vec3> turns;
 };
 
 /// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage, a spanning
 /// forest of the smallest relative angles starts at the root. Each log is the branch nearest to the parent's
-/// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part]
-/// (missing: 0), unless neighbours' logs become farther apart. Therefore, a single flipped map does not
-/// rotate the others. If two branches are equally near, the part uses the branch nearer to the first part's
-/// mean log.
+/// log. The branch of the root minimizes the root mean square distance of the part's logs to turns[part] (0
+/// if missing), unless neighbours' logs would become farther apart. So a flipped map does not rotate other
+/// maps. If two branches are equally near, the part uses the branch nearer to the first part's mean log.
 ///
 /// A log can have whole turns only about the axis of its rotation. If a part's turns are longer than half a
-/// turn and have another axis, Branches::turns keeps their whole turns. If the logs are then not coherent,
-/// the part gets the logs without turns. Takes O(k log k) time for k elements.
+/// turn and have another axis, Branches::turns keeps their whole turns. If the logs of such a part are not
+/// coherent, the part gets the logs without turns. Takes O(k log k) time for k elements.
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
 struct WeightedPairs {
-  std::vector<mesh::Edge> pairs;  ///< neighbouring triangles i < j, sorted, each pair once
+  std::vector<mesh::Edge> pairs;  ///< pairs of neighbouring triangles i < j, sorted and unique
   std::vector<double> weights;    ///< one per pair: the square root of the smaller area
   mesh::Adjacency around;         ///< for each triangle, the indices of its pairs
 };
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
-/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. First follows a
-/// tree of the smallest relative rotations, from the triangle with the smallest rotation of each part. If the
-/// sum decreases, each connected set of changed triangles keeps the result. Then tries the branches nearest
-/// to each triangle's neighbours. The sum never grows, and coherent logs stay bit for bit. Rotations near
-/// whole turns have no clear axis, so no choice is coherent there. Thread-safe. Takes O(n log n) time.
+/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. The first step
+/// follows a tree of the smallest relative rotations, from the triangle with the smallest rotation of each
+/// part. Each connected set of changed triangles keeps its new logs if they reduce the sum. The second step
+/// tries, for each triangle, the branches nearest to its neighbours' logs. The sum never grows, and coherent
+/// logs keep all bits. Rotations near whole turns have no clear axis, so their logs cannot be coherent.
+/// Thread-safe. Takes O(n log n) time.
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 
-/// The number of pairs whose logs are more than half a turn apart.
+/// Returns the number of pairs whose logs are more than half a turn apart.
 std::size_t torn_pairs(const WeightedPairs& neighbours, std::span<const mesh::Vec3> logs);
 
 }  // namespace viete::deform

@@ -1,4 +1,4 @@
-// A cage at rest: its triangles with their bases, their neighbours, and poses of the cage.
+// The rest cage with the data of its triangles, and poses of the cage.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace viete::deform {
 using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, mesh::squared_norm;
 using mesh::Vec3;
 
-/// The edges u and v of a triangle from one corner, and n = N / sqrt|N| with N = u x v; n is 0 if N is 0.
+/// The edges u and v of a triangle at one corner, and n = N / sqrt|N| for N = u x v. If N is 0, n is 0.
 struct TriangleBasis {
   Vec3 u, v, n;
 };
@@ -30,8 +30,7 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns x / sqrt|x| for an area vector x, or 0 for 0. The length of the result is the side of a square
-/// with this area.
+/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. A square of this side length has the area |x|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -39,19 +38,19 @@ RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangl
 /// The rest cage, with all data that do not depend on the pose. Its elements are its triangles.
 struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
-  std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if it belongs to no polygon
-  std::vector<mesh::Edge> edges;         ///< edges of the polygons, each once
+  std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex
+  std::vector<mesh::Edge> edges;         ///< edges of the polygons, without duplicates
   std::vector<Vec3> centers;             ///< rest centroid of each element
   std::vector<RestBasis> bases;          ///< one per element; undefined if the element has no area
   std::vector<std::uint8_t> degenerate;  ///< 1: the element has no area, the identity as map, and weight 0
   /// Pairs of elements that share an edge, sorted; see dual_graph(). Elements without area are skipped.
   std::vector<mesh::Edge> dual_edges;
-  /// The centre of each connected part of the dual graph, see graph_parts(). Rotation branches start there.
+  /// The centre of each connected part of the dual graph, see graph_parts(). choose_branches() starts there.
   std::vector<std::uint32_t> roots;
-  std::vector<std::uint32_t> parts;  ///< one index into roots per element; roots.size() if it has no area
+  std::vector<std::uint32_t> parts;  ///< index into roots per element; roots.size() for elements without area
   double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;                   ///< mesh::used_size(), the unit of radii
-  double contact = 0;    ///< a point nearer to an element counts as on the element; about the rounding error
+  double contact = 0;    ///< a point this near to an element counts as touching; about the rounding error
   bool closed = false;   ///< true: every edge has two triangles, which traverse it in opposite directions
   mesh::OneSided sides;  ///< sides for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
@@ -59,13 +58,13 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Thrown if an edge has an odd number of triangles, at least three, all with area.
+/// Thrown if an edge belongs to three, five or more (an odd number of) triangles that all have an area.
 struct FinError : base::Error {
   using base::Error::Error;
 };
 
-/// Throws FinError, and base::Error if the surface has no triangle with area or is closed and flat. Open,
-/// flat, inside-out and touching cages are valid; defects are listed in Cage::warnings.
+/// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is closed and flat.
+/// Open, flat, inside-out and self-touching surfaces are valid; Cage::warnings lists these defects.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at corners of the box, and no elements. With the scheme
@@ -76,39 +75,39 @@ Cage no_cage(const mesh::Bounds& box);
 inline constexpr double largest_turn = 1e6;
 
 /// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
-/// logs of a part's elements are chosen nearest to this vector. Missing or 0: the smallest rotation.
+/// logs of a part's elements are the branches nearest to this vector. A missing vector counts as 0, which
+/// gives the smallest rotations.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
 };
 
-/// The rest positions, without turns.
+/// Returns the rest positions without turns.
 Pose rest_pose(const Cage& cage);
 
 struct DualGraph {
-  std::vector<mesh::Edge> edges;  ///< pairs of elements i < j, sorted, each once
+  std::vector<mesh::Edge> edges;  ///< pairs of elements i < j, sorted and unique
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges with an odd number of triangles, at least three, all with area. A fin ends there: a surface whose
-  /// two sides both face the outside.
+  /// Edges that cause a FinError. A fin (a surface with the outside on both sides) ends at such an edge.
   std::vector<mesh::Edge> fins;
 };
 
-/// Vertices at the same position count as one vertex. See without_skipped().
+/// Connects elements with a common edge. Vertices at one position count as one. skip: see without_skipped().
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
 
 /// Removes all pairs with skipped elements. The neighbours of each cluster of skipped elements stay connected
-/// by a chain of new pairs. Returns pairs i < j, sorted, each pair once.
+/// by a chain of new pairs. Returns pairs i < j, sorted and unique.
 std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
 
 struct GraphParts {
   std::vector<std::uint32_t> centers;
-  std::vector<std::uint32_t> of;  ///< one index into centers per element; centers.size() if it is skipped
+  std::vector<std::uint32_t> of;  ///< index into centers per element; centers.size() for skipped elements
 };
-/// The connected parts of a graph without skipped elements, in the order of their lowest elements. The centre
-/// of a part is the lowest element of least eccentricity. In a part of more than 4,096 elements, the centre
-/// is the middle of a long path, which is found in linear time.
+/// Returns the connected parts of a graph without skipped elements, sorted by their lowest elements. The
+/// centre of a part is the lowest element of those with the least eccentricity. If a part has more than 4,096
+/// elements, the centre is the middle of a long path, which takes linear time to find.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

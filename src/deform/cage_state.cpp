@@ -22,7 +22,7 @@ static_assert(sizeof(MapLog) == log_columns * sizeof(double));
 
 constexpr double cloud_radius = 0.1;  // relative to the root mean square of the edge lengths
 
-// The length l of moments.h.
+// Returns the length l of moments.h.
 double moment_length(const Cage& cage) {
   const auto& p = cage.surface.positions;
   double sum = 0;
@@ -30,7 +30,7 @@ double moment_length(const Cage& cage) {
   return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
 }
 
-// rest_center is relative to the middle of the rest cage. The first 9 entries of the identity's row are 0.
+// Writes D and d of RowForm::maps. rest_center is relative to the middle of the rest cage.
 void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
   for (int r = 0; r < 3; ++r) {
     double from_center = 0;
@@ -213,8 +213,8 @@ void CageState::write_row_of(std::uint32_t h) {
   form_ == RowForm::logs ? write_log_row(log, row) : write_map_row(map_of(log), rest_centers_[h], row);
 }
 
-// The log of an element without moved vertices can still change: its branch follows the neighbours. Logs that
-// are equal as floats count as unchanged.
+// Returns true if the logs of elements without moved vertices did not change. (Their branches can change if
+// the neighbours' logs change.) Logs that are equal as floats count as unchanged.
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());

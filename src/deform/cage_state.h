@@ -18,10 +18,10 @@
 
 namespace viete::deform {
 
-/// Throws base::Error if a pose has another number of vertices than the cage. place: the source of the pose.
+/// Throws base::Error if `vertices` is not the cage's vertex count. `place` names the source of the pose.
 void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
 
-/// The numbers from 0 to count - 1.
+/// Returns the numbers from 0 to count - 1.
 std::vector<std::uint32_t> first_numbers(std::size_t count);
 
 RowForm row_form(Elements elements, Blend blend);
@@ -42,9 +42,9 @@ struct Rows {
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// The maps, logs and rows of a pose. They do not depend on the model. During a drag, only the maps of
-/// elements with moved vertices are computed again, and the origin stays. Other rows keep their bits, unless
-/// the log of their element changes its branch or its lower limit. Not thread-safe.
+/// The maps, logs and rows of a pose, which do not depend on the model. During a drag, only the maps of
+/// elements with moved vertices are computed again, and the origin does not change. Any other row keeps all
+/// bits unless the branch or the lower limit of the row's log changes. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.
@@ -58,9 +58,9 @@ public:
   /// Until end_drag(), poses must differ from the last pose only in these vertices.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
-  /// Applies to the next poses. The first of them is computed for all elements.
+  /// Sets the amounts of the next poses. The next pose is computed for all elements.
   void set_amounts(const Amounts& amounts);
-  /// True: the origin of the next poses is the middle of the rest cage.
+  /// If `keep`, the origin of the next poses is the middle of the rest cage.
   void keep_origin(bool keep);
 
   const Cage& cage() const { return *cage_; }
@@ -69,13 +69,13 @@ public:
   std::span<const std::uint32_t> moving() const { return moving_; }
   /// Increases each time the row of a handle outside moving() changes.
   unsigned long resting_revision() const { return resting_revision_; }
-  /// The report of the last pose. If the rows do not use logs, it contains only the pose's turns.
+  /// The report of the last pose. If the rows do not use logs, the report contains only turns.
   const LogReport& report() const { return report_; }
   /// Computing times of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:
-  // Update all handles or, if `few`, only the dragged ones. Return true if rows of other handles changed.
+  // Update all handles or, if `few`, the dragged handles. Return true if rows of other handles changed.
   bool set_positions(const Pose& pose, bool few);
   bool set_maps(const Pose& pose, bool few);
   bool takes_logs() const;

@@ -18,41 +18,40 @@
 namespace viete::deform {
 
 /// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
-/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All others use the
-/// staged engine. Not thread-safe. The cage and the binding never change, so another thread can make a new
-/// binding meanwhile.
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All other frames
+/// use the staged engine. Not thread-safe. The cage and the binding are constant, so other threads can read
+/// them.
 class Deformer {
 public:
   /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.
-  /// stitching must be for this scheme, or null if the scheme is not stitched or stitching is not ready.
+  /// stitching must be for this scheme. If the scheme is not stitched or stitching is not ready, pass null.
   Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
   const Scheme& scheme() const { return scheme_; }
-  /// Applies to the next frames, as all setters below. Changes only the scheme's amounts.
+  /// Changes only the amounts of the scheme. All setters apply to the next frames.
   void set_amounts(const Amounts& amounts);
-  /// mask: one factor per vertex, from 0 (stays at rest) to 1 (full motion); null: all 1.
+  /// mask: one factor per vertex, from 0 (stays at rest) to 1 (full motion); null if all are 1.
   void set_mask(Mask mask);
   const Mask& mask() const { return mask_; }
-  /// The cage deforms this shape. It must have one position per vertex; null: the rest positions.
+  /// Sets the shape that the cage deforms: one position per vertex, or null for the rest positions.
   void set_shape(const SharedShape& shape);
   const SharedShape& shape() const { return shape_; }
-  /// The probes move the model after the cage.
+  /// Sets the probes, which move the model after the cage.
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// True: all methods use the staged engine if the blend has exponentials, so that their times are
-  /// comparable.
+  /// If `all`, every method uses the staged engine for blends with exponentials, to compare computing times.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
-  /// The engine for the method, or nullopt if its binding or stitching is missing.
+  /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// Until end_drag(), poses must differ from the last pose only in these cage vertices. The cost of a frame
-  /// of the fused engine is then proportional to the number of moved handles.
+  /// Until end_drag(), poses must differ from the last pose only in these cage vertices. During a drag, the
+  /// cost of a fused frame is proportional to the number of moved handles.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
-  /// engine(method) is nullopt, uses the fused engine, which must then exist.
+  /// engine(method) is nullopt, the fused engine must exist and is used.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
@@ -63,16 +62,15 @@ public:
   std::optional<EngineKind> ran() const { return ran_; }
   LinkTimes times() const;
 
-  /// Copies of all positions and normals of the last frame, with double precision from the staged engine and
-  /// the precision of FrameVertex from others. Positions of the stitched engine are double unless probes
-  /// move them.
+  /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
+  /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves them.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// The matrices exponentiated in the last frame, for at most `limit` vertices spread evenly over the model.
-  /// Computes exact weights again, in one or two microseconds per matrix. Empty without exponentials.
+  /// Computes exact weights again, in one or two microseconds per matrix. Empty if there are no exponentials.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// See deform::sampled_error(); 0 after a staged frame. For a stitched frame, the error of the blended
-  /// vertices before stitching and before probes.
+  /// Returns deform::sampled_error(), or 0 after a staged frame. After a stitched frame, returns the error of
+  /// the blended vertices before stitching and probes.
   double sampled_error() const;
 
 private:

@@ -1,4 +1,4 @@
-// The deformed model in double precision, for files. Computed block by block to save memory.
+// Computes the deformed model in double precision, for files. Works block by block to save memory.
 #pragma once
 
 #include <memory>
@@ -28,13 +28,13 @@ struct ExactModel {
   double exp_error = 0;                ///< largest error of all vertices, see place_vertices()
 };
 
-/// Deforms one model by any number of poses. The results differ from the staged engine by at most 1e-12 of
-/// the cage's diagonal. They do not depend on the number of threads or on earlier poses. Needs memory for the
-/// positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along the
-/// surface also need memory for the weights of all vertices. Not thread-safe.
+/// Deforms one model by any number of poses. The results differ from the staged engine's by at most 1e-12 of
+/// the cage's diagonal. The number of threads and earlier poses do not change the results. Needs memory for
+/// the positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along
+/// the surface also need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// `kept`: keeps all weights for the next pose if they need less than a quarter of the free memory.
+  /// `kept`: keeps all weights for the next pose if the weights need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
   /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
@@ -43,7 +43,7 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// The cage deforms the shape (null: the rest model). Then the probes deform the result, see ProbeLayer.
+  /// Deforms the shape (null: the rest model) by the cage, and the result by the probes, see ProbeLayer.
   /// Throws base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);

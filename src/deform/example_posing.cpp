@@ -26,7 +26,7 @@ constexpr double longest_step = 0.7;         // largest change of a weight, and 
 constexpr double least_damping = 1e-9, most_damping = 1e3;
 constexpr double at_rest = 1e-5;  // solve() ends after a shorter step
 
-// True if the rotation nearest to a matrix is unique.
+// Returns true if the rotation nearest to a matrix is unique.
 bool tells_rotation(const Mat& m) {
   const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
   return singular[0] + singular[1] > 1e-6 * singular[2];
@@ -53,8 +53,8 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 
 }  // namespace
 
-// The positions of the pinned vertices in the blend of examples, without the translations of their parts. The
-// derivatives of these positions by the weights and by the rotation.
+// The positions of the pinned vertices in the blend of examples, without the translations of the parts, and
+// the derivatives of these positions by the weights and by the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
@@ -89,14 +89,14 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // tells show() to fit to positions_
+  work_.ways.resize(shape.size());  // show() will fit rotations to positions_
 }
 
 std::size_t ExamplePosing::blocks() const {
   return (space_.logs().corners().size() + plane_size - 1) / plane_size;
 }
 
-// Layout: see PlaneKernel::derive.
+// Fills groups_ in the layout of PlaneKernel::derive.
 void ExamplePosing::fill_groups() {
   const LogSpace& logs = space_.logs();
   const std::size_t numbers = numbers_of_group();
@@ -181,10 +181,10 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// The forces f at the pins move them by the distances d from their free positions to their targets:
-// (1 / c + Z) f + t = d. The forces of each part must sum to 0. Here c is the firmness, Z are the pins' rows
-// of columns_, and t is the translation of the part. If hard constraints contradict each other, the solution
-// is the least squares solution.
+// Computes forces_ from the equations (1 / c + Z) f + t = d for the forces f at the pins. d is the distance
+// from a pin's free position to its target. The forces of each part must sum to 0. Here c is the firmness, Z
+// are the pins' rows of columns_, and t is the translation of the part. If hard constraints contradict each
+// other, the solution is the least squares solution.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -219,7 +219,8 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
-// The contribution of the blocks [begin, end) to the pins' positions and their derivatives by the weights.
+// Returns the contribution of the blocks [begin, end) to the pins' positions and their derivatives by
+// weights.
 std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
   const PlaneKernel& kernel = plane_kernel(sym3::kernel());
   const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
@@ -274,7 +275,7 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   return reach;
 }
 
-// Starts from the rotation that best moves the pins at rest to their targets, if it is unique.
+// Sets turn_ to the rotation that best moves the pins from rest to their targets, if this rotation is unique.
 void ExamplePosing::begin_turn(std::span<const mesh::Point> targets) {
   turns_ = true;
   const auto& rest = space_.logs().rest();
@@ -305,7 +306,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
   const double held = settings.restraint * area_;
   const double energy = off.cwiseProduct(forces).sum() + held * weights.squaredNorm();
-  if (energy > energy_) {  // the last step was too long: undoes it and increases the damping
+  if (energy > energy_) {  // the last step was too long, so undo the step and increase the damping
     weights_ = last_weights_, turn_ = last_turn_;
     damping_ = std::min(10 * damping_, most_damping);
     energy_ = std::numeric_limits<double>::infinity();
@@ -344,8 +345,8 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
   return most;
 }
 
-// Computes positions_. If it fits rotations, returns the largest change of a position, divided by the square
-// root of the area; otherwise 0.
+// Computes positions_. If settings.freedom is 0, returns 0. Otherwise fits rotations, and returns the largest
+// change of a position divided by the square root of the area.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -374,7 +375,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
   return std::sqrt(farthest / std::max(area_, 1e-300));
 }
 
-// Moves the pins towards their targets by forces, and the other vertices of their parts with them.
+// Moves the pins towards their targets by forces. The other vertices of the pins' parts follow.
 void ExamplePosing::reach_targets() {
   Eigen::MatrixXd off(pins_.size(), 3);
   for (std::size_t k = 0; k < pins_.size(); ++k)

@@ -22,17 +22,17 @@ struct PosingPin {
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
 };
 
-/// The firmness of a hard constraint, and of a soft one.
+/// The firmness of a hard constraint, and the usual firmness of a soft constraint.
 inline constexpr double holding = std::numeric_limits<double>::infinity(), usual_pull = 0.3;
 
-/// The maximum number of pins. The dense system of more pins would take minutes.
+/// The maximum number of pins. With more pins, solving the dense system would take minutes.
 inline constexpr std::size_t most_pins = 1000;
 
 struct PosingSettings {
   /// Strength of the force that keeps the examples' weights near their initial values (usually 0), relative
   /// to the elastic energy of one unit of the model's area.
   double restraint = 1e-3;
-  /// How freely triangles may rotate away from the blend of examples, 0 to 1. Without examples, 1 is ARAP.
+  /// How freely triangles may rotate away from the blend, from 0 to 1. If there are no examples, 1 is ARAP.
   double freedom = 0.3;
 };
 
@@ -47,16 +47,16 @@ struct PosingSettings {
 /// Not thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
-  /// examples: results of space.vector() without `before`. All arguments must outlive this object.
+  /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Replaces the pins. Weights, rotation and positions stay. Each vertex may occur once. Takes some
-  /// milliseconds per pin. Throws base::Error before any change, if there are more than most_pins pins, a
+  /// Replaces the pins. Weights, rotation and positions do not change. Each vertex may occur once. Takes some
+  /// milliseconds per pin. Throws base::Error before any change if there are more than most_pins pins, a
   /// vertex has no triangle with area, or memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 
-  /// How strongly each vertex follows a small move of these pins (given by number) while the other pins stay:
-  /// its displacement divided by the displacement of the targets. Weights and rotation stay.
+  /// Returns how strongly each vertex follows a small move of these pins (given by index) while other pins
+  /// stay: the vertex's displacement divided by the targets' displacement, for constant weights and rotation.
   std::vector<double> reach(std::span<const std::size_t> pins) const;
 
   /// Makes one step towards the targets (one per pin) and returns its size: the largest change of a weight,
@@ -71,8 +71,8 @@ public:
   std::span<const mesh::Point> positions() const { return positions_; }
   /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
-  /// Restarts from these weights (one per example) and the shape that they blend. Later steps keep the
-  /// weights near these values.
+  /// Restarts from the weights (one per example) and from `shape`, the blend of the examples. Later steps
+  /// keep the weights near these values.
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:

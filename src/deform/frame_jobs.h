@@ -14,7 +14,7 @@ template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 inline constexpr std::size_t lanes = tile_lanes<float>;
 
-/// Consecutive tiles with the same table. All arrays are aligned to 64 bytes.
+/// Consecutive tiles with one common table. All arrays are aligned to 64 bytes.
 struct TileRun {
   std::size_t tiles = 0;                  ///< must be even
   std::size_t rows = 0;                   ///< rows of weights per tile
@@ -23,16 +23,16 @@ struct TileRun {
   const float* base = nullptr;            ///< initial values of the sums, [tile][sum][lane]; null: 0
   const float* mean = nullptr;            ///< [RowShape::with_mean]: `place` adds it to the sums; null: 0
   const float* shares = nullptr;          ///< [tile][lane], used by `place`, see Shares; null: all 1
-  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: equal numbers
+  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: row i for row i
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
-/// The numbers n, s, dual and scale of RestMoment, with lengths in units of l (see moments.h).
+/// The number of values per vertex: n, s, dual and scale of RestMoment, with lengths in units of l.
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf, each as x y z x. The slots come first, then the ghosts (slots of other leaves).
+/// The positions of one leaf as x y z x: first the slots, then the ghosts (copies of other leaves' slots).
 struct RingRun {
   float* positions;                 ///< all positions of the model
-  std::size_t first, slots, count;  ///< first position of the leaf; slots; slots plus ghosts
+  std::size_t first, slots, count;  ///< the leaf's first position; number of slots; slots plus ghosts
   std::size_t vertices;             ///< the number of slots without padding
   bool moved;                       ///< true if slots moved since normals were last computed
   const std::uint32_t* ghosts;      ///< for each ghost, the index of the position that it copies

@@ -16,7 +16,7 @@ namespace viete::deform::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
-// The number of vectors blended at once. Their sums and inputs must fit into the registers.
+// The number of vectors blended at once. The sums and inputs of these vectors must fit into the registers.
 #if HWY_TARGET <= HWY_AVX3
 constexpr int vectors_at_once = 2;
 #else
@@ -32,7 +32,7 @@ constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 template <std::size_t Columns>
 using Sums = hn::Vec<Tag>[vectors_at_once][Columns];
 
-// Index of a group of lanes in an array of tiles with `rows` cache lines each. A group is one vector.
+// Returns the index of a group of lanes (one vector) in an array of tiles with `rows` cache lines each.
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag());
   return lane / line_lanes * rows * line_lanes + lane % line_lanes;
@@ -185,7 +185,7 @@ static HWY_INLINE Vector3 load_offset(const TileRun& run, const float* offsets, 
   return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
 }
 
-// Every operation is applied to all vectors of a batch before the next operation, which hides latency.
+// A batch hides latency: each operation runs for all of its vectors before the next operation starts.
 #if HWY_TARGET <= HWY_AVX3
 using Batch = lanes::Two<hn::Vec<Tag>>;
 
@@ -221,7 +221,7 @@ static HWY_INLINE void store_positions(const Vector3& p, std::size_t group, floa
 }
 #endif
 
-// Function objects, one per RowForm: compute positions from sums of rows and rest positions or offsets.
+// Each RowForm has a function object that computes positions from sums of rows and rest positions or offsets.
 struct ByLogs {
   static constexpr RowShape shape = log_shape;
 

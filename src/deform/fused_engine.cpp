@@ -24,7 +24,7 @@ void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* t
   }
 }
 
-// Access by slot to an array [tile][line][lane].
+// Gives access by slot to an array [tile][line][lane].
 template <class T>
 struct TileLines {
   T* data;
@@ -213,8 +213,8 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
   knows_rest_ = true;
 }
 
-// Uses the blend kernel three times: for the weighted mean of the handles' centres, for the remaining error
-// of this mean, and for the moments about a point of the leaf.
+// Computes the rest moments of a leaf. Runs the blend kernel three times: for the weighted mean of the
+// handles' centres, for the remaining error of this mean, and for the moments about a point of the leaf.
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
@@ -246,9 +246,10 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// Subtracting the mean of the rows makes rotations of the whole cage exact (see RowShape::with_mean). The
-// mean stays during a drag. For uncompressed weights, the mean is rounded to a multiple of 0.5. Edits rarely
-// change this value, so vertices that an edit does not influence keep their bits.
+// Sets mean_, the mean of the rows. If this mean is subtracted from the rows, rotations of the whole cage are
+// exact (see RowShape::with_mean). The mean does not change during a drag. For uncompressed weights, the mean
+// is rounded to a multiple of 0.5. Edits rarely change this mean, so vertices that an edit does not influence
+// keep all bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -293,7 +294,7 @@ void FusedEngine::begin_drag(Handles moving) {
   });
 }
 
-// For each leaf, lists the moving handles that have weights there. Returns the number of these weights.
+// Lists the moving handles with weight in each leaf. Returns the number of weights of all listed handles.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
   drag_.starts = {0};
@@ -384,7 +385,7 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// The input of the kernel in this frame: all rows, or only the moving rows and the sums of all others.
+// Returns the kernel's input in this frame: all rows, or only the moving rows and the sums of all other rows.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;
@@ -400,7 +401,7 @@ TileRun FusedEngine::frame_run(std::size_t leaf) const {
 
 void FusedEngine::place_vertices() {
   const TiledBinding& b = *binding_;
-  // If the probes move positions in this frame, the next frame must recompute them.
+  // If probes move positions in this frame, the next frame must recompute all positions.
   const bool placed = dragging_ && std::exchange(drag_.placed, !layer_);
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = !(placed && drag_.row_count(leaf) == 0);

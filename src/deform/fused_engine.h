@@ -13,18 +13,18 @@
 
 namespace viete::deform {
 
-/// Computes the same frame as the staged engine with method `fast`, but in float and in one pass over the
-/// weights. The difference is at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
+/// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
+/// The frames differ by at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
 ///
 /// The cost of a drag is proportional to the number of moved handles. The first frame of a drag stores the
-/// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves without
-/// weights of moved handles are skipped. Apart from float rounding, the results are those of full frames.
+/// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves where no
+/// moved handle has weight are skipped. Up to float rounding, the results equal full frames.
 ///
-/// If weights are not compressed, vertices without weights of moved handles keep their bits, as long as the
-/// origin of the pose (see pose_origin) and the mean of the rows stay.
+/// If weights are not compressed, a vertex where no moved handle has weight keeps all bits while the origin
+/// of the pose (see pose_origin) and the mean of the rows do not change.
 ///
-/// Moment forms (see moments.h) need uncompressed weights. Their first frame takes three times as long as
-/// later ones, because it computes the data that do not depend on the pose.
+/// Moment forms (see moments.h) need uncompressed weights. With these forms, the first frame takes three
+/// times as long as later frames, because it computes the data that do not depend on the pose.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.
@@ -36,14 +36,13 @@ public:
   /// Always uses method `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// The first half of a frame: computes the sums of rows [vertex][column], multiplied by shares, in the
-  /// file's order and unit.
+  /// Runs the first half of a frame: sums rows [vertex][column] times shares, in the file's order and unit.
   void blend(const CageState& state, std::span<double> sums);
-  /// The second half of a frame, for other positions, relative to the rows' origin: fills vertices().
+  /// Runs the second half of a frame for these positions, relative to the rows' origin: fills vertices().
   void show(std::span<const Vec3> positions);
-  /// True if the last frame used cached sums and added only the moved handles.
+  /// Returns true if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }
-  /// Bytes of weights or factors that the last frame read.
+  /// Returns the bytes of weights or factors that the last frame read.
   std::size_t bytes() const;
 
 private:
@@ -105,7 +104,7 @@ private:
     std::vector<std::uint32_t> moving;   // handles
     unsigned long resting = 0;           // CageState::resting_revision()
     std::vector<std::size_t> starts;     // leaf l has the entries [starts[l], starts[l + 1]) of listed
-    std::vector<std::uint32_t> listed;   // moving handles with weights in the leaf, as indices of `moving`
+    std::vector<std::uint32_t> listed;   // moving handles with weights in the leaf, as indices into `moving`
     base::AlignedVector<float> sums;     // [tile][sum][lane] of the handles that do not move
     base::AlignedVector<float> weights;  // [tile][row][lane] of the moving handles
     base::AlignedVector<float> rows;     // the moving handles' rows of table_

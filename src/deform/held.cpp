@@ -7,12 +7,13 @@ namespace viete::deform {
 
 namespace {
 
-// Added to the squared motion of each vertex, relative to the largest one. A resting vertex therefore has
-// 1e14 times the weight of the vertex that moves most.
+// The square of this part of the largest motion is added to each vertex's squared motion. A resting vertex
+// therefore has 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
-// If a map rotates and stretches less than this, its fixed point is too far away to matter.
+// If a map rotates and stretches less than this, the map's fixed point is too far away to matter.
 constexpr double least_motion = 1e-4;
-// Directions with a smaller spread of vertices, relative to the largest spread, are ignored.
+// If the spread of vertices in a direction is less than this part of the largest spread, the direction is
+// ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
@@ -31,7 +32,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// The inverse of a symmetric matrix in the directions of its large eigenvalues, and 0 in other directions.
+// Returns the inverse of a symmetric matrix in the directions of its large eigenvalues, and 0 elsewhere.
 Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
   Eigen::Vector3d inverse{0, 0, 0};
@@ -75,8 +76,8 @@ AffineFit fit_of(std::span<const std::uint32_t> vertices, std::span<const double
 
 }  // namespace
 
-// Multiplies the weights by a linear function of the positions. This moves their mean to the fixed point of
-// the fitted affine map.
+// Multiplies the weights by a linear function of the positions, so that the weighted mean of the positions is
+// the fixed point of the fitted affine map.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares) {
   const double farthest = squares.empty() ? 0 : *std::max_element(squares.begin(), squares.end());

@@ -1,4 +1,4 @@
-// The anchor of each part of a moving shape. It determines the translation, which the triangles' logs do not.
+// The anchors of a moving shape's parts. An anchor determines the translation, which logs do not contain.
 #pragma once
 
 #include <span>
@@ -19,14 +19,15 @@ struct HangingParts {
 /// The weight of each vertex in the anchor of its part. The anchor is a weighted mean of the vertices and
 /// moves on a straight line. Vertices that move little have large weights, so a resting region stays, and a
 /// limb rotates about its joint. If the part moves by an affine map, the anchor is the point that moves
-/// least, so a rotating part rotates about its axis.
+/// least: for a rotation, a point on the axis.
 using Held = std::vector<double>;
 
-/// from: positions. ways: displacements. squares: squared lengths of displacements, or sums of such squares.
+/// ways are the displacements of the positions `from`. squares are squared lengths of ways, or sums of
+/// squared lengths.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 
-/// Translates each part so that its anchor has the displacement that `straight` gives it.
+/// Translates each part so that its anchor's displacement is the weighted mean of `straight`.
 void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
 
 /// Translates each part so that the mean of its displacements is 0.

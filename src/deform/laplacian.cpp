@@ -11,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-// The sides opposite to the corners, scaled to a size near 1. All are 0 if the corners coincide.
+// Returns the sides opposite to the corners, scaled to a size near 1. If the corners coincide, all are 0.
 std::array<Vec3, 3> scaled_sides(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   std::array<Vec3, 3> sides{c - b, a - c, b - a};
   const double largest = std::max({largest_abs(sides[0]), largest_abs(sides[1]), largest_abs(sides[2])});
@@ -36,7 +36,7 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   return !(doubled_area(sides) > thin_triangle * longest_squared(sides));
 }
 
-// The cotangent at a corner is the dot product of its two sides divided by twice the area of the triangle.
+// The cotangent at a corner is the dot product of the corner's two sides divided by twice the area.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   const auto s = scaled_sides(a, b, c);
   const double counted = std::max(doubled_area(s), thin_triangle * longest_squared(s));
@@ -65,13 +65,12 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
 
 namespace {
 
-constexpr double least_excess = 1e-5;    // of two sides' length over the third side, in mean edge lengths
+constexpr double least_excess = 1e-5;    // excess of two sides over the third, in mean edge lengths
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
 constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
 
-// The area of a triangle with the side lengths a, b, c. W. Kahan, Miscalculating Area and Angles of a
-// Needle-like Triangle (2014).
+// Returns the area of a triangle. W. Kahan, Miscalculating Area and Angles of a Needle-like Triangle (2014).
 double area_of(double a, double b, double c) {
   if (a < b) std::swap(a, b);
   if (b < c) std::swap(b, c);
@@ -81,8 +80,7 @@ double area_of(double a, double b, double c) {
   return std::max(0.25 * std::sqrt(std::max(square, 0.0)), least * a * a);
 }
 
-// Triangles without positions, given by edge lengths and adjacency. Half-edge h runs from tail_[h] to
-// tail_[next_[h]].
+// Triangles given by edge lengths and adjacency. Half-edge h runs from tail_[h] to tail_[next_[h]].
 class IntrinsicTriangles {
 public:
   IntrinsicTriangles(const std::vector<mesh::Point>& positions,
@@ -153,8 +151,8 @@ private:
     return true;
   }
 
-  // Half-edge i of triangle t has the index 3 t + i. If the surface is doubled, the half-edges of the back
-  // sides follow, in opposite direction.
+  // Half-edge i of triangle t gets the index 3 t + i. If the surface is doubled, the half-edges of the back
+  // sides follow, with opposite directions.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());
     next_.resize(sides_ * front);
@@ -170,8 +168,8 @@ private:
     }
   }
 
-  // On a doubled surface, each triangle at an edge has a forward and a backward half-edge there, on its front
-  // and its back. A triangle's forward half-edge is the twin of the next triangle's backward half-edge.
+  // Pairs half-edges. On a doubled surface, each triangle has a forward half-edge on its front and a backward
+  // half-edge on its back. The twin of a forward half-edge is the next triangle's backward half-edge.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
@@ -200,7 +198,7 @@ private:
     for (double& l : length_) l = mean > 0 ? l / mean : 1;
   }
 
-  // Adds the same length to all edges, so that every triangle has an area.
+  // Adds one length to all edges, so that every triangle has an area.
   void lengthen() {
     double missing = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h)
@@ -213,7 +211,7 @@ private:
     area_[h] = area_[next_[h]] = area_[previous(h)] =
         area_of(length_[h], length_[next_[h]], length_[previous(h)]);
   }
-  // Cotangent of the angle opposite to h.
+  // Returns the cotangent of the angle opposite to h.
   double cotangent(std::uint32_t h) const {
     const double a = length_[h], b = length_[next_[h]], c = length_[previous(h)];
     return ((b - a) * (b + a) + c * c) / (4 * area_[h]);
@@ -225,7 +223,7 @@ private:
     return g != next_[h] && g != previous(h) && weight(h) < -least_weight;
   }
 
-  // The third corner of a triangle in 2D coordinates: the tail of h is the origin, h is the x axis.
+  // Returns the third corner of h's triangle in 2D coordinates: the tail of h is the origin, h is the x axis.
   std::array<double, 2> corner_beside(std::uint32_t h, double to_tail, double to_head) const {
     const double l = length_[h];
     return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area_[h] / l};
@@ -246,7 +244,7 @@ private:
 
   std::uint32_t sides_ = 1;
   std::vector<std::uint32_t> next_, tail_, twin_;
-  std::vector<double> length_, area_;  // area_: of the half-edge's triangle
+  std::vector<double> length_, area_;  // area_ is the area of the half-edge's triangle
 };
 
 }  // namespace

@@ -65,9 +65,9 @@ namespace {
 
 using Opposite = std::array<std::uint32_t, 2>;  // the edge of a triangle opposite to the vertex
 
-// The largest numbers of triangles and neighbours of a vertex in a group. A leaf then has at most
-// 512 (1 + 63) = 2^15 positions, so 16 bits are enough for an index times 4 / index_floats = 2. One fan of 60
-// triangles has 61 neighbours; several fans have more.
+// The largest numbers of triangles and neighbours of a vertex in a group. With these limits, a leaf has at
+// most 512 (1 + 63) = 2^15 positions, so 16 bits are enough for an index times 4 / index_floats = 2. One fan
+// of 60 triangles has 61 neighbours; several fans have more.
 constexpr std::size_t most_valence = 60, most_neighbours = 63;
 
 // Collects the opposite edges around a vertex and orders them into fans of triangles.
@@ -76,7 +76,7 @@ public:
   void add(const Opposite& edge) { edges_.push_back(edge); }
   std::size_t size() const { return edges_.size(); }
 
-  // Writes the vertices along the fans, separated by `self`, and removes the edges.
+  // Writes the vertices along the fans to `out`, with `self` between fans, and removes the edges.
   void chain(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     while (!edges_.empty()) {
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // As chain(), but each triangle is a separate fan. Takes linear instead of quadratic time.
+  // Does what chain() does, but each triangle is a separate fan. Takes linear instead of quadratic time.
   void list(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     for (const Opposite& edge : edges_) out.insert(out.end(), {edge[0], edge[1], self});
@@ -110,7 +110,7 @@ private:
     return i;
   }
 
-  // The first edge of an open fan, or any edge if all fans are closed.
+  // Returns the first edge of an open fan, or any edge if all fans are closed.
   std::size_t start() const {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::size_t j = 0;
@@ -154,7 +154,7 @@ private:
     }
   }
 
-  // The index of a slot among the leaf's positions. If the slot is in another leaf, adds a ghost once.
+  // Returns the index of a slot among the leaf's positions. Adds a ghost for each new slot of other leaves.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {
@@ -192,7 +192,7 @@ private:
     rings_.lengths.push_back(static_cast<std::uint16_t>(length + (closed ? closed_ring : 0)));
   }
 
-  // True if all rings are closed and have the same length.
+  // Returns true if all rings are closed and have equal lengths.
   bool are_closed() const {
     const std::size_t size = around_slot_[0].size();
     return size > 2 && std::all_of(around_slot_.begin(), around_slot_.end(), [=](const auto& around) {

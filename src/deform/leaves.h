@@ -15,8 +15,8 @@ inline constexpr std::size_t leaf_slots = 512;
 inline constexpr std::size_t slot_block = 32;  ///< the number of slots is a multiple of this
 
 /// Slot s contains vertex order[s] of the file. Leaf l has the slots [512 l, 512 (l + 1)). Only the last leaf
-/// may be smaller; it repeats its last vertex up to a multiple of 32 slots. In each leaf, vertices are sorted
-/// by their number of triangles, so that neighbouring slots have rings of equal length.
+/// may be smaller; its last vertex is repeated up to a multiple of 32 slots. In each leaf, vertices are
+/// sorted by their number of triangles, so that neighbouring slots have rings of equal length.
 struct Leaves {
   std::vector<std::uint32_t> order;  ///< slot_count() entries
   std::size_t vertices = 0;          ///< slots [vertices, slot_count()) are padding
@@ -27,41 +27,40 @@ struct Leaves {
   std::size_t end(std::size_t leaf) const { return std::min(order.size(), (leaf + 1) * leaf_slots); }
 };
 
-/// The slot of each vertex.
+/// Returns the slot of each vertex.
 std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 
 /// Makes leaves with a kd tree that splits the longest side of the bounding box. positions must not be empty.
-/// triangles_around: the number of triangles of each vertex. O(n log n).
+/// triangles_around has the number of triangles of each vertex. O(n log n).
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
-inline constexpr std::size_t ring_group = 4;  ///< slots whose rings are processed together
-/// A position has four floats, so neighbour i has the offset 4 i. It is stored as 4 i / index_floats, because
-/// processors can multiply by this number within an address.
+inline constexpr std::size_t ring_group = 4;  ///< number of slots whose rings are processed together
+/// A position has four floats, so neighbour i has the offset 4 i. The lists contain 4 i / index_floats,
+/// because processors can multiply by index_floats within an address.
 inline constexpr std::size_t index_floats = 2;
 inline constexpr std::uint16_t closed_ring = 0x8000;  ///< this is added to the length of a closed group
 
-/// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of
-/// (n_i - v) x (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form
-/// several fans, v itself is inserted between the lists, so that the products there are 0. The lists
-/// therefore work for nonmanifold surfaces too.
+/// The normal of a vertex v with the neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x
+/// (n_i+1 - v). Each product is twice the area vector of a triangle. If the triangles form several fans, v is
+/// inserted between the fans, so that products with v are 0. The lists also work for nonmanifold surfaces.
 ///
-/// Four slots form a group with one common length. If all four rings are closed and have the same length, the
+/// Four slots form a group with one common length. If all four rings are closed and have equal lengths, the
 /// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings
-/// repeat their first neighbour, and v is appended to all rings up to the same odd length.
+/// repeat their first neighbour, and v is appended to all rings up to a common odd length.
 ///
 /// All positions are in one array, leaf after leaf: first the slots of the leaf, then its ghosts, which are
 /// copies of neighbours in other leaves. The positions of leaf l begin at position_starts[l], and its
 /// neighbour indices are relative to this start.
 struct Rings {
   std::vector<std::uint32_t> position_starts;  ///< size: number of leaves + 1
-  /// For each ghost the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
+  /// For each ghost, the index of the original. The ghosts of leaf l begin at position_starts[l] - begin(l).
   std::vector<std::uint32_t> ghosts;
   std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
   std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring if it is closed
 
-  /// A vertex with so many neighbours that 16-bit indices could overflow. Its group treats it as a vertex
-  /// without triangles. Its own list is open and contains indices of positions.
+  /// A vertex with so many neighbours that 16-bit indices could overflow. In its group, the vertex counts as
+  /// one without triangles. The list below is open and contains indices of positions.
   struct HighValence {
     std::uint32_t slot, position;
     std::vector<std::uint32_t> neighbours;

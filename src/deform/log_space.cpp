@@ -17,7 +17,7 @@ namespace {
 constexpr std::uint32_t no_part = 0xFFFFFFFF;
 constexpr std::size_t places_per_block = 1024;
 
-// For each vertex, the first vertex at the same position.
+// Returns for each vertex v the first vertex that has the position of v.
 std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions) {
   mesh::PointIndex index;
   std::vector<mesh::Point> places;
@@ -49,8 +49,8 @@ public:
   Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
-  // Computes the pull of each side of the triangles on the side's first end. The pull on its second end is
-  // the negative. Uses the block of triangles that starts at `first` in triangles_.
+  // Computes the pull of each side of the triangles on the side's first end. The pull on the second end is
+  // the negative pull. Uses the block of triangles that starts at `first` in triangles_.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
@@ -66,9 +66,9 @@ public:
     pull_by_logs_of(places.size(), [places](std::size_t i) { return places[i]; });
   }
 
-  // Must follow pull_by_logs() for the same triangles. Computes the pulls for the rotations that best fit the
-  // displacements: the rotation nearest to sum_k c_k e'_k (S e_k)^T. Here e_k are the sides at rest, e'_k the
-  // sides now, c_k the half cotangents, and S is the stretch.
+  // Computes the pulls for the rotations that best fit the displacements. Call pull_by_logs() for these
+  // triangles first. The best rotation of a triangle is the nearest to sum_k c_k e'_k (S e_k)^T. Here e_k are
+  // the sides at rest, e'_k the sides now, c_k the half cotangents, and S is the stretch.
   template <class At>
   void pull_by_fit(std::size_t count, const At& at) {
     for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);
@@ -81,7 +81,7 @@ public:
   }
 
   Vec3 pulled(std::size_t triangle, std::size_t side) const { return of(pulls_, triangle, side); }
-  // The change of a pull caused by the fitted rotation.
+  // Returns the change of a pull that the fitted rotation causes.
   Vec3 fit(std::size_t triangle, std::size_t side) const {
     return of(fitted_, triangle, side) - of(pulls_, triangle, side);
   }
@@ -329,7 +329,7 @@ void LogSpace::spread_places(Work& work) const {
   for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
 }
 
-// Adds the changes of the pulls of doubtful triangles caused by their fitted rotations.
+// Adds the changes of doubtful triangles' pulls that the fitted rotations cause.
 void LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
   Block block(*this, work, terms);
   for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {
@@ -371,7 +371,7 @@ void LogSpace::complete(std::span<const mesh::Point> positions, base::WorkerPool
     vector.ways[v] = positions[v] - rest_[v];
     vector.leftovers[v] = vector.ways[v] - work.ways[v];
   }
-  center(parts_, vector.leftovers);  // the anchor determines the translations
+  center(parts_, vector.leftovers);  // anchors determine the translations
 }
 
 void LogSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {

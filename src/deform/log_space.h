@@ -1,5 +1,5 @@
 // Converts shapes of a triangle mesh to vectors of logs, which can be added and scaled, and back. Half of a
-// half turn is a quarter turn; linear interpolation of positions would collapse there.
+// half turn becomes a quarter turn. Linear interpolation of positions would collapse the shape.
 #pragma once
 
 #include <array>
@@ -28,8 +28,8 @@ struct LogVector {
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
   std::vector<Vec3> turns;   ///< per part of a cage: its mean rotation vector; empty for other meshes
   std::vector<Vec3> wholes;  ///< per part: a rotation vector that is applied in addition to the logs
-  /// A triangle whose log is far from its neighbours' logs. share: how far its rotation is moved to the
-  /// rotation that best fits the positions, from 0 to 1.
+  /// A triangle whose log is far from its neighbours' logs. share, from 0 to 1, is how far the triangle's
+  /// rotation moves towards the rotation that best fits the positions.
   struct Doubt {
     std::uint32_t triangle;
     double share;
@@ -51,13 +51,13 @@ struct LogTerm {
 ///     sum_t area_t |(grad p - M_t) T_t|^2.
 ///
 /// T_t projects onto the triangle's plane at rest. This is a Poisson problem (Y. Yu et al., Mesh editing with
-/// Poisson-based gradient field manipulation, 2004); its matrix is factored once. Vertices at the same
-/// position count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a
-/// vector also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
+/// Poisson-based gradient field manipulation, 2004); the matrix is factored once. Vertices at one position
+/// count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a vector
+/// also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
 ///
-/// Then the rotations of doubtful triangles are moved towards rotations that best fit the positions, and the
-/// positions are solved again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This keeps
-/// edge lengths if neighbours rotate strongly against each other. Held determines the parts' translations.
+/// A second step moves the rotations of doubtful triangles towards rotations that best fit the positions, and
+/// solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This step keeps edge
+/// lengths if the rotations of neighbours differ strongly. Held determines the parts' translations.
 class LogSpace {
 public:
   struct Mesh {
@@ -67,7 +67,7 @@ public:
     std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
   };
-  /// Buffers. Each thread needs its own. Reuse avoids memory allocation.
+  /// The buffers of one thread. If a thread reuses them, no memory is allocated.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
     std::vector<Vec3> wholes;                // whole turns of the sum, per part
@@ -88,20 +88,20 @@ public:
   /// Computes ways and leftovers of a vector from its logs and wholes.
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
-  /// The anchors of a motion from a shape along a sum of vectors; continuous in the factors.
+  /// Returns the anchors of a motion from a shape along a sum of vectors; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  /// The anchors of a motion from one shape to another.
+  /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
-  /// Computes the shape of a sum. positions must have the size of rest(). The result does not depend on the
-  /// number of threads.
+  /// Computes the shape of a sum, independent of the number of threads. positions.size() == rest().size().
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// A step of shape(): sets work.ways to the displacements that fit the sum's logs, without leftovers. One
-  /// vertex of each part does not move. If `whole` is not null, it replaces the sum's whole turns.
+  /// Does one step of shape(): sets work.ways to the displacements that fit the sum's logs, without
+  /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole replaces the sum's
+  /// whole turns.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// As follow(), but moves the rotations by a factor `share`, 0 to 1, towards a best fit of work.ways.
+  /// Does what follow() does, and moves rotations by a factor `share` (0 to 1) to a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and
@@ -148,7 +148,7 @@ private:
   std::vector<std::uint32_t> part_of_;    // parts of triangles_
   std::vector<Vec3> cotangents_;          // half cotangents of triangles_, one per corner
   base::AlignedVector<double> sides_;     // sides and half cotangents, block by block, see PlaneKernel::pull
-  std::vector<std::uint32_t> places_;     // per vertex: its place, the first vertex at the same position
+  std::vector<std::uint32_t> places_;     // per vertex: its place, which is the first vertex at its position
   mesh::Adjacency around_;                // per place: 3 i + corner for each index i of triangles_
   HangingParts parts_;
   std::vector<std::uint32_t> copies_;    // vertices that are not places

@@ -70,9 +70,9 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 
 namespace {
 
-constexpr std::size_t portion = 64;  // elements split at once; their numbers fit the first-level cache
+constexpr std::size_t portion = 64;  // elements split at once, whose numbers fit the first-level cache
 
-/// N numbers for each element of a portion. at[i] has the number i of all elements.
+/// N numbers for each element of a portion. at[i] is an array with number i of each element.
 template <int N>
 struct Planes {
   alignas(64) double at[N][portion + 8];
@@ -132,7 +132,7 @@ namespace {
 
 using RowMajor = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// The result for a matrix that is not finite; Eigen cannot decompose it.
+// Returns the result for a matrix that is not finite. Eigen cannot decompose such a matrix.
 Polar not_a_number() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   Polar result;
@@ -182,7 +182,7 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// Splits the map by singular values. Returns true if it raised a value or the map is not finite.
+// Splits the map by singular values. Returns true if a value was raised or the map is not finite.
 bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =

@@ -15,7 +15,7 @@
 
 namespace viete::deform {
 
-/// Maps x to linear (x - c) + center + origin. c is the element's rest centre. linear is stored by rows.
+/// Maps x to linear (x - c) + center + origin, with the element's rest centre c. linear is stored by rows.
 struct AffineMap {
   sym3::Mat3<double> linear;
   mesh::Vec3 center;  ///< posed centre minus the pose's origin
@@ -43,19 +43,19 @@ inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<do
 
 using sym3::full;
 
-/// The centre of the bounding box. The centre of the rest cage is also the origin of poses near rest.
+/// Returns the centre of the bounding box. Poses near rest have the centre of the rest cage as origin.
 Vec3 middle(std::span<const mesh::Point> positions);
 
-/// The point to which a pose's positions are relative, so that blending keeps its precision far from the
-/// coordinate origin. It is the middle of the rest cage, moved near the middle of the pose in steps of about
-/// half the cage's size. Small edits do not change it, so distant vertices keep all bits.
+/// Returns the point to which a pose's positions are relative, so that blending is precise far from the
+/// coordinate origin. This is the middle of the rest cage, moved near the middle of the pose in steps of
+/// about half the cage's size. Small edits do not change the point, so distant vertices keep all bits.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
-/// The matrix that maps the rest basis to u, v, n. Near rest it is computed as I + (posed - rest) rest^-1,
-/// which is exactly I if the element did not move.
+/// Returns the matrix that maps the rest basis to u, v, n. Near rest, computes I + (posed - rest) rest^-1,
+/// which is exactly I for an unmoved element.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
-/// The element's centroid relative to origin.
+/// Returns the element's centroid relative to origin.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);
 
@@ -96,48 +96,48 @@ inline std::array<double, 9> numbers(const MapLog& log) {
 struct LogReport {
   std::vector<Vec3> turns;               ///< one per part of the cage; pass them with the next pose
   std::vector<std::uint32_t> collapsed;  ///< indices of maps whose stretch was raised, ascending
-  /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees, or whose logs differ by more
-  /// than 180. The blend between them is ambiguous. (A ring of elements that turns once has such a pair.)
+  /// Neighbouring maps whose rotations differ by more than 120 degrees or whose logs differ by more than 180
+  /// degrees. Blends between such maps are ambiguous. (A ring of elements that turns once has such a pair.)
   std::vector<mesh::Edge> torn;
 };
 
-/// The overall scale of a pose: the geometric mean of the largest stretches of all elements not skipped.
+/// Returns a pose's overall scale: the geometric mean of the largest stretches of unskipped elements.
 double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
 
 /// The polar decomposition M = rotation * axes diag(stretches) axes^T.
 struct Polar {
-  sym3::Mat3<double> rotation;  ///< proper, entries by rows
+  sym3::Mat3<double> rotation;  ///< proper rotation, by rows
   sym3::Mat3<double> axes;      ///< columns are the directions of stretch at rest
   Vec3 stretches;               ///< descending, not negative
 };
 
-/// Computes the decomposition from singular values: M = U diag V^T, R = U V^T. If det M < 0, it flips the
-/// smallest singular vector, which gives the closest proper rotation. M = 0 gives R = I.
+/// Computes the decomposition from singular values: M = U diag V^T, R = U V^T. If det M < 0, flips the
+/// smallest singular vector, which gives the closest proper rotation. If M = 0, R is I.
 Polar polar(const sym3::Mat3<double>& m);
 
 /// Returns X = axes diag(log stretches) axes^T. The stretches must be positive.
 sym3::Sym3<double> log_stretch(const Polar& polar);
 
-/// True if both stretches of a map are above the minimums of log_maps(). False for NaN.
+/// Returns true if both stretches of a map are above the minimums of log_maps(). False for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// Replaces the split of a map that mirrors, collapses or is not finite by its SVD. Singular values are
-/// raised to the minimums of log_maps(). Returns true if a value was raised or the map is not finite.
+/// Computes the split by SVD, for a map that mirrors, collapses or is not finite. Raises singular values to
+/// the minimums of log_maps(). Returns true if a value was raised or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R S from its split, or by SVD if the map mirrors or nearly
-/// collapses. Singular values are raised to 1e-3 of the element's largest value and to 1e-4 of the pose's
+/// collapses. Raises singular values to at least 1e-3 of the element's largest value and 1e-4 of the pose's
 /// mean value, so no element collapses fully. A mirroring map gets the closest proper rotation. A map that is
 /// not finite counts as collapsed and gets the log of I.
 ///
-/// choose_branches() chooses the branches of Y. If each call gets the report.turns of the call before, the
-/// logs follow a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
-/// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Elements there
-/// that do not rotate rigidly together blend badly; `torn` lists them.
+/// choose_branches() chooses the branches of Y. If each call gets report.turns of the previous call, the logs
+/// follow a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
+/// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Elements with
+/// such rotations blend badly unless they rotate rigidly together; `torn` lists such elements.
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
-/// True if the rows are moments, from which maps are fitted to points: see moments.h.
+/// Returns true if the rows are moments, from which maps are fitted to points: see moments.h.
 inline bool has_moments(RowForm form) {
   return form >= RowForm::affine_moments;
 }

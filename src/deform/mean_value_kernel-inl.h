@@ -20,20 +20,20 @@ using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
 // Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners (numbers modulo 3):
-//     c_i = u_i+1 x u_i+2                        |c_i| the sine of the angle a_i between them
-//     m   = sum of (a_i / |c_i|) c_i / 2         the integral of the unit vectors over the spherical triangle
+//     c_i = u_i+1 x u_i+2                        |c_i| is the sine of the angle a_i between these
+//     m   = sum of (a_i / |c_i|) c_i / 2         is the integral of unit vectors over the spherical triangle
 //     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
 // The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
-// of a corner is the sum of the s_i of its triangles, divided by its distance from p (Ju, Schaefer, Warren
-// 2005). The two triangles of an edge have the same c_i, except for its sign, and the same a_i / (2 |c_i|)
-// and |c_i|^2. Therefore these are computed once per edge, and u_i once per corner.
+// of a corner is the sum of the s_i of its triangles, divided by the corner's distance from p (Ju, Schaefer,
+// Warren 2005). The two triangles of an edge have equal a_i / (2 |c_i|) and |c_i|^2, and equal c_i except for
+// the sign. Therefore these three are computed once per edge, and u_i once per corner.
 
-constexpr double in_plane = 1e-8;   // p may be in a triangle's plane if the sine of the angle is less
-constexpr double vanishing = 1e-9;  // below this part of the sum of absolute weights, a sum counts as 0
+constexpr double in_plane = 1e-8;   // if the sine of an angle is less, p may be in a triangle's plane
+constexpr double vanishing = 1e-9;  // a smaller (sum of weights / sum of absolute weights) counts as 0
 constexpr double pi = 3.14159265358979323846;
 
-// Returns 1 / sqrt(x) to two ulp, for x from 1e-38 to 1e38. Two third-order steps from the hardware estimate
-// take a third of the time of a square root and a division.
+// Returns 1 / sqrt(x) to two ulp, for x from 1e-38 to 1e38. Improves the hardware estimate by two third-order
+// steps, which takes a third of the time of a square root and a division.
 static HWY_INLINE ViewV inverse_root(ViewV x) {
   const ViewTag d;
   const hn::Rebind<float, ViewTag> narrow;
@@ -46,7 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2), c from 0 to 1, to 4e-17 before rounding, interpolated at Chebyshev points.
+// Interpolates acos(c) / sqrt(1 - c^2), 0 <= c <= 1, at Chebyshev points; error 4e-17 before rounding.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -105,7 +105,7 @@ static void see_corners(const MeanValueJob& job, std::size_t lane, const Seen& s
   }
 }
 
-// For angles above 90 degrees, angle / sine = pi / sine - angle_over_sine(-cosine).
+// Fills seen.edges. For angles above 90 degrees, uses angle / sine = pi / sine - angle_over_sine(-cosine).
 static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& seen) {
   const ViewTag d;
   for (std::size_t e = 0; e < job.edge_count; ++e) {

@@ -63,7 +63,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input of a vertex's map. dual and scale: see RestMoment. rotation: the nearest to b, only if needed.
+// The input of a vertex's map. For dual and scale, see RestMoment. rotation is the nearest to b, if needed.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -78,7 +78,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// One functor for each form of the map M. It returns M o for the offset o.
+// Each form of the map M has a functor that returns M o for the offset o.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>
@@ -123,9 +123,9 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
 // Maps are fitted for this many register vectors at once. Two vectors hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// The cofactors of M = R S are R cof S, so M + a cof M has the same nearest rotation. For points along a
-// line, S has two small stretches, and cof S two large ones. With a = |M| / |cof M|, the sum determines R
-// well. M = 0 gives I.
+// Returns the rotation R nearest to M = R S. R is also nearest to M + a cof M, because cof M = R cof S. For
+// points along a line, S has two small stretches, and cof S has two large stretches. With a = |M| / |cof M|,
+// the sum determines R well. If M = 0, returns I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

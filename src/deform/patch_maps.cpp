@@ -16,10 +16,10 @@ using Symmetric = sym3::Sym3<double>;
 
 constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
 constexpr double least_spread = 0.1;   // relative to the largest singular value
-constexpr double flat_spread = 1e-3;   // below it a patch counts as flat
+constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
 constexpr std::size_t most_vertices = 256;
 constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
-constexpr std::size_t most_corners = 16;  // in polygons whose corners are all neighbours
+constexpr std::size_t most_corners = 16;  // in larger polygons, only ends of an edge are neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
 
@@ -66,14 +66,14 @@ mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   return mesh::adjacency(surface.positions.size(), without_skipped(std::move(pairs), cage.unused));
 }
 
-// Grows each patch by rings until it spreads in all directions.
+// Makes patches. Each patch grows by rings until its vertices spread in all directions.
 std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, std::span<const Vec3> normals) {
   const auto& positions = cage.surface.positions;
   const double scale = 1 / size;
   const auto weight = [](const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); };
   const mesh::Adjacency around = neighbours_of_vertices(cage);
   std::vector<VertexPatches::Patch> patches(positions.size());
-  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch that got the vertex
+  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch to which the vertex was added
   for (std::uint32_t center = 0; center < positions.size(); ++center) {
     if (cage.unused[center]) continue;
     const auto from_center = [&](std::uint32_t v) { return scale * (positions[v] - positions[center]); };
@@ -117,7 +117,7 @@ VertexPatches::VertexPatches(const Cage& cage, double size)
   patches_ = make_patches(cage, size, rest_normals_);
 }
 
-// Returns the sum of the area vectors around a vertex, scaled to the root of its length; 0 if areas cancel.
+// Returns x / sqrt|x| for the sum x of the area vectors around a vertex. If the areas cancel, returns 0.
 Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at) const {
   Vec3 sum{0, 0, 0};
   double total = 0;
@@ -130,7 +130,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
   return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-// Near rest, adds the displacements of the vertices to I, so that the map is exactly I if no vertex moved.
+// Near rest, computes the map as I plus a sum over displacements, which is exactly I if no vertex moved.
 void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
                             std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
   const auto& rest = cage_.surface.positions;

@@ -15,9 +15,9 @@ namespace viete::deform {
 ///
 ///     M = (sum w (p' - c') (p - c)^T) K^-1 = sum (p' - c') g^T,
 ///     K = sum w (p - c) (p - c)^T,    g = w K^-1 (p - c).
-/// A patch starts with the vertices that share a polygon with c. It grows by rings until its vertices spread
-/// in all directions: the least singular value of all sqrt(w) (p - c) must be at least a tenth of the
-/// largest. Usually one ring suffices. A patch stops growing at 256 vertices and at the end of its part. The
+/// A patch starts with the vertices that share a polygon with c. The patch grows by rings until its vertices
+/// spread in all directions: the least singular value of all sqrt(w) (p - c) must be at least a tenth of the
+/// largest. One ring is usually enough. A patch stops growing at 256 vertices and at the end of its part. The
 /// weight w = 1 / (e^2 + |p - c|^2) keeps the fit local; e is 3 % of `size`, the size of the cage.
 ///
 /// Every patch reproduces any affine pose of the whole cage. A patch that is flat to a thousandth of its size
@@ -28,7 +28,7 @@ public:
   /// The cage must outlive this object.
   VertexPatches(const Cage& cage, double size);
 
-  /// A vertex of a patch, and its g.
+  /// A vertex of a patch, and the vector g of this vertex.
   struct Member {
     std::uint32_t vertex;
     Vec3 dual;

@@ -200,7 +200,7 @@ static void derive(const double* group, const double* weights, std::size_t count
   }
 }
 
-// Multiplies the planes of one map with N columns.
+// Adds the products of one map with N columns to the sums.
 template <std::size_t N>
 static HWY_INLINE void add_products_of(const double* m, const double* columns, double* sums) {
   for (std::size_t l = 0; l < group_size; l += width) {

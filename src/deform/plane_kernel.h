@@ -1,4 +1,4 @@
-// Vector code for small matrices of a block of triangles. A plane has one entry of all matrices.
+// Vector code for blocks of triangles with one small matrix each. A plane has one entry of all matrices.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace viete::deform {
 
-/// A plane has one number per triangle. Planes are one cache line longer than that, so that no two planes are
-/// 4096 bytes apart. The functions compute all plane_size numbers, including padding.
+/// A plane has one number per triangle, and one cache line of padding so that no two planes are 4096 bytes
+/// apart. The functions always compute plane_size numbers, even for fewer triangles.
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// The number of adjacent triangles that are summed separately, so that all computers add in the same order.
+/// Sums over triangles consist of this number of partial sums, so that all computers add in one order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -21,8 +21,8 @@ struct ScaledRows {
 };
 
 /// General matrices have nine planes by rows, symmetric matrices six in the order of Sym3, and vectors three.
-/// The first four functions round products and sums separately and give the same bits on every computer. The
-/// others give the same bits on every computer with fused multiply-add.
+/// The first four functions round products and sums separately and give equal bits on all computers. The
+/// other functions give equal bits on all computers with fused multiply-add.
 struct PlaneKernel {
   /// Adds factor_k rows_k to sums, in the order of k. Rows have n numbers.
   void (*add_rows)(const ScaledRows* rows, std::size_t count, std::size_t n, double* sums);
@@ -35,9 +35,9 @@ struct PlaneKernel {
   /// s = exp(X) and m = r exp(Y) s for logs X and Y. r is a matrix by rows; null means I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// Computes the images of two directions u and v under exp(Y) exp(X), and their derivatives by the weights.
-  /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log, X
-  /// in the axes u, v, u x v and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives, then
-  /// the images as last entry. Writes only the first group_size numbers of each plane.
+  /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log X
+  /// (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives by
+  /// the weights, and the images as the last entry. Writes only the first group_size numbers of each plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
   /// Applies the first two columns of `count` maps to columns[n][2][plane_size]. Adds the results, summed
   /// over groups, to sums[map][column][3][group_size].
@@ -45,7 +45,7 @@ struct PlaneKernel {
                        double* sums);
 };
 
-/// The kernel for the same instruction set.
+/// Returns the functions for the instruction set of `kernel`.
 const PlaneKernel& plane_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

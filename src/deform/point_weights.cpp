@@ -13,7 +13,7 @@ namespace {
 
 constexpr double least_near = 1.0 / 512;  // in diagonals of the cage: about the size of a leaf
 
-// Returns v without its part along the unit vector, normalised; 0 if only rounding errors remain.
+// Returns v without its component along `unit`, normalised. If only rounding errors remain, returns 0.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
   const Vec3 across = v - dot(v, unit) * unit;
   if (!(largest_abs(across) > 1e-14 * largest_abs(v))) return {0, 0, 0};
@@ -30,7 +30,7 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// Sets the affine functions along an edge from (x, y) and to its left, and its length.
+// Sets along, inward (see DistanceTriangle) and length of the edge from (x, y) with the vector (dx, dy).
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
   length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;
@@ -62,7 +62,7 @@ DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c
   return t;
 }
 
-// Returns the corner where the longest edge begins. It is the origin.
+// Returns the corner at which the longest edge begins, which is the origin.
 int first_corner(const std::array<Vec3, 3>& p) {
   const double ab = norm(p[1] - p[0]), bc = norm(p[2] - p[1]), ca = norm(p[0] - p[2]);
   return ab >= bc ? (ab >= ca ? 0 : 2) : (bc >= ca ? 1 : 2);
@@ -152,9 +152,9 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 
 namespace {
 
-constexpr double in_plane = 1e-8;     // p may be in a triangle's plane if the sine of the angle is less
-constexpr double negligible = 1e-14;  // a smaller part of a mean vector off that plane counts as 0
-constexpr double vanishing = 1e-9;    // below this part of the sum of absolute weights, a sum counts as 0
+constexpr double in_plane = 1e-8;     // if the sine of an angle is less, p may be in a triangle's plane
+constexpr double negligible = 1e-14;  // a smaller component of a mean vector off this plane counts as 0
+constexpr double vanishing = 1e-9;    // a smaller (sum of weights / sum of absolute weights) counts as 0
 
 // A triangle seen from p: directions to its corners, and for each corner the cross product of the other two.
 struct View {
@@ -178,8 +178,8 @@ View view_of(const mesh::Point& p, const Cage& cage, const mesh::Triangle& t) {
   return view;
 }
 
-// Returns the integral of the unit vectors over the spherical triangle: half the sum of its edges' angles
-// times their normals. Both triangles of an edge get the same bits with opposite signs.
+// Returns the integral of the unit vectors over the spherical triangle: half the sum over the edges of angle
+// times normal. The two triangles of an edge get equal bits with opposite signs.
 Vec3 mean_vector(const View& v) {
   Vec3 m{0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -196,8 +196,9 @@ int widest(const View& v) {
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Returns the coefficients of m along u[0], u[1], u[2]. If the triangle is seen edge-on, the three directions
-// are nearly dependent, and m is almost in their plane. Then only the two most independent ones are used.
+// Returns the coefficients of m along u[0], u[1], u[2]. If p is almost in the triangle's plane, the
+// directions are nearly dependent, and m is almost in their plane. If so, uses only the two most independent
+// directions.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

@@ -71,7 +71,8 @@ void warn_of_collapsed(const mesh::Surface& posed, const Cage& cage, const std::
                      "); a minimum stretch is used for them");
 }
 
-// The STL reader numbers vertices by first use in the faces: the cage's order only if the faces are the same.
+// Throws base::Error if an STL file has other faces than the cage. The vertex order would then differ,
+// because the STL reader numbers vertices by their first use in faces.
 void refuse_permuted(const formats::ReadResult& read, const Cage& cage, const std::string& file) {
   const formats::Format* format = formats::format_of_description(read.format);
   if (format->keeps_order || mesh::same_faces(read.surface, cage.surface)) return;

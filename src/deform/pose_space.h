@@ -11,19 +11,20 @@
 
 namespace viete::deform {
 
-/// Converts poses of one cage to vectors and back. It uses the cage's triangles, even if a binding uses other
-/// elements. The whole turns of a vector are the turns that its logs cannot represent: those about another
-/// axis than the part's rotation, see choose_branches(). Constant after construction, so thread-safe.
+/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses other
+/// elements. The whole turns of a vector are the turns that its logs cannot represent, because their axis is
+/// not the axis of the part's rotation, see choose_branches(). Constant after construction, so thread-safe.
 class PoseSpace {
 public:
-  /// Throws base::Error: see LogSpace.
+  /// Throws base::Error as LogSpace does.
   explicit PoseSpace(std::shared_ptr<const Cage> cage);
 
   const Cage& cage() const { return *cage_; }
   /// The log space, for sums of vectors and the anchors of a moving pose.
   const LogSpace& logs() const { return logs_; }
-  /// Uses the turns of the pose. If it has no turns, uses those nearest to `turns_before`, the turns of the
-  /// preceding pose; missing entries are 0. Throws base::Error if the number of positions is wrong.
+  /// Converts a pose to a vector, with the pose's turns. If the pose has no turns, uses the turns nearest to
+  /// `turns_before`, which are the preceding pose's turns (0 if missing). Throws base::Error if the number of
+  /// positions is wrong.
   LogVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
   /// Returns the pose of a sum of vectors.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;

@@ -37,7 +37,7 @@ constexpr ProbeMixEntry mixes[] = {
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Divides the weights by their sum. If `always` is false, only divides if the sum is above 1.
+// Divides the weights by the sum of all weights. If `always` is false, divides only if the sum is above 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;
@@ -121,7 +121,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
   share_out(weights, &ProbeWeights::pivot, true);
 }
 
-// A reflection F converts R to F R F: it reflects the rotation axis and reverses the rotation.
+// A reflection F converts R to F R F, which reflects the rotation axis and reverses the rotation.
 Probe mirrored(const Probe& probe, int axis, double at) {
   const auto a = static_cast<std::size_t>(axis);
   Probe result = probe;

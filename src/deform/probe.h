@@ -30,7 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight at a distance in radii: 1 at 0, then decreasing. From 1 on, only `endless` is above 0.
+/// Returns the weight, 0 to 1, at a distance in radii. If radii >= 1, only `endless` is greater than 0.
 double weight_at(Falloff falloff, double radii);
 
 /// How far from the probe one part of its motion (rotation, stretch or translation) acts.
@@ -41,7 +41,7 @@ struct Influence {
   friend bool operator==(const Influence&, const Influence&) = default;
 };
 
-/// The probe's motion from rest: y = place + exp(Y) exp(X) (x - place) + move. All 0: no motion.
+/// The probe's motion from rest, y = place + exp(Y) exp(X) (x - place) + move. At rest, all members are 0.
 struct ProbePose {
   Vec3 turn{0, 0, 0};            ///< Y as a rotation vector, any number of turns
   sym3::Sym3<double> stretch{};  ///< X = log S
@@ -53,8 +53,8 @@ struct ProbePose {
 /// Returns the pose, rotated further about the probe's place. Any angle is allowed. The axis must have length
 /// 1 and may differ from the axis of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
-/// Returns the pose scaled along the file's axes. Smaller factors become least_factor, so that the result
-/// neither mirrors nor collapses.
+/// Returns the pose scaled along the file's axes. Factors below least_factor become least_factor, so that the
+/// result neither mirrors nor collapses.
 inline constexpr double least_factor = 1e-3;
 ProbePose scaled(const ProbePose& pose, const Vec3& factors);
 /// Returns exp(Y) exp(X) by rows.
@@ -93,10 +93,10 @@ struct ProbeWeights {
 };
 
 /// Computes the weights of all probes at a rest position; pins get 0. Turn, stretch and move are combined
-/// separately. `added` leaves the weights unchanged. `partial` divides them by their sum if it is above 1,
-/// `whole` if it is above 0. `softmax` replaces each weight b by e^(s b) - 1, with s = softmax_sharpness, and
-/// divides by the sum. The nearest probe then dominates. Pivots are the larger of turn and stretch, divided
-/// by their sum. weights has one entry per probe.
+/// separately. `added` leaves the weights unchanged. `partial` divides the weights by their sum if the sum is
+/// above 1, `whole` if the sum is above 0. `softmax` replaces each weight b by e^(s b) - 1, with s =
+/// softmax_sharpness, and divides by the sum. The nearest probe then dominates. A pivot is the larger of turn
+/// and stretch, divided by the sum over all probes. weights has one entry per probe.
 inline constexpr double softmax_sharpness = 8;
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 

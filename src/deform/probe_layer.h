@@ -1,4 +1,4 @@
-// The effect of probes on a model after the cage deformation. ProbeTiles computes it in vector code.
+// Moves a model by probes after the cage deformation. ProbeTiles does this in vector code.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,7 @@
 
 namespace viete::deform {
 
-/// Applies probes after another deformation, or to the model at rest. It moves a vertex at the deformed
-/// position x to
+/// Applies probes to a deformed model or to the model at rest. Moves a vertex at the position x to
 ///
 ///     x' = x + (exp(sum a Y) exp(sum b X) - I) (x - p) + sum c t,    p = sum u q.
 ///
@@ -33,11 +32,11 @@ public:
   /// if weights or the set of probes at rest change; otherwise O(1).
   void set(const Probes& probes, const Mask& mask);
   const Probes& probes() const { return probes_; }
-  /// True if some probe is not at rest.
+  /// Returns true if some probe is not at rest.
   bool moves() const { return moves_; }
-  /// Grows when weights or the mask change.
+  /// Increases each time the weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex. shares() lists them by probe; it is empty if all near probes rest.
+  /// One probe's weights at a vertex. shares() is sorted by probe, and empty if all near probes are at rest.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
@@ -51,7 +50,7 @@ public:
   /// Sets the positions that the deformer gives to the anchors, without the motion of the probes. Until the
   /// next call, positions passed to move() are relative to `origin`.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
-  /// Thread-safe. positions.size() == vertices.size().
+  /// Moves the positions of these vertices. positions.size() == vertices.size(). Thread-safe.
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
@@ -83,17 +82,17 @@ private:
   Vec3 origin_{0, 0, 0};
 };
 
-/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: one for each part of
-/// its motion, with its own weight, and one with its place for the pivot:
+/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: three for the parts of
+/// the motion (each with a separate weight), and one with the probe's place for the pivot:
 ///
 ///     x' = exp(sum a Y) exp(sum b X) (x - p) + (sum c t + p),    p = sum u q.
 class ProbeTiles {
 public:
   /// Updates the weights if the layer's weights changed.
   void follow(const ProbeLayer& layer, const Leaves& leaves, base::WorkerPool& pool);
-  /// True if a probe that is not at rest affects the leaf.
+  /// Returns true if a probe that is not at rest affects the leaf.
   bool moves(const ProbeLayer& layer, std::size_t leaf) const;
-  /// positions has x y z x for each slot of the leaf, in multiples of unit. Thread-safe.
+  /// Moves the positions of a leaf's slots, which are x y z x in multiples of unit. Thread-safe.
   void move(const ProbeLayer& layer, std::size_t leaf, const TileKernel& logs, double unit,
             float* positions) const;
 

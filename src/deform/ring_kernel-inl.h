@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
-// A point has four lanes x y z x. Rotated left by one lane they are y z x y, as a cross product needs. A
-// register has as many points as fit, each in its own block of lanes.
+// A point has four lanes x y z x. A rotation left by one lane gives y z x y, which a cross product needs. A
+// register has as many points as fit. Each point has a block of four lanes.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -100,7 +100,7 @@ template <class D>
 static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
-// Each load fills all blocks, but keeps the blocks that earlier loads have filled.
+// Loads one point per block. Each load fills all blocks except those that earlier loads filled.
 template <std::size_t floats, class D, class Index>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
   auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
@@ -138,7 +138,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 1) {
-    hn::Store(blocks, d, vertices[*order].position);  // and the normal after it
+    hn::Store(blocks, d, vertices[*order].position);  // also stores the normal behind it
   } else {
     const hn::Half<D> half;
     store_blocks(half, hn::LowerHalf(half, blocks), order, vertices);
@@ -161,7 +161,7 @@ static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals,
   store_blocks(d, hn::IfThenElse(is_last, hn::BitCast(d, packed), positions), order, vertices);
 }
 
-// Lane k of each block becomes the sum of the lanes of the same block of s[k].
+// Returns sums of lanes: lane k of each block is the sum of this block's lanes in s[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   const hn::RepartitionToWide<D> pairs;
@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Inverse absolute sums of 4 registers of areas z x y 0: lane k of a block for area k; 0 without area.
+// Returns 1 / (sum of absolute values) of vectors z x y 0: lane k of a block for areas[k], 0 without area.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -202,7 +202,7 @@ static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
 
 #endif
 
-// A sum of cross products with lanes z x y 0, in two chains to hide latency.
+// A sum of cross products with lanes z x y 0. Two partial sums hide latency.
 template <class V>
 struct Areas {
   V plus, minus_part;
@@ -213,9 +213,9 @@ struct Areas {
   }
 };
 
-// Returns twice the sum of the area vectors around `self`. Two consecutive triangles form a quadrilateral;
-// twice its area vector is the cross product of its diagonals, so half as many products suffice. Neighbours
-// are `stride` numbers apart, each in units of `floats` floats. Open rings have an odd number of neighbours.
+// Returns twice the sum of the area vectors around `self`. Two consecutive triangles form a quadrilateral.
+// Twice the quadrilateral's area vector is the cross product of the diagonals, so half as many products
+// suffice. Neighbours are `stride` numbers apart, in units of `floats` floats. Open rings have an odd length.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -239,7 +239,7 @@ static HWY_INLINE V areas_around(D d, const float* positions, const Index* neigh
   return minus(areas.plus, areas.minus_part);
 }
 
-// Common ring lengths are compile-time constants, so that the compiler unrolls them.
+// Calls ring sums with common lengths as compile-time constants, so that the compiler unrolls the loops.
 template <class D, class V>
 static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* neighbours,
                                    std::size_t length, const V& self) {
@@ -257,7 +257,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Returns the areas for the register of slots that starts at s. Advances `neighbours`.
+// Returns the area vectors of the register of slots that starts at s. Advances `neighbours`.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -310,8 +310,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
 
-// All slots of a block, from `begin` on, finish each step before the next, which hides the latency of
-// quotients.
+// Computes the slots of a block from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

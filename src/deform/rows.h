@@ -1,5 +1,5 @@
-// A pose as rows of numbers, one row per handle, and the vertices of a frame. Shared with vector code, so
-// there are no functions here (see sym3/fallback.h).
+// A pose as rows of numbers, one row per handle, and the vertices of a frame. Vector code includes this file,
+// so it has no functions (see sym3/fallback.h).
 #pragma once
 
 #include <cstddef>
@@ -22,10 +22,10 @@ enum class RowForm {
 struct RowShape {
   std::size_t columns;
   std::size_t first_length;  ///< index of the first column with lengths; earlier columns have no unit
-  /// Number of leading columns whose mean is subtracted from the rows and added to the sums again. Since
-  /// exact weights sum to 1, this only removes the compression error of the mean.
+  /// The number of leading columns whose mean is subtracted from the rows and added to the sums again.
+  /// Because exact weights sum to 1, this only removes the compression error of the mean.
   std::size_t with_mean;
-  /// First of the three columns with the handles' centres, or `columns`. See Shares in binding.h.
+  /// Index of the first of three columns with the handles' centres; `columns` if there are none. See Shares.
   std::size_t center;
 };
 

@@ -24,8 +24,8 @@ enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 /// The quantities that are summed with the weights, and how the sums become a position.
 enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
 
-/// How a frame is computed. staged: link by link in double. fused: in one pass over the weights in float.
-/// stitched: by solving for the positions. The program chooses the engine, see Deformer.
+/// How a frame is computed: `staged` computes link by link in double, `fused` in one pass over the weights in
+/// float, and `stitched` solves for the positions. The program chooses the engine, see Deformer.
 enum class EngineKind { staged, fused, stitched };
 
 /// The fields common to all tables of choices.
@@ -66,25 +66,25 @@ auto find_by_name(std::span<const Entry> table, std::string_view name)
 /// Limit of Scheme::iterations. More iterations change almost nothing.
 inline constexpr int most_iterations = 20;
 
-/// All settings that the weights of a binding depend on; the blend is not one of them.
+/// All settings that affect the weights of a binding. (The blend does not affect the weights.)
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
   double radius = 0.25;  ///< the radius of cut-off weights, in sizes of the cage
 
   double used_radius() const { return partial() ? radius : 0; }
-  /// True if weights end at the radius. The weights of a vertex may then sum to less than 1, see Shares.
+  /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
+  /// Shares.
   bool partial() const { return weights == Weights::cut_off; }
-  /// True if negative weights are set to 0 and the others rescaled to sum 1.
+  /// Returns true if negative weights are set to 0 and the other weights are rescaled to sum 1.
   bool clamped() const { return weights == Weights::biharmonic; }
-  /// True if both give the same weights.
+  /// Returns true if a and b give equal weights.
   friend bool operator==(const Weighting& a, const Weighting& b) {
     return a.elements == b.elements && a.weights == b.weights && a.used_radius() == b.used_radius();
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 removes it, 2 doubles it. Centres do not
-/// change.
+/// Factors of each map's rotation and stretch in log space: 0 removes, 2 doubles. Centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -110,9 +110,9 @@ struct Scheme {
   Holding holding{};  ///< for stitched models
 
   bool stitched() const { return iterations > 0; }
-  /// True if a frame needs an exponential per vertex.
+  /// Returns true if a frame needs an exponential per vertex.
   bool exponential() const { return blend == Blend::srl; }
-  /// True if elements rotate and stretch; false if they only translate.
+  /// Returns true if elements rotate and stretch; false if they only translate.
   bool has_maps() const { return weighting.elements == Elements::face; }
   friend bool operator==(const Scheme& a, const Scheme& b) {
     return a.weighting == b.weighting && a.blend == b.blend && a.amounts == b.amounts &&
@@ -128,14 +128,14 @@ inline Scheme no_motion() {
 /// Returns why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
-/// A choice of weights, of a blend, of both, or no choice. A member without a value allows any value.
+/// A choice of weights and a choice of a blend. A member without a value allows any value.
 struct PartialChoice {
   std::optional<Weights> weights{};
   std::optional<Blend> blend{};
 
   bool any() const { return weights || blend; }
 };
-/// True if the scheme agrees with the choice.
+/// Returns true if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
 /// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
@@ -159,8 +159,8 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer is Way::smooth. It has the lowest energy over the poses of many models and is never
-/// among the worst (see the manual). Models without triangles get weights that need no surface.
+/// The default deformer is Way::smooth. This deformer has the lowest energy over the poses of many models and
+/// is never among the worst (see the manual). Models without triangles get weights that need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {
@@ -170,7 +170,7 @@ inline PartialChoice only(Blend blend) {
   return {.blend = blend};
 }
 
-/// Returns a scheme with these choices. It keeps as much as possible of `preferred`: the radius, the amounts,
+/// Returns a scheme with these choices. Keeps as much as possible of `preferred`: the radius, the amounts,
 /// and stitching if compatible. Throws base::Error with the reason if the choices are incompatible.
 Scheme complete(const PartialChoice& choice, const Scheme& preferred = {});
 
@@ -193,9 +193,9 @@ struct AskedScheme {
   bool any() const { return way || choice.any() || radius || turn || stretch || iterations || pins || hold; }
 };
 
-/// A setting that is a fraction. Users see and type it in percent; libraries use the fraction.
+/// A setting that is a fraction. Users see and type percent; libraries use the fraction.
 struct NumberEntry : ChoiceEntry {
-  /// The condition under which a scheme uses the setting, and the error if it is not met.
+  /// The condition under which a scheme uses the setting, and the error if the condition is not met.
   struct Need {
     bool (*met)(const Scheme& scheme);
     std::string_view problem, advice;
@@ -205,7 +205,7 @@ struct NumberEntry : ChoiceEntry {
   Need need;
   double least = 0, largest = 1;
 
-  /// The value in percent, rounded to the number a user typed: 29 instead of 28.999999999999996.
+  /// The value in percent, rounded to the number that a user typed: 29 instead of 28.999999999999996.
   double percent(Scheme scheme) const;
 };
 /// Returns a fraction as "25 %".
@@ -214,7 +214,7 @@ std::string text_of_percent(double fraction);
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Changes `now` by the choices in `asked`. Other choices keep their value if it is compatible. Throws
+/// Returns `now` with the choices in `asked`. Other choices are kept if they are compatible. Throws
 /// base::Error for incompatible choices, for numbers that the scheme does not use, and if elements that only
 /// translate should be stitched. A radius selects cut-off weights, unless other weights were chosen by name
 /// here or earlier (`chosen`), for example in a session.

@@ -12,11 +12,11 @@
 namespace viete::deform {
 
 /// Moves each displacement v of a shape with the cage: v' = v + share sum w (M - I) v. M are the maps of the
-/// patches around the cage's vertices, w the weights of the vertex. For an affine motion of the cage, v' is
-/// the linear part of the motion applied to v. Not thread-safe.
+/// patches around the cage's vertices, w the weights of the vertex. If the cage moves by an affine map and
+/// share is 1, v' is the linear part of this map times v. Not thread-safe.
 class ShapeFollower {
 public:
-  /// True if the scheme's rows are positions. All other rows have maps.
+  /// Returns true if the scheme's rows are positions. All other rows have maps.
   static bool is_for(const Scheme& scheme) {
     return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
   }
@@ -25,10 +25,10 @@ public:
       : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
-  /// Moves the displacements of all vertices, scaled by the mask. Uses the binding's tiles if it has some.
+  /// Returns the moved displacements of all vertices, scaled by the mask. Uses tiles if the binding has them.
   std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                  base::WorkerPool& pool);
-  /// Moves the displacements of the vertices of a block without own displacements. Thread-safe between poses.
+  /// Returns moved displacements of a block's vertices. block.ways must be empty. Thread-safe between poses.
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:

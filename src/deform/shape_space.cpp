@@ -18,10 +18,11 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// The least (s0 + s1) / s2 at which the mean map, with singular values s0, s1, s2, has a nearest rotation.
+// If the mean map has the singular values s0, s1, s2 and (s0 + s1) / s2 is less, no rotation is nearest.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
-// Differences from a neighbour's log, in radians, at which a rotation becomes doubtful and is fully replaced.
+// Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
+// doubtful; above `given_up`, the rotation is fully replaced.
 constexpr double doubted = 0.3, given_up = 1;
 
 Mat transposed(const Mat& m) {
@@ -42,7 +43,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation nearest to the mean map, from the area-weighted sum of maps; 0 if none is nearest.
+// Returns the rotation nearest to `sum`, the area-weighted sum of maps. If no rotation is nearest, returns 0.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant
@@ -160,7 +161,7 @@ std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> r
   return logs;
 }
 
-// Returns the splits of the maps to a shape, and in `sum` the area-weighted sum of the maps.
+// Returns the splits of the maps from rest to a shape. Writes the area-weighted sum of the maps to `sum`.
 std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                                         Mat& sum) const {
   const std::size_t count = triangles_.corners.size();
@@ -183,7 +184,7 @@ std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, 
   return splits;
 }
 
-// Replaces the splits of collapsed triangles by raised ones. Returns a flag for each triangle.
+// Calls raise_to_floor() for collapsed triangles. Returns 1 for each raised triangle, otherwise 0.
 std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions,
                                             std::vector<MapSplit>& splits) const {
   const double mean = mean_stretch(triangles_.flat, splits);

@@ -20,7 +20,7 @@ namespace viete::deform {
 struct ShapeReport {
   std::size_t flat = 0;    ///< triangles without area at rest, which follow their corners
   std::size_t folded = 0;  ///< triangles that collapse or flip against all neighbours and use their logs
-  /// Pairs of neighbours whose logs differ by more than half a turn. Interpolation is ambiguous there.
+  /// Neighbours whose logs differ by more than half a turn. Interpolation between such logs is ambiguous.
   std::size_t torn = 0;
 };
 
@@ -36,9 +36,9 @@ public:
   /// The log space, for sums, shapes and the anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Converts a shape to a vector with coherent branches of the logs. If `before`, the vector of the
-  /// preceding shape, is given, each triangle continues its branch. Throws base::Error unless there is one
-  /// finite position per vertex. The result does not depend on the number of threads.
+  /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
+  /// vector) is not null, each log is the branch nearest to the triangle's log in `before`. Throws
+  /// base::Error unless each vertex has a finite position. The number of threads does not change the result.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 

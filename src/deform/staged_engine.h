@@ -14,20 +14,20 @@
 
 namespace viete::deform {
 
-/// Computes sums = weights * rows, [vertex][column], of the vertices [begin, end). Scales them by the shares
-/// and completes the centres. sums must have its final size. Any division into ranges gives the same bits.
+/// Computes sums [vertex][column] = weights * rows of the vertices [begin, end). Scales the sums by the
+/// shares and completes the centres. sums must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Does the part of blend() after the products.
+/// Does the second part of blend(): scales the sums by the shares and completes the centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
-/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for link 4.
+/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for the link exp.
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs they are
-/// origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). See RowForm for forms and symbols.
+/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs, the
+/// positions are origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). Symbols: see RowForm.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
@@ -38,9 +38,9 @@ double place_sums(const VertexBlock& block, RowForm form, std::span<const double
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
 /// Runs all links after the rows for all vertices. positions has one entry per vertex. If `sums` is not
-/// empty, it receives the result of blend(). Returns the largest relative difference (Frobenius norm) between
-/// the method's exponentials and those of method `fast`, which is exact to 1e-15: infinity for NaN, 0 for
-/// `fast` and without exponentials.
+/// empty, writes the result of blend() to `sums`. Returns the largest relative difference (Frobenius norm)
+/// between the exponentials of `method` and of `fast`, which is exact to 1e-15. Returns infinity for NaN, and
+/// 0 for `fast` or if there are no exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 

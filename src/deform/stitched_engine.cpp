@@ -30,8 +30,8 @@ std::vector<std::size_t> vertices_of(const Entries& entries) {
 
 }  // namespace
 
-// The maps M of a block of triangles as M = rotation stretch, or as rotation = M and stretch = I. Stored as
-// [entry][triangle], so that vector code runs along the triangles.
+// The maps M of a block of triangles, as M = rotation stretch or as rotation = M and stretch = I. The layout
+// is [entry][triangle], so that vector code runs along the triangles.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
   static constexpr std::size_t ahead = 12;  // prefetch distance of rows, in triangles
@@ -160,7 +160,7 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   }
 }
 
-// Computes the targets of the pins: the positions to which the handle alone moves the vertices.
+// Computes the targets of the pins: the positions to which each pin's handle moves its vertex.
 void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   const std::size_t columns = rows.columns(), n = pin_targets_.size();
   std::vector<double> sums(n * columns);
@@ -172,7 +172,7 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
-// The loads of a triangle's corners sum to 0.
+// Sets the loads of a triangle's corners, which sum to 0.
 inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
   loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }
@@ -204,8 +204,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// R is the rotation nearest to sum_i x'_i (S g_i)^T. It maximises tr R^T sum_i x'_i (S g_i)^T, the only term
-// of the triangle's energy that depends on R.
+// Sets the loads with new rotations R. R is the rotation nearest to A = sum_i x'_i (S g_i)^T. This R
+// maximises tr R^T A, the only term of the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;

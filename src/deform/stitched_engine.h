@@ -21,17 +21,17 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses: one per vertex, or empty if all are 1. They also scale pins' motions.
+  /// Sets the shares of the next poses: one per vertex; empty if all are 1. Shares also scale pins' motions.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.
   void set_shape(std::span<const Vec3> ways);
-  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. held has, for each
-  /// hold, the vertex's blended position relative to the rows' origin. A triangle's map is computed from the
-  /// mean of its corners' sums.
+  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. held has the blended
+  /// position of each hold's vertex, relative to the rows' origin. A triangle's map is computed from the mean
+  /// of the corners' sums.
   ///
-  /// iterations, 1 or more, is the number of solves. Before each later solve, the rotations R_t are replaced
-  /// by the rotations that fit the positions best; the stretches S_t do not change (O. Sorkine, M. Alexa,
+  /// iterations, 1 or more, is the number of solves. Each solve after the first replaces the rotations R_t by
+  /// the rotations that best fit the positions; the stretches S_t do not change (O. Sorkine, M. Alexa,
   /// As-rigid-as-possible surface modeling, 2007). The energy never increases.
   void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
            int iterations);
@@ -65,9 +65,9 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// The fused engine computes the sums in float. All later steps are in double: maps of triangles, solving,
-/// positions. No pose needs a factorisation. The result agrees with deform_exactly() up to the error of the
-/// sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
+/// Computes stitched frames. The fused engine computes the sums in float. The maps of triangles, the solve
+/// and the positions are in double. No pose needs a factorisation. The result agrees with deform_exactly() up
+/// to the error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form
@@ -79,10 +79,10 @@ public:
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return blender_.vertices(); }
-  /// Positions of the last frame, in double, relative to its rows' origin.
+  /// Positions of the last frame, in double, relative to the rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// The blended positions of these vertices in the last frame before stitching, relative to its origin.
+  /// Returns blended positions of the vertices in the last frame, before stitching, from the rows' origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

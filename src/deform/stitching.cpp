@@ -24,10 +24,10 @@ namespace viete::deform {
 namespace {
 
 constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
-constexpr double found_pins = 0.5;  // part of the work that is done when the pins are known
+constexpr double found_pins = 0.5;  // the fraction of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
-constexpr double indistinguishable = 1e-9;  // smaller differences of distances count as 0; in diagonals
+constexpr double indistinguishable = 1e-9;  // smaller differences of distances count as 0; in cage diagonals
 
 class StitchMaker {
 public:
@@ -90,8 +90,8 @@ private:
     for (const auto& pins : found) pins_.insert(pins_.end(), pins.begin(), pins.end());
   }
 
-  // Returns the nearest triangle that is not thin, or the number of triangles if all are thin. Ties, up to
-  // rounding, go to the triangle with the nearest centre.
+  // Returns the nearest triangle that is not thin, or the number of triangles if all are thin. If triangles
+  // are equally near up to rounding, returns the triangle with the nearest centre.
   std::size_t nearest_triangle(const mesh::Point& point) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const auto& p = model_.positions;
@@ -103,7 +103,7 @@ private:
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
-        const double farthest = least + slack + side;  // corners of nearer triangles are within it
+        const double farthest = least + slack + side;  // nearer triangles have corners within this distance
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
         const double distance =
             std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);
@@ -237,7 +237,8 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // factors: n log n; gradients, loads and stretches: two triangles per vertex; lists; right-hand sides
+  // Memory for factors (n log n); gradients, loads and stretches of two triangles per vertex; lists;
+  // right-hand sides
   const auto n = static_cast<double>(vertices);
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }

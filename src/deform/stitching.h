@@ -13,26 +13,25 @@
 
 namespace viete::deform {
 
-/// How strongly a handle pulls the corners of its nearest triangle to the handle's map. Weights are per
-/// vertex, relative to a stiffness of about 1 between neighbours, see stiffness_matrix().
+/// The weight with which a handle pulls the corners of its nearest triangle to the handle's map. For
+/// comparison, the stiffness between neighbouring vertices is about 1, see stiffness_matrix().
 inline constexpr double pin_strength = 0.03;
 
-/// The data for stitching that do not depend on the pose. Let M_t = R_t S_t be the blended map of triangle t.
-/// The positions x' minimise
+/// The pose-independent data of a stitching. With the blended map M_t = R_t S_t of triangle t, x' minimises
 ///
 ///     sum_t area_t |(grad x' - M_t) T_t|^2 + sum_pins w |x' - A_h x|^2 + sum_holds w |x' - blended x'|^2.
 ///
 /// T_t projects onto the triangle's plane; A_h is the map of the pin's handle. The published energy (S. Kaji,
 /// "ARAP" modes) uses tetrahedra with a fourth corner off the plane. Each fourth corner belongs to only one
-/// tetrahedron, so at the minimum the map agrees with M_t in its direction. Only the part in the plane
-/// remains, with a third of the unknowns. The derivatives give K x' = sum_t M_t g_t. K is the stiffness
-/// matrix, and g_t, i is the area times the gradient of the hat function of corner i. This needs one
-/// factorisation, and three right-hand sides per pose.
+/// tetrahedron, so at the minimum the map agrees with M_t in this corner's direction. Only the part in the
+/// plane remains, with a third of the unknowns. The derivatives give K x' = sum_t M_t g_t. K is the stiffness
+/// matrix, and g_t, i is the area times the gradient of the hat function of corner i. A stitching needs one
+/// factorisation, and each pose needs three right-hand sides.
 ///
-/// part_couplings() of strength c join near parts, cracks, and vertices at the same place. Each adds
-/// c |(x'_a - x'_b) - M (x_a - x_b)|^2 as a triangle (a, b, b).
+/// part_couplings() join near parts, cracks, and vertices at one place. A coupling of strength c adds the
+/// energy c |(x'_a - x'_b) - M (x_a - x_b)|^2 and is stored as the triangle (a, b, b).
 ///
-/// Results do not depend on the scene's size or its distance from the origin. Thin triangles count as in
+/// Results do not depend on the scene's size or distance from the origin. Thin triangles count as in
 /// half_cotangents(). Every vertex is determined. In parts without a pin, vertices are pulled to their
 /// blended positions with weight 1e-4. Vertices with only thin or no triangles are pulled with weight 1.
 struct Stitching {
@@ -47,9 +46,9 @@ struct Stitching {
 
   Holding holding;
   std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
-  std::vector<mesh::Triangle> triangles;  ///< all that are not thin, in the order of vertices; then couplings
-  /// For each triangle, the index of the triangle whose fitted rotation it uses: its own, or for a coupling a
-  /// neighbouring triangle, because a single line does not determine a rotation.
+  std::vector<mesh::Triangle> triangles;  ///< all but thin triangles, sorted as the vertices; then couplings
+  /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
+  /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
   /// Half cotangents of the corners, from which K is computed; (0, 0, c) for a coupling.
   std::vector<Vec3> cotangents;
@@ -57,7 +56,7 @@ struct Stitching {
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`: 3 t + corner of its triangles t
   std::vector<Pin> pins;
-  Binding pinned;  ///< for the pins: rest, rest_origin, offsets from the handle's centre, without weights
+  Binding pinned;  ///< of the pins: rest, rest_origin, and offsets from the handle's centre; no weights
   std::vector<Hold> holds;
   SparseCholesky factors;
 
@@ -70,10 +69,10 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Vertices within holding.radius of a handle are pinned to it too,
-/// with weight pin_strength ((radius - distance) / radius)^2. holding.weight pulls every vertex to its
-/// blended position. Throws base::Error if the model has no vertices, or if its size is above 1e75 or below
-/// 1e-75, which prevents the factorisation; base::Cancelled. Results do not depend on the number of threads.
+/// Stitches the model to the cage's faces. Vertices within holding.radius of a handle are also pinned to this
+/// handle, with weight pin_strength ((radius - distance) / radius)^2. holding.weight pulls every vertex to
+/// its blended position. Throws base::Error if the model has no vertices, or if the model's size is above
+/// 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 

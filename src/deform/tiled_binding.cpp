@@ -17,7 +17,7 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t fewest_handles = 32;  // with fewer handles, weights are not compressed
-constexpr double worth_factoring = 0.7;     // factors must need less than this part of the multiply-adds
+constexpr double worth_factoring = 0.7;     // factors must reduce the multiply-adds to less than this part
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -33,7 +33,7 @@ void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& v
   for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
 }
 
-// normalise() with clamp, of weights [handle][lane].
+// Does normalise() with clamp for weights [handle][lane].
 void normalise_lanes(std::span<double> weights) {
   std::array<double, bind_lanes> sums{};
   for (std::size_t j = 0; j < weights.size(); j += bind_lanes) {
@@ -158,7 +158,7 @@ private:
                   std::span(b_.sample).subspan(s * b_.handles, b_.handles));
   }
 
-  // Does the work of Weigher::weigh_tiles() for the vertices of a leaf.
+  // Does Weigher::weigh_tiles() for the vertices of a leaf, from weights that are already solved.
   void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
@@ -182,8 +182,8 @@ private:
     }
   }
 
-  // Writes the weights of a leaf to rows, and sums and shares to w. rows must have its final size. Returns
-  // the number of vertices without mean value coordinates.
+  // Writes the weights of a leaf to rows, and the leaf's sums and shares to w. rows must have its final size.
+  // Returns the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
     if (proxy_ || !surface_weights_.empty()) {
@@ -220,7 +220,7 @@ private:
     b_.failed = failed;
   }
 
-  // Handles that only translate need a quarter of the work, so factors do not pay for them.
+  // Handles that only translate need a quarter of the work, so factors are not worth their cost.
   bool worth_sampling(double tolerance) const {
     return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);
@@ -361,9 +361,9 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   TiledBinding b_;
-  base::AlignedVector<float> surface_weights_;  // of all vertices, for weights along the surface
-  std::optional<ProxyWeights> proxy_;           // instead of surface_weights_ for large models
-  double solved_ = 0;                           // part of the work for solving these weights
+  base::AlignedVector<float> surface_weights_;  // for weights along the surface: all vertices
+  std::optional<ProxyWeights> proxy_;           // replaces surface_weights_ for large models
+  double solved_ = 0;                           // fraction of the work that solves these weights
 };
 
 }  // namespace
@@ -374,7 +374,7 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 
 void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
   const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
-  // Reads [tile][place][lane] from `first` on.
+  // Reads a number of an array [tile][place][lane] that begins at `first`.
   const auto at = [](const base::AlignedVector<float>& values, std::size_t first, std::size_t places,
                      std::size_t s, std::size_t place) -> double {
     return values[first + (s / lanes * places + place) * lanes + s % lanes];

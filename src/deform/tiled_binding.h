@@ -14,8 +14,8 @@
 
 namespace viete::deform {
 
-/// Error bound of compression: the largest Euclidean distance between a vertex's weights and their
-/// approximation. Positions change by 0.1 to 2 times this bound, in diagonals of the cage.
+/// The default error bound of compression. The error of a vertex is the Euclidean distance between its
+/// weights and their approximation. Positions change by 0.1 to 2 times this bound, in diagonals of the cage.
 inline constexpr double usual_tolerance = 3e-5;
 
 /// The number of vertices whose exact weights are compared with the approximation.
@@ -30,8 +30,8 @@ enum class Storage {
   lists,    ///< only handles with weight in the leaf; lossless
 };
 
-/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. The pivots' logs
-/// are blended first, then the other logs from them. (Block low rank by row interpolative decomposition.)
+/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. A frame first
+/// blends the pivots' logs, and then computes the other logs from these. (Row interpolative decomposition.)
 struct LeafFactors {
   std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
@@ -39,8 +39,8 @@ struct LeafFactors {
   bool dense = false;        ///< true: factors are the weights, and rank is the number of handles
 };
 
-/// A binding for the fused frame. Arrays have one entry per slot of the leaves. Weights and offsets are those
-/// of Binding in float, which adds an error of about 1e-7 of the cage's diagonal to the sums.
+/// A binding for the fused frame. Arrays have one entry per slot of the leaves. Weights and offsets of
+/// Binding are stored in float, which adds an error of about 1e-7 of the cage's diagonal to the sums.
 struct TiledBinding {
   Weighting weighting;
   std::size_t handles = 0;
@@ -55,7 +55,7 @@ struct TiledBinding {
   base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
   base::AlignedVector<float> shares;   ///< [slot]; empty unless weights are partial (see Weighting)
-  /// [tile][handle][lane], or with lists [tile][place in the list][lane]; empty if compressed
+  /// [tile][handle][lane] or, if there are lists, [tile][place in the list][lane]; empty if compressed
   base::AlignedVector<float> weights;
   std::vector<std::size_t> list_starts;  ///< start of each leaf in `listed`, and the end; empty without lists
   std::vector<std::uint32_t> listed;     ///< handles with weight in a leaf, ascending, leaf by leaf
@@ -93,22 +93,23 @@ struct TiledBinding {
 /// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// Returns a binding with all parts but its weights. Throws base::Error if the model has no vertices.
+/// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// True if compression may be worth its cost for these sizes. (It never is for handles that only move.)
+/// Returns true if compression may be worth its cost for these sizes. For handles that only move, compression
+/// is never worth its cost.
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// The number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine this is an
-/// upper bound. If the weights can be compressed (affine maps only), it assumes that compression leaves a
-/// quarter of their size. Weights along the surface need memory for all vertices before compression.
+/// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine, the
+/// number is an upper bound. If weights can be compressed, the number assumes that the weights shrink to a
+/// quarter. For weights along the surface, the number includes the uncompressed weights of all vertices.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
-/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles or, if compressed, of floats.
-/// Weights with a radius are stored as lists. Others are compressed with `tolerance` (0: never) if a sample
-/// of leaves predicts cheaper frames. `storage` overrides both. Results do not depend on the number of
-/// threads. Throws base::Error if free memory is insufficient or the model has no vertices; base::Cancelled.
+/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Stores weights with a radius
+/// as lists. Compresses other weights with `tolerance` if this is not 0 and a sample of leaves predicts
+/// cheaper frames. `storage` overrides these choices. Results do not depend on the number of threads. Throws
+/// base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

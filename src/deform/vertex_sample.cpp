@@ -90,7 +90,7 @@ BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, con
 
 namespace {
 
-// Binds points. Computes weights in space; takes weights along the surface from row(i).
+// Binds points. Computes weights in space, but reads weights along the surface from row(i).
 template <class Row>
 Binding weighed_part(const Weigher& weigher, std::span<const mesh::Point> points, const Row& row) {
   if (!entry(weigher.weighting().weights).on_surface) return bind_part(weigher, points).binding;
@@ -115,7 +115,7 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
 
 namespace {
 
-// Moves positions by the probes, at the probes' places in the frame.
+// Moves positions by the probes, with the probes' places in the frame.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

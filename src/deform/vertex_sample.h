@@ -19,7 +19,7 @@ struct VertexSum {
   struct Term {
     std::uint32_t handle;
     double weight;                 ///< weight times the vertex's share
-    sym3::Sym3<double> stretch{};  ///< X = log S of its map; 0 if rows have none
+    sym3::Sym3<double> stretch{};  ///< X = log S of the handle's map; 0 if rows have no logs
     Vec3 turn{};                   ///< Y = log R
     /// The handle's centre in the file's units: posed, or at rest if rows have no logs.
     mesh::Point at{};
@@ -42,7 +42,7 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
 /// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
-/// from the staged engine's data or, without it, from the tiles. Keeps references to its arguments.
+/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to its arguments.
 class BoundVertices {
 public:
   BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);
@@ -55,9 +55,9 @@ private:
   std::vector<std::uint32_t> slots_;  // of the vertices, if weights are read from tiles
 };
 
-/// Returns the error of a frame of these rows and, unless layer is null, of its probes. It is the largest
-/// distance from positions computed in double with exact weights, in diagonals of the cage. It is measured at
-/// the vertices of spread_vertices(n, error_sample). ways: the displacements of the shape, see
+/// Returns the error of a frame of these rows and, unless layer is null, of probes: the largest distance from
+/// positions computed in double with exact weights, in diagonals of the cage. Measures this distance at the
+/// vertices of spread_vertices(n, error_sample). ways: the displacements of the shape, see
 /// Engine::set_shape(). shown: the vertices' positions relative to the rows' origin. Weights along the
 /// surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,

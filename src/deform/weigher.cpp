@@ -15,7 +15,7 @@ namespace viete::deform {
 
 namespace {
 
-// Returns the numbers of arrays of arrays as the kernels need them.
+// Returns the numbers of a vector of arrays as the C arrays that kernels use.
 template <class Arrays>
 auto numbers(const Arrays& arrays) {
   using Array = typename Arrays::value_type;
@@ -23,7 +23,7 @@ auto numbers(const Arrays& arrays) {
   return reinterpret_cast<const Number(*)[sizeof(Array) / sizeof(Number)]>(arrays.data());
 }
 
-// True if the point touches one of these elements.
+// Returns true if the point is on one of these elements.
 bool touches(const Cage& cage, std::span<const std::uint32_t> elements, const mesh::Point& p) {
   const auto& x = cage.surface.positions;
   return std::any_of(elements.begin(), elements.end(), [&](std::uint32_t e) {
@@ -65,7 +65,7 @@ void Weigher::add_triangles() {
   }
 }
 
-// Skips elements without area, because their two sides cancel. Vector code does not process points on them.
+// Skips elements without area, because the sides of such an element cancel. Points on it need scalar code.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];
@@ -78,7 +78,7 @@ void Weigher::add_views() {
   std::vector<mesh::Triangle> triangles;
   for (const auto& view : views_) triangles.push_back({view.corner[0], view.corner[1], view.corner[2]});
   const auto table = mesh::half_edges(corners_.size(), triangles);
-  // Sorted by first use in triangles, for cache locality.
+  // Edges are sorted by their first use in triangles, for cache locality.
   auto order = first_numbers(table.edges.size());
   std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     return table.of(a).front().triangle < table.of(b).front().triangle;
@@ -154,7 +154,7 @@ double Weigher::cut() const {
 std::vector<bool> Weigher::weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                        std::span<float> shares) const {
   std::vector<bool> failed(points.size());
-  base::AlignedVector<double> scratch(scratch_size());  // unaligned data takes a tenth longer
+  base::AlignedVector<double> scratch(scratch_size());  // unaligned data would take 10 % longer
   const bool in_float = weighting_.weights != Weights::mean_value;
   const Vec3 middle = scaled(points[points.size() / 2]);
   std::vector<std::array<float, 3>> shifts(in_float ? handles() : 0);

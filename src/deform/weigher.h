@@ -14,8 +14,8 @@
 namespace viete::deform {
 
 /// Computes the weights of Binding for any points. The error is 1e-13, or the error of
-/// inverse_distance_weights() and mean_value_weights() if it is larger. For weights along the surface, has
-/// only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
+/// inverse_distance_weights() and mean_value_weights() if that is larger. For weights along the surface,
+/// provides only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
@@ -31,9 +31,9 @@ public:
   /// mask of points without mean value coordinates.
   unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
                  LaneShares& shares) const;
-  /// Computes weights as floats, with errors up to 2e-6, for points near each other. Their number must be a
-  /// multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times handle
-  /// positions, and the share. Returns for each point whether it lacks mean value coordinates.
+  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. The number of points must
+  /// be a multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times
+  /// handle positions, and the point's share. Returns true for each point without mean value coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().
@@ -56,7 +56,7 @@ private:
   Weighting weighting_;
   const BindKernel& kernel_;
   Vec3 origin_;
-  double scale_;  // a power of two: the cage's diagonal times it is near 1
+  double scale_;  // a power of two; scale_ times the cage's diagonal is near 1
   std::vector<Vec3> handles_;
   std::vector<Vec3> corners_;  // these and all members below are relative to origin_ and scaled
   // For distances: the handles as triangles, and the origins of their axes.

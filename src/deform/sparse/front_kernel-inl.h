@@ -1,4 +1,4 @@
-// The dense steps of a sparse factorisation in vector registers: included by sparse_kernel.cpp for each
+// Vector code for the dense steps of a sparse factorisation. sparse_kernel.cpp includes this file once per
 // instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_SPARSE_FRONT_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SPARSE_FRONT_KERNEL_INL_H
@@ -17,9 +17,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using FrontTag = hn::CappedTag<double, front_lanes>;
 using FrontV = hn::Vec<FrontTag>;
-inline constexpr std::size_t most_eliminated = 64;  // columns at once
+inline constexpr std::size_t most_eliminated = 64;  // columns per call
 
-// Eliminates one column by the earlier columns of the same call, keeping its rows in registers.
+// Eliminates column c by the columns [begin, c). Keeps the rows of column c in registers.
 static HWY_INLINE void eliminate_column(const Front& front, std::size_t begin, std::size_t c,
                                         double* pivots) {
   const FrontTag d;
@@ -47,7 +47,7 @@ static void eliminate(const Front& front, std::size_t begin, std::size_t end, do
   for (std::size_t c = begin; c < end; ++c) eliminate_column(front, begin, c, pivots);
 }
 
-// Updates Vectors x column_group entries at `into`, in registers.
+// Subtracts the product for a tile of Vectors x column_group entries at `into`, with the tile in registers.
 template <std::size_t Vectors>
 static HWY_INLINE void subtract_tile(const ProductJob& job, const double* right, std::size_t row,
                                      double* into) {

@@ -1,4 +1,4 @@
-// Triangular solves of many right-hand sides in vector registers: included by sparse_kernel.cpp for each
+// Vector code for triangular solves of many right-hand sides. sparse_kernel.cpp includes this file once per
 // instruction set. Internal. (No #pragma once: see sym3/exp-inl.h.)
 #if defined(VIETE_SPARSE_SOLVE_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SPARSE_SOLVE_KERNEL_INL_H
@@ -61,7 +61,7 @@ static HWY_INLINE void subtract_known(const double* values, const SolvedRow<N>* 
   sum.store(row);
 }
 
-// Forward step of K columns from column c of a supernode on; returns the end of their values.
+// Does the forward step of the columns [c, c + K) of a supernode. Returns the end of these columns' values.
 template <std::size_t N, std::size_t K>
 static HWY_INLINE const double* solve_forward(const Supernode& node, const std::uint32_t* rows, std::size_t c,
                                               const double* values, double* block) {
@@ -89,8 +89,8 @@ static HWY_INLINE void subtract_row(const double* values, const double* row, Sol
   for (std::size_t k = 0; k < K; ++k) sums[k].subtract(values[k], known);
 }
 
-// The same backwards, from the last row to the first, so that memory is read in one direction and prefetched;
-// end: end of the columns' values. Returns their begin. Rows alternate between several sums to hide latency.
+// Does the backward step of the columns [c, c + K), whose values end at `end`. Returns the begin of these
+// values. Goes from the last row to the first, which suits prefetching. Several sums per column hide latency.
 template <std::size_t N, std::size_t K>
 static HWY_INLINE const double* solve_backward(const Supernode& node, const std::uint32_t* rows,
                                                std::size_t c, const double* inverse, const double* end,

@@ -19,8 +19,8 @@ namespace {
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
 constexpr double step = 4e6;    // approximate multiplications between two reports
 constexpr double small = 2e7;   // factorisations with fewer multiplications run on one thread
-constexpr double tasks = 64;    // a subtree has at most this fraction of the work
-constexpr double before = 0.2;  // share of the time before factoring, for the order
+constexpr double tasks = 64;    // a task has at most 1 / tasks of the work
+constexpr double before = 0.2;  // part of the time that finding the order takes
 
 std::size_t padded(std::size_t rows) {
   return (rows + front_lanes - 1) / front_lanes * front_lanes;
@@ -30,7 +30,7 @@ std::size_t groups(std::size_t columns) {
   return (columns + column_group - 1) / column_group;
 }
 
-// Multiplications, plus overhead of a node in the same unit.
+// Returns the multiplications of a supernode, plus an overhead in multiplications.
 double work_of(const Supernode& node) {
   const double b = node.below, m = node.columns + b;
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
@@ -43,7 +43,7 @@ struct Scratch {
   std::vector<std::uint32_t> position;  // position of each row in its front
   std::vector<std::uint32_t> rows;      // rows of a child
   base::AlignedVector<double> panel, right;
-  double work = 0;  // not yet reported
+  double work = 0;  // work that is not yet reported
 };
 
 class Elimination {
@@ -85,7 +85,7 @@ public:
 private:
   double largest_task() const { return total_ / tasks; }
 
-  // Sorted by size, largest first.
+  // Returns the roots of the subtrees that are tasks, with the most work first.
   std::vector<std::uint32_t> task_roots() const {
     std::vector<std::uint32_t> roots;
     for (std::uint32_t s = 0; s < work_.size(); ++s) {
@@ -97,7 +97,7 @@ private:
     return roots;
   }
 
-  // Parents follow their children contiguously.
+  // Eliminates a subtree. The supernodes of a subtree are contiguous, and parents follow their children.
   void eliminate_subtree(std::uint32_t root, Scratch& scratch) {
     auto first = root;
     while (!factor_.children.of(first).empty()) first = factor_.children.of(first).front();
@@ -143,7 +143,7 @@ private:
     const Front panel{scratch.panel.data(), stride};
     for (const auto child : factor_.children.of(s)) {
       add_child(child, panel, update_of(s), top, scratch);
-      base::AlignedVector<double>().swap(updates_[child]);  // frees it
+      base::AlignedVector<double>().swap(updates_[child]);  // frees the memory
     }
     return panel;
   }
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // into -= left D left^T, for this many columns.
+  // Computes into -= left D left^T for the first `columns` columns.
   void subtract(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
                 const double* pivots, const Front& into, Scratch& scratch) {
     const std::size_t count = groups(columns);
@@ -231,9 +231,9 @@ private:
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  // The update matrix that each supernode passes to its parent: the lower triangle of its rows.
+  // The update matrix that each supernode passes to its parent: a lower triangle of the rows below the node.
   std::vector<base::AlignedVector<double>> updates_;
-  std::vector<double> work_;  // per subtree
+  std::vector<double> work_;  // work of each subtree
   double total_ = 0;
   std::atomic<double> done_{0};
   bool shared_ = false;
@@ -282,8 +282,8 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
 
 namespace {
 
-// The pivots of a positive definite matrix are positive; rounding leaves those of a singular one anywhere
-// near 0, so they are compared with the original diagonal.
+// If a pivot divided by the original diagonal entry is smaller, the matrix is not positive definite. A plain
+// test for positive pivots is not enough, because rounding can make a zero pivot positive.
 constexpr double least_pivot = 1e-14;
 
 [[noreturn]] void refuse_row(std::size_t row) {
@@ -332,7 +332,7 @@ void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> 
   write(work, x);
 }
 
-// L^-1 (b + c) = L^-1 b + L^-1 c, and the last term is 0 outside the part.
+// Uses L^-1 (b + c) = L^-1 b + L^-1 c, where L^-1 c is 0 outside the part.
 void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x,
                                      std::span<const std::uint32_t> some,
                                      const std::function<void()>& correct, Workspace& work) const {

@@ -18,55 +18,54 @@
 
 namespace viete::deform {
 
-/// P A P^T = L D L^T, L with a unit diagonal; the i-th eliminated unknown is order[i].
+/// The factors of P A P^T = L D L^T. L has a unit diagonal. The i-th eliminated unknown is order[i].
 struct SparseFactor : SymbolicFactor {
   base::AlignedVector<double> values;   // entries of L
   std::vector<double> pivots, inverse;  // D, and 1 / D
 
   std::size_t size() const { return order.size(); }
-  /// The factor, or a part of it, in the form that the kernels take.
+  /// Views of the factor, or of a part of its supernodes, for the kernels.
   TriangularFactor view() const { return view(supernodes); }
   TriangularFactor view(std::span<const Supernode> part) const {
     return {part.data(), part.size(), rows.data(), values.data(), inverse.data()};
   }
-  /// The supernodes of some unknowns and their ancestors; places: the order inverted.
+  /// Returns the supernodes of these unknowns, and all ancestors. places is the inverse of `order`.
   std::vector<Supernode> part_above(std::span<const std::uint32_t> unknowns,
                                     std::span<const std::uint32_t> places) const;
 };
 
-/// Maps progress of a factorisation to [from, to] of `progress`, which may be null.
+/// Returns a report function that maps a factorisation's progress to [from, to] of `progress` (may be null).
 FactorReport told(base::Progress* progress, double from, double to);
 
-/// The multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw. 9, 1983) with the supernodes
-/// of analyse(), in the given order or that of elimination_order(). No pivoting and no error: if the matrix
-/// is not positive definite in double precision, a pivot is NaN, zero or negative. Reads only the lower
-/// triangle. Calls report at least once per few million operations. The same bits for any number of threads.
-/// Throws std::bad_alloc and the exceptions that report throws.
+/// Factors a symmetric matrix by the multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw.
+/// 9, 1983), in the given order or in elimination_order(). Reads only the lower triangle. Does not pivot: if
+/// the matrix is not positive definite in double precision, a pivot is NaN, zero or negative. Calls report at
+/// least once per few million operations. The number of threads does not change a bit of the result. Throws
+/// std::bad_alloc and the exceptions that report throws.
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},
                     const SparseKernel& kernel = sparse_kernel(sym3::kernel()));
 
-/// A SparseFactor that solves all columns of a right-hand side at once. Constant after construction; solve()
-/// is thread-safe with one workspace per thread.
+/// Solves A x = b for three columns at once. Constant; thread-safe with one workspace per thread.
 class SparseCholesky {
 public:
   struct Workspace {
     base::AlignedVector<double> rows, part;  // four numbers per unknown
   };
 
-  /// Reads only the lower triangle of a symmetric matrix. Throws base::Error with the row if the matrix is
-  /// not finite or not positive definite up to rounding, and the exceptions that report throws.
+  /// Reads only the lower triangle of a symmetric matrix. Throws base::Error, which names the row, if the
+  /// matrix is not finite or not positive definite up to rounding. Throws the exceptions that report throws.
   explicit SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool,
                           const FactorReport& report = {});
 
   std::size_t size() const { return factor_.size(); }
 
-  /// A x = b for three columns at once; b and x may be the same. Sizes: size().
+  /// Solves A x = b. b and x have size() entries and may be one array.
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// Solves A x = b + c, where c is 0 except at `some` unknowns and depends on their values in the solution
-  /// of A x = b: correct() reads these from x and writes c to b, which is 0 there. Unknowns eliminated before
-  /// `some` are forward-solved only once.
+  /// Solves A x = b + c, where c is nonzero only at the unknowns in `some` and depends on the solution of A x
+  /// = b. Writes the solution of A x = b to x and 0 to b at `some`, and calls correct(), which must write c
+  /// to b. The forward solve of the unknowns that are eliminated before `some` runs only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 
@@ -75,13 +74,13 @@ private:
   void write(const Workspace& work, std::span<mesh::Vec3> x) const;
 
   SparseFactor factor_;
-  std::vector<std::uint32_t> places_;  // of the unknowns, in the order
+  std::vector<std::uint32_t> places_;  // the place of each unknown in the elimination order
 };
 
-/// Throws base::Error: the equations have no solution in double precision.
+/// Throws base::Error, which says that the equations have no solution in double precision.
 [[noreturn]] void refuse_system();
 
-/// Solves sixteen adjacent right-hand sides per pass over the factor.
+/// Solves A x = b for sixteen columns at once.
 class BlockSolver {
 public:
   /// Reads only the lower triangle. Throws base::Error if the matrix is not positive definite in double
@@ -89,11 +88,12 @@ public:
   explicit BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 
   std::size_t unknowns() const { return factor_.size(); }
-  const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< of the rows of a block
-  /// Offset of an unknown's numbers in a block.
+  const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< order of the rows of a block
+  /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
-  /// Replaces right-hand sides by solutions: block has solved_columns numbers per unknown, from place() on,
-  /// aligned to a cache line. With a part, solves only for the unknowns of part_with(). Thread-safe.
+  /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, from place()
+  /// on, aligned to a cache line. If `part` is given, solves only for the unknowns of part_with().
+  /// Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel,
              const std::vector<Supernode>* part = nullptr) const;
   std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;

@@ -6,7 +6,7 @@
 
 #include "sym3/highway_targets.h"
 
-// Null if all machines of the build have a better instruction set.
+// Null if each computer that the build supports has a better instruction set.
 #if HWY_TARGETS & HWY_SCALAR
 #define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
 #else
@@ -25,13 +25,13 @@ inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that ar
 
 inline constexpr std::size_t column_group = 4;  ///< columns of L that are stored and processed together
 
-/// Columns [first, first + columns) of L, whose entries below these columns lie in the same rows. Values are
-/// stored by column group, row by row: first the rows of the group's own columns, with 0 entries in the
-/// first, 1 in the second, and so on (the unit diagonal is not stored), then those of the supernode's later
-/// columns and of the rows below it.
+/// The columns [first, first + columns) of L. Below the supernode, all of these columns have entries in equal
+/// rows. Values are stored by column group, and within a group row by row. The rows of the group's own
+/// columns come first and have 0 entries, 1 entry and so on (the unit diagonal is not stored). Then come the
+/// rows of the supernode's later columns, and then the rows below the supernode.
 struct Supernode {
   std::uint32_t first, columns, below;
-  std::size_t rows, values;  ///< offsets of its rows and values
+  std::size_t rows, values;  ///< offsets of the supernode's row indices and values
 
   std::size_t entries() const {
     return std::size_t{columns} * (columns - 1) / 2 + std::size_t{columns} * below;
@@ -49,16 +49,16 @@ struct TriangularFactor {
 
 inline constexpr std::size_t front_lanes = 8;  ///< rows of fronts are padded to a multiple of this
 
-/// Columns of a front, the dense matrix in which unknowns are eliminated, column-major; entries above the
-/// diagonal are undefined.
+/// Columns of a front, which is the dense matrix that eliminates a supernode. Stored by columns. Entries
+/// above the diagonal are undefined.
 struct Front {
   double* values;      ///< aligned
   std::size_t stride;  ///< number of rows, padded to a multiple of front_lanes
 };
 
-/// into[i, j] -= sum over p of left[i, p] right[j, p], i >= j.
+/// The computation into[i, j] -= sum over p of left[i, p] right[j, p], for i >= j.
 struct ProductJob {
-  Front into, left;     ///< with all of their rows; the first row of both is that of column 0
+  Front into, left;     ///< with all rows; the first row is the row of column 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
   std::size_t depth;    ///< number of terms of the sum over p

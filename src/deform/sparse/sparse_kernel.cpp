@@ -12,7 +12,7 @@ HWY_BEFORE_NAMESPACE();
 
 namespace viete::deform::HWY_NAMESPACE {
 
-// Sparse factors, compiled once per instruction set.
+// Vector code of sparse factors, compiled once per instruction set.
 
 static const SparseKernel sparse = {solve_forward<solved_columns>,
                                     solve_backward<solved_columns>,

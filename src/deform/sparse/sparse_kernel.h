@@ -1,4 +1,4 @@
-// Dense steps of sparse factorisation, and solves, in vector code. Internal.
+// Vector code for the dense steps of sparse factorisation and for solves. Internal.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 namespace viete::deform {
 
 struct SparseKernel {
-  /// The two halves of a solve, for [row][solved_columns] or [row][4], aligned: forward by L, then backward
-  /// by D and L^T. For a subset of the supernodes that is closed under parents, they solve for the rows of
-  /// the subset.
+  /// Run the two halves of a solve on an aligned block [row][solved_columns] or [row][4]: the forward half
+  /// with L, then the backward half with D and L^T. If the factor has only some supernodes, it must have all
+  /// parents of these. Only the rows of these supernodes are solved.
   void (*forward_columns)(const TriangularFactor& factor, double* block);
   void (*backward_columns)(const TriangularFactor& factor, double* block);
   void (*forward_four)(const TriangularFactor& factor, double* block);
   void (*backward_four)(const TriangularFactor& factor, double* block);
-  /// Turns columns [begin, end) into those of L, and writes their pivots D. The updates by columns before
-  /// `begin` must already be subtracted. Meant for few columns: the cost per entry is proportional to their
-  /// number.
+  /// Converts the columns [begin, end) to columns of L, and writes the pivots D of these columns. The updates
+  /// by columns before `begin` must already be subtracted. Use few columns at once, because the cost per
+  /// entry is proportional to the number of columns.
   void (*eliminate)(const Front& front, std::size_t begin, std::size_t end, double* pivots);
-  /// Processes column groups [begin, end).
+  /// Runs the job for the column groups [begin, end).
   void (*subtract_product)(const ProductJob& job, std::size_t begin, std::size_t end);
 };
 
-/// The kernel for the same instruction set.
+/// Returns the functions for the instruction set of `kernel`.
 const SparseKernel& sparse_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

@@ -9,8 +9,8 @@
 
 namespace viete::deform {
 
-/// A square matrix in compressed columns: column j has values[i] in row rows[i], starts[j] <= i < starts[j +
-/// 1], ascending by row. (Eigen::Map<const Eigen::SparseMatrix<double>> can view it.)
+/// A square matrix in compressed columns. Column j has values[i] in row rows[i] for starts[j] <= i < starts[j
+/// + 1], with ascending rows. (Eigen::Map<const Eigen::SparseMatrix<double>> can view these arrays.)
 struct SparseMatrix {
   std::vector<std::int32_t> starts{0}, rows;
   std::vector<double> values;
@@ -22,11 +22,11 @@ struct MatrixEntry {
   std::uint32_t row, column;
   double value;
 };
-/// n x n matrix of these entries; entries at the same position are added.
+/// Returns the n x n matrix with these entries. Adds up entries at equal positions.
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries);
 
-/// The lower triangle of a symmetric matrix (only its lower triangle is read) with unknown i moved to
-/// places[i]. Columns are not sorted.
+/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. The columns
+/// of the result are not sorted.
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
 
 /// Calls visit(row, value) for each entry of a column.
@@ -36,11 +36,11 @@ void for_column(const SparseMatrix& matrix, std::uint32_t column, const Visit& v
     visit(static_cast<std::uint32_t>(matrix.rows[i]), matrix.values[i]);
 }
 
-/// Unknowns connected by entries.
+/// Returns the sets of unknowns that are connected by entries.
 mesh::UnionFind connected(const SparseMatrix& matrix);
 
-/// The lower triangle of a symmetric matrix with the rows and columns of all unknowns that are not free
-/// replaced by those of the identity.
+/// Returns the lower triangle of a symmetric matrix, in which the rows and columns of all unknowns that are
+/// not free are replaced by rows and columns of the identity.
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free);
 
 }  // namespace viete::deform

@@ -9,8 +9,8 @@ namespace viete::deform {
 
 namespace {
 
-/// The structure of the factor: the number of entries per column, and parents in the elimination tree, the
-/// first row of a column below its diagonal.
+/// The number of entries in each column of the factor, and the column's parent in the elimination tree, which
+/// is the first row below the diagonal with an entry.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
@@ -22,7 +22,7 @@ public:
   std::size_t size() const { return order_.size(); }
   std::vector<std::uint32_t> take_order() { return std::move(order_); }
   std::uint32_t parent(std::size_t column) const { return parents_[column]; }
-  /// Number of entries of a column below its diagonal.
+  /// Returns the number of entries of a column below the diagonal.
   std::uint32_t count(std::size_t column) const { return counts_[column]; }
 
   /// Calls visit(place) for the neighbours of the unknown at this place.
@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  // Row entries are the tree paths from its neighbours to itself.
+  // The entries of a row of L are the tree paths from the row's neighbours to the row.
   void grow_tree(const FactorReport& report) {
     parents_.assign(size(), no_parent), counts_.assign(size(), 0);
     std::vector<std::uint32_t> seen(size());
@@ -48,11 +48,11 @@ private:
     }
   }
 
-  // Positions in which each subtree is contiguous. Parents follow their children: the last child takes the
-  // positions before its parent's, preceded by its own subtree.
+  // Returns positions in which each subtree is contiguous and parents follow their children. The last child
+  // is directly before its parent, and the child's subtree directly before the child.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
-    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // per subtree, last the whole
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
     const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
     for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
     for (auto v = n; v-- > 0;) {
@@ -76,7 +76,7 @@ private:
   std::vector<std::uint32_t> order_, place_, parents_, counts_;
 };
 
-// Groups consecutive columns that are worth a dense block, adding few zeros.
+// Groups consecutive columns into supernodes if this adds few zeros.
 class SupernodeFinder {
 public:
   explicit SupernodeFinder(const Structure& structure) : structure_(structure) {}
@@ -113,7 +113,7 @@ private:
 
   const Structure& structure_;
   std::vector<Supernode> nodes_;
-  std::vector<double> entries_;  // nonzero entries of each
+  std::vector<double> entries_;  // number of nonzero entries of each supernode
 };
 
 void place(SymbolicFactor& f) {

@@ -1,5 +1,4 @@
-// Symbolic factorisation of a sparse symmetric matrix: the elimination order of its unknowns and the
-// positions of the factor's entries.
+// Symbolic factorisation of a symmetric matrix: elimination order and positions of the factor's entries.
 #pragma once
 
 #include <cstddef>
@@ -13,36 +12,36 @@
 
 namespace viete::deform {
 
-/// Called often, from any thread of the pool, with progress in [0, 1]; an exception from it ends the work.
+/// Gets the progress in [0, 1], often, from any thread of the pool. If this function throws, the work ends.
 using FactorReport = std::function<void(double)>;
 
-/// For each unknown the others that share an entry of the lower triangle with it.
+/// Returns the neighbours of each unknown: two unknowns with an entry in the lower triangle are neighbours.
 mesh::Adjacency neighbours_of_unknowns(const SparseMatrix& matrix);
 
-/// A permutation of the unknowns in elimination order with little fill-in: approximate minimum degree (P. R.
-/// Amestoy, T. A. Davis, I. S. Duff, 1996; Eigen's implementation). Cannot be interrupted: 0.04 seconds for
-/// 100,000 unknowns.
+/// Returns an elimination order with little fill-in, by approximate minimum degree (P. R. Amestoy, T. A.
+/// Davis, I. S. Duff, 1996; Eigen's implementation). Takes 0.04 s for 100,000 unknowns, and cannot be
+/// interrupted.
 std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours);
 
 inline constexpr std::uint32_t no_parent = 0xffffffff;
 
-/// A supernode is a run of columns with (nearly) the same rows, stored with a few zeros. Supernodes follow
-/// their children, and each subtree is contiguous.
+/// A supernode is a run of columns with (nearly) equal rows. A few zeros are stored where rows differ.
+/// Supernodes follow their children, and each subtree is contiguous.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order;  // unknowns in elimination order
   std::vector<Supernode> supernodes;
   std::vector<std::uint32_t> rows;     // per supernode: rows below its own columns, ascending
   std::vector<std::uint32_t> parents;  // parent of each supernode, or no_parent
   mesh::Adjacency children;
-  std::size_t entries = 0;  // total number
+  std::size_t entries = 0;  // the total number of entries of L
 };
 
-/// The position of each unknown in an order.
+/// Returns the position of each unknown in an order.
 std::vector<std::uint32_t> inverted(const std::vector<std::uint32_t>& order);
 
-/// Uses the elimination tree (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11, 1990) and its supernodes (C.
-/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989); the order is changed to a postorder of the
-/// tree with equal fill-in. Throws std::bad_alloc and the exceptions that report throws.
+/// Finds the elimination tree (J. W. H. Liu, SIAM J. Matrix Anal. Appl. 11, 1990) and the supernodes (C.
+/// Ashcraft and R. Grimes, ACM Trans. Math. Softw. 15, 1989). Changes the order to a postorder of the tree,
+/// which has equal fill-in. Throws std::bad_alloc and the exceptions that report throws.
 SymbolicFactor analyse(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order,
                        const FactorReport& report);
 
