@@ -381,8 +381,8 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said(w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete has them"));
-    CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete has them"));
+    CHECK(said(w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete still contains them"));
+    CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete still contains them"));
   }
   SUBCASE("nowhere") {
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));

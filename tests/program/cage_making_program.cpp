@@ -165,7 +165,8 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
   CHECK_FALSE(d.workspace().making.open);
   CHECK((d.document().cage == preview) == stays);
   if (stays)
-    CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") != std::string::npos);
+    CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") !=
+          std::string::npos);
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {

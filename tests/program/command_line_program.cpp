@@ -106,7 +106,7 @@ TEST_CASE("a_mask_holds_vertices_and_is_checked") {
   f.done(deform + "zeros.txt");
   CHECK(formats::read(f / "a.ply").surface.positions == model);
   f.refused(deform + "none.txt", 1, "none.txt: there is no such file");
-  for (const auto& [mask, said] : {std::pair{"1 1 1", "mask.txt: it has 3 shares for 3,000 vertices"},
+  for (const auto& [mask, said] : {std::pair{"1 1 1", "mask.txt: it has 3 numbers for 3,000 vertices"},
                                    {"1 0.5 2", "mask.txt: number 3 is not between 0 and 1"},
                                    {"1 nan", "mask.txt: number 2 is not between 0 and 1"}}) {
     put_file(f / "mask.txt", mask);
@@ -236,7 +236,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   for (const char* more : {" --iterations 2", " --pins 10", " --hold 100"})
     CHECK(deformed(std::string(" --stitched") + more) != stitched);
   f.refused(posed + " -o x.ply --blend srl --weights mean-value", 1,
-            "cannot be combined: mean value weights need the blend");
+            "cannot be combined: mean value weights need the linear blend");
   f.refused(posed + " -o x.ply --deformer mean-value --blend srl", 2, "excludes");
   CHECK_FALSE(fs::exists(f / "x.ply"));
 }
