@@ -1,4 +1,4 @@
-// The panels, one function each.
+// The panels, one function each, with their fonts and colours.
 #pragma once
 
 #include <string_view>
@@ -10,6 +10,13 @@ struct Command;
 }
 
 namespace viete::ui {
+
+/// Adds the fonts to ImGui, for `scale` device pixels per logical pixel. With `builtin_only`, or if no font
+/// file is found, uses ImGui's own bitmap font, which is the same on all machines.
+Fonts add_fonts(float scale, bool builtin_only);
+
+/// Sets sizes, spacing and colours; call when the theme changes.
+void apply_style(bool dark);
 
 /// Draws all panels and overlays. The user's actions change the workspace.
 void draw_panels(const Context& ui);
@@ -45,7 +52,7 @@ void split_overlay(const Context& ui);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);        ///< see workspace/question.h
+void question_panel(const Context& ui);        ///< see workspace/messages.h
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
 /// Notices at the bottom of the view. They return their top edge, or `bottom` if they are hidden.
