@@ -1,4 +1,4 @@
-// The vertices that a drag moves: the selection, its mirror partners, and the soft selection.
+// The vertices that a drag moves (the selection, its mirror partners, the soft selection), and their pivot.
 #pragma once
 
 #include <cstdint>
@@ -16,6 +16,7 @@
 
 namespace viete::interact {
 
+/// The pivot and the axes of the selection, at which the gizmo is drawn.
 struct Anchor {
   glm::dvec3 center{0, 0, 0};  ///< the pivot, in file coordinates
   glm::dmat3 axes{1};          ///< columns of length 1, right-handed

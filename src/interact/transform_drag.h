@@ -101,6 +101,7 @@ private:
   int softened_ = 0;
 };
 
+/// The axis lines and the rotation arc that are drawn during a drag, in logical pixels.
 struct DragGuides {
   glm::vec2 start{0, 0};                   ///< the pivot at the start of the drag
   std::vector<int> axes;                   ///< the axes along which the drag moves or scales

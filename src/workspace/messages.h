@@ -66,6 +66,7 @@ private:
 
 enum class Answer { save, cancel, proceed };
 
+/// A question to the user before edits or files are lost.
 struct Question {
   enum class Kind {
     close,         ///< closing the program with edits that could not be saved for recovery

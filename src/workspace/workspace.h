@@ -46,6 +46,7 @@ struct TimedPose {
   document::SharedPose pose{};
 };
 
+/// The state of playback, see playing.h.
 struct Playback {
   bool playing = false;
   bool backward = false;  ///< direction, for ping-pong
