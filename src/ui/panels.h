@@ -1,4 +1,4 @@
-// The panels, one function each, with their fonts and colours.
+// The panels, one function each, with their fonts and colours, and the input.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,8 @@
 
 namespace viete::workspace {
 struct Command;
-}
+class Pointer;
+}  // namespace viete::workspace
 
 namespace viete::ui {
 
@@ -17,6 +18,11 @@ Fonts add_fonts(float scale, bool builtin_only);
 
 /// Sets sizes, spacing and colours; call when the theme changes.
 void apply_style(bool dark);
+
+/// Runs commands for pressed keys and passes the mouse to the pointer. Call it once a frame after
+/// ImGui::NewFrame(). Input over a panel or in a text field belongs to the panel; a gesture that began in the
+/// view continues over panels.
+void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer);
 
 /// Draws all panels and overlays. The user's actions change the workspace.
 void draw_panels(const Context& ui);
