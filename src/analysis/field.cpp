@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
-#include <utility>
 
 #include "sym3/eigenvalues.h"
 #include "sym3/reference.h"

@@ -1,7 +1,6 @@
 // Measures the strain of a deformed surface at each vertex.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>

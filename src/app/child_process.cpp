@@ -5,8 +5,8 @@
 #include <sstream>
 #include <thread>
 
-#include "base/child_program.h"
 #include "base/error.h"
+#include "base/process.h"
 
 namespace viete::app {
 

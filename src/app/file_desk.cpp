@@ -7,7 +7,6 @@
 #include "files/output.h"
 #include "formats/source.h"
 #include "workspace/apply_opened.h"
-#include "workspace/file_commands.h"
 #include "workspace/saving.h"
 
 namespace viete::app {

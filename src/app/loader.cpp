@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "deform/binding.h"
-#include "document/binding_plan.h"
+#include "document/document.h"
 
 namespace viete::app {
 

@@ -9,8 +9,7 @@
 #include "base/error.h"
 #include "base/worker_pool.h"
 #include "formats/source.h"
-#include "mesh/cavity.h"
-#include "mesh/clusters.h"
+#include "mesh/drawing.h"
 #include "mesh/normals.h"
 #include "render/view.h"
 

@@ -36,7 +36,7 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
 struct ModelShading {
   std::shared_ptr<const mesh::Surface> surface;  ///< the model, or null
   std::vector<base::PackedNormal> normals;       ///< vertex normals at rest
-  std::vector<float> occlusion;                  ///< see mesh/cavity.h
+  std::vector<float> occlusion;                  ///< see mesh/drawing.h
   ModelLooks looks;                              ///< empty if the file has no materials
   std::vector<mesh::Triangle> coarse;            ///< triangles to draw in motion; empty: draw all triangles
 };

@@ -14,7 +14,6 @@
 #include "render/view.h"
 #include "sym3/kernel.h"
 #include "ui/panels.h"
-#include "ui/style.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
 #include "workspace/split.h"

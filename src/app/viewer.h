@@ -16,7 +16,7 @@
 #include "platform/input_queue.h"
 #include "render/framebuffer.h"
 #include "ui/context.h"
-#include "ui/input.h"
+#include "ui/imgui_bridge.h"
 #include "workspace/pointer.h"
 #include "workspace/workspace.h"
 

@@ -1,7 +1,6 @@
 // Replaces files atomically: completely or not at all.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>

@@ -1,8 +1,10 @@
-// A unique name of this process, and protection from fork().
+// Other processes: their unique names, protection from fork(), and child programs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace viete::base {
 
@@ -21,6 +23,35 @@ public:
   ~ForkDelay();
   ForkDelay(const ForkDelay&) = delete;
   ForkDelay& operator=(const ForkDelay&) = delete;
+};
+
+/// A child process. Its standard input is empty, its standard output is discarded, and its standard error is
+/// used for messages. Ctrl+C in a terminal does not end it. Not thread-safe.
+class ChildProgram {
+public:
+  /// Starts words[0], which is searched in PATH, with the other words as arguments. `variables`
+  /// ("NAME=value") are added to the environment. Throws Error, usually with this advice, if the program is
+  /// not installed or cannot be run.
+  ChildProgram(const std::vector<std::string>& words, const std::string& advice,
+               const std::vector<std::string>& variables = {});
+  /// Kills the program and its children.
+  ~ChildProgram();
+  ChildProgram(const ChildProgram&) = delete;
+  ChildProgram& operator=(const ChildProgram&) = delete;
+
+  /// The first 4 KB of the program's standard error.
+  std::string said() const;
+  bool running();
+  /// Sends SIGTERM to the program.
+  void stop();
+  /// Waits until the program ends. If it has failed, throws Error with its standard error.
+  void finish();
+
+private:
+  [[noreturn]] void fail();
+  std::string name_;
+  int process_ = 0, errors_ = -1;
+  std::optional<int> status_;  // set after the program has ended
 };
 
 }  // namespace viete::base

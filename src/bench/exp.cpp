@@ -3,7 +3,6 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <unsupported/Eigen/MatrixFunctions>
 
 #include "base/text.h"

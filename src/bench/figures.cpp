@@ -1,9 +1,6 @@
 #include "bench/figures.h"
 
-#include <algorithm>
-#include <cmath>
 #include <functional>
-#include <utility>
 
 #include "bench/exp.h"
 #include "bench/frame.h"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <ctime>
 #include <thread>
-#include <utility>
 
 #include "app/assets.h"
 #include "base/text.h"

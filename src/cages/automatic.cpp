@@ -13,7 +13,6 @@
 #include "cages/extraction.h"
 #include "cages/soundness.h"
 #include "cages/subject.h"
-#include "cages/tighten.h"
 #include "mesh/union_find.h"
 
 namespace viete::cages {

@@ -5,8 +5,6 @@
 #include <optional>
 #include <queue>
 
-#include "cages/tighten.h"
-
 namespace viete::cages {
 
 namespace {

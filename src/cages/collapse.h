@@ -1,4 +1,4 @@
-// Simplifies a cage and keeps it sound.
+// Simplifies a cage, tightens it around its model, and keeps it sound.
 #pragma once
 
 #include <cstddef>
@@ -17,5 +17,15 @@ enum class Accuracy { quadrics, volume };
 /// cage sound. If no edge can be collapsed, permits worse triangle shapes. Returns false if more triangles
 /// are left. `progress` may be null. Throws base::Cancelled.
 bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress);
+
+/// In each round, flips edges, evens out the triangles and moves each vertex inward, as far as the cage stays
+/// sound. Throws base::Cancelled.
+void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
+
+/// Splits the edges that reduce the volume most, up to this many triangles. Throws base::Cancelled.
+void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
+
+/// Moves each neighbour of the vertex inward.
+void tighten_around(WorkingCage& cage, VertexId v);
 
 }  // namespace viete::cages

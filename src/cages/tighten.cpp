@@ -1,4 +1,4 @@
-#include "cages/tighten.h"
+#include "cages/collapse.h"
 
 #include <algorithm>
 #include <cmath>

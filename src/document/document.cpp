@@ -6,11 +6,19 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
+#include "base/worker_pool.h"
+#include "deform/binding.h"
+#include "deform/cage_state.h"
 #include "deform/maps.h"
+#include "deform/tiled_binding.h"
 #include "document/range.h"
+#include "formats/format_table.h"
 #include "formats/read.h"
 #include "formats/text_cursor.h"
 #include "mesh/surface.h"
+#include "mesh/triangle.h"
+#include "mesh/vector.h"
 
 namespace viete::document {
 
@@ -65,6 +73,42 @@ void put_surface(OpenedSurface& opened, mesh::Surface surface) {
   opened.bounds = mesh::used_bounds(surface);
   opened.content = mesh::content_key(surface);
   opened.surface = std::make_shared<const mesh::Surface>(std::move(surface));
+}
+
+mesh::Point centroid(const mesh::Surface& surface) {
+  struct Sum {
+    mesh::Point moment{0, 0, 0};
+    double area = 0;
+    Sum operator+(const Sum& other) const { return {moment + other.moment, area + other.area}; }
+  };
+  const Sum sum = base::sum_of_blocks(surface.triangles.size(), [&](std::size_t begin, std::size_t end) {
+    Sum sum;
+    for (std::size_t t = begin; t < end; ++t) {
+      const auto [a, b, c] = mesh::corners_of(surface.positions, surface.triangles[t]);
+      const double area = mesh::norm(mesh::cross(b - a, c - a));
+      sum = sum + Sum{(area / 3) * (a + b + c), area};
+    }
+    return sum;
+  });
+  return sum.area > 0 ? (1 / sum.area) * sum.moment : sum.moment;
+}
+
+// The area of the box around the model's lowest points, relative to the bounding box seen from above. 0 if
+// it would fall over.
+double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
+                std::size_t axis) {
+  const double lowest = box.low[axis] + 0.02 * (box.high[axis] - box.low[axis]);
+  std::size_t feet = 0;
+  mesh::Bounds base{box.high, box.low};
+  for (const mesh::Point& p : surface.positions)
+    if (p[axis] <= lowest) mesh::extend(base, p), ++feet;
+  if (feet < 3) return 0;
+  double share = 1;
+  for (const std::size_t k : {(axis + 1) % 3, (axis + 2) % 3}) {
+    if (middle[k] < base.low[k] || middle[k] > base.high[k] || !(box.high[k] > box.low[k])) return 0;
+    share *= (base.high[k] - base.low[k]) / (box.high[k] - box.low[k]);
+  }
+  return share;
 }
 
 }  // namespace
@@ -205,6 +249,25 @@ std::vector<mesh::Point> probe_centers(const Document& document) {
   std::vector<mesh::Point> centers;
   for (std::size_t i = 0; i < document.probes.all.size(); ++i) centers.push_back(probe_center(document, i));
   return centers;
+}
+
+std::string binding_plan(const Document& document, const deform::Weighting& weighting) {
+  const std::size_t vertices = document.model.surface->positions.size();
+  const std::size_t handles = deform::handle_count(*document.cage, weighting.elements);
+  const std::size_t bytes = deform::binding_bytes(vertices, handles, deform::EngineKind::fused, weighting);
+  return "Binding " + base::with_thousands(vertices) + " vertices to " + base::with_thousands(handles) + ' ' +
+         std::string(deform::name(weighting.elements)) + ", " + base::memory_size(static_cast<double>(bytes));
+}
+
+UpAxis guessed_up(const OpenedSurface& model) {
+  constexpr double matters = 0.05;
+  const formats::Format* format = formats::format_of_description(model.format);
+  if (format && format->up) return format->up == 'z' ? UpAxis::z : UpAxis::y;
+  if (model.surface->triangles.empty()) return UpAxis::y;
+  const mesh::Point middle = centroid(*model.surface);
+  const double y = standing(*model.surface, model.bounds, middle, 1),
+               z = standing(*model.surface, model.bounds, middle, 2);
+  return z > matters && z > 3 * y ? UpAxis::z : UpAxis::y;
 }
 
 }  // namespace viete::document

@@ -14,6 +14,7 @@
 #include "deform/cage.h"
 #include "deform/probe.h"
 #include "deform/scheme.h"
+#include "document/camera.h"
 #include "document/document_state.h"
 #include "document/files_in_use.h"
 #include "document/history.h"
@@ -137,5 +138,12 @@ mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
 /// Returns the current position of a pin's vertex.
 mesh::Point pinned_vertex(const Document& document, std::size_t probe);
+
+/// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
+std::string binding_plan(const Document& document, const deform::Weighting& weighting);
+
+/// Y, except Z for STL files (common for CAD and 3D printing), and for a model that stands upright on its
+/// lowest points along Z but would topple, or stand on a much smaller base, along Y. glTF defines Y as up.
+UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document

@@ -1,4 +1,4 @@
-// Readers and writers of all surface formats. format.h describes each kind of function.
+// Readers and writers of all surface formats; format_table.h describes each kind of function.
 #pragma once
 
 #include "formats/original.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "formats/attributes.h"
-#include "formats/format.h"
+#include "formats/format_table.h"
 #include "formats/original.h"
 #include "formats/text_writer.h"
 #include "mesh/surface.h"

@@ -1,6 +1,5 @@
 #include "formats/read.h"
 
-#include <algorithm>
 #include <new>
 #include <ranges>
 

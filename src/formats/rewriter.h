@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <span>
 #include <string_view>
-#include <vector>
 
 #include "formats/printed.h"
 #include "formats/text_cursor.h"

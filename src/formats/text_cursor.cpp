@@ -1,6 +1,7 @@
 #include "formats/text_cursor.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "base/error.h"

@@ -1,7 +1,6 @@
 // Reads a text file word by word. Errors contain the line number.
 #pragma once
 
-#include <charconv>
 #include <cstddef>
 #include <cstdint>
 #include <optional>

@@ -1,16 +1,44 @@
-// The vertices that a drag moves: the selection, its mirror partners, and the soft selection.
+// The vertices that a drag moves (the selection, its mirror partners, the soft selection), and their pivot.
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "deform/cage.h"
+#include "document/camera.h"
+#include "document/document.h"
 #include "document/handling.h"
-#include "interact/anchor.h"
+#include "document/mirror.h"
 #include "interact/transform.h"
 
 namespace viete::interact {
+
+/// The pivot and the axes of the selection, at which the gizmo is drawn.
+struct Anchor {
+  glm::dvec3 center{0, 0, 0};  ///< the pivot, in file coordinates
+  glm::dmat3 axes{1};          ///< columns of length 1, right-handed
+};
+
+/// Returns the selected vertices that a drag moves directly, ascending. If both partners of a mirrored pair
+/// are selected, returns only the partner on one side: the side of the active element or, without an active
+/// element, the side with more selected vertices.
+std::vector<std::uint32_t> leading_vertices(const document::Document& document,
+                                            const document::Mirror* mirror);
+
+/// Returns the anchor in the current pose. `mirror` may be null. Requires a selection.
+Anchor anchor_of(const document::Document& document, const document::Handling& handling,
+                 const document::Mirror* mirror, const document::Camera& camera);
+
+/// Returns the center of the boundary between the vertices and the largest connected part of the other
+/// vertices; nullopt without a boundary.
+std::optional<glm::dvec3> joint_of(const document::Document& document,
+                                   const std::vector<std::uint32_t>& vertices);
+
+/// Returns the center of the active cage element; nullopt without an active cage element.
+std::optional<glm::dvec3> center_of_active(const document::Document& document);
 
 /// Returns the falloff, from 1 at distance 0 to 0 at distance 1. The distance is relative to the radius.
 double soft_share(document::SoftCurve curve, double distance);

@@ -4,7 +4,7 @@
 
 #include "document/elements.h"
 #include "document/record.h"
-#include "interact/anchor.h"
+#include "interact/grip.h"
 
 namespace viete::interact {
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <compare>
 #include <functional>
-#include <numeric>
 #include <queue>
 
 #include "base/worker_pool.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -73,7 +72,7 @@ public:
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
   /// Takes world positions and normals; stores them relative to the first finite position.
   void set_positions(std::span<const Point> positions, std::span<const base::PackedNormal> normals);
-  /// Per vertex 0 (dark) to 1 (open), see mesh/cavity.h. An empty span removes it.
+  /// Per vertex 0 (dark) to 1 (open), see mesh/drawing.h. An empty span removes it.
   void set_occlusion(std::span<const float> occlusion);
   /// One value per vertex, any range (see SurfaceStyle). An empty span removes them.
   void set_scalars(std::span<const float> scalars);

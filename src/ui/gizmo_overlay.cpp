@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "document/elements.h"
 #include "interact/cursor_projection.h"
-#include "interact/drag_guides.h"
 #include "interact/gizmo.h"
 #include "interact/transform.h"
+#include "interact/transform_drag.h"
 #include "ui/overlay_painter.h"
 #include "ui/panels.h"
 #include "workspace/pointer.h"

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <imgui.h>
-#include <span>
 
 #include "workspace/command.h"
 

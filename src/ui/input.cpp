@@ -1,12 +1,14 @@
-#include "ui/input.h"
+#include "ui/panels.h"
 
 #include <imgui.h>
 #include <optional>
 #include <string>
 #include <utility>
 
+#include "ui/imgui_bridge.h"
 #include "ui/widgets.h"
 #include "workspace/command.h"
+#include "workspace/pointer.h"
 
 namespace viete::ui {
 

@@ -2,7 +2,6 @@
 #include <array>
 #include <cfloat>
 #include <cmath>
-#include <ctime>
 #include <string>
 
 #include "files/recovery.h"

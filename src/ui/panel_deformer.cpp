@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "document/binding_plan.h"
+#include "document/document.h"
 #include "document/edit.h"
 #include "ui/choice_list.h"
 #include "ui/panels.h"

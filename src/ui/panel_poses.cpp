@@ -1,5 +1,4 @@
 // The Poses panel: named poses, each with its picture and weight slider.
-#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <string>

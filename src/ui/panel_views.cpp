@@ -1,5 +1,4 @@
 // The number of views, and the settings of each view.
-#include <optional>
 #include <string>
 
 #include "ui/choice_list.h"

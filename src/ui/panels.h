@@ -1,4 +1,4 @@
-// The panels, one function each.
+// The panels, one function each, with their fonts and colours, and the input.
 #pragma once
 
 #include <string_view>
@@ -7,9 +7,22 @@
 
 namespace viete::workspace {
 struct Command;
-}
+class Pointer;
+}  // namespace viete::workspace
 
 namespace viete::ui {
+
+/// Adds the fonts to ImGui, for `scale` device pixels per logical pixel. With `builtin_only`, or if no font
+/// file is found, uses ImGui's own bitmap font, which is the same on all machines.
+Fonts add_fonts(float scale, bool builtin_only);
+
+/// Sets sizes, spacing and colours; call when the theme changes.
+void apply_style(bool dark);
+
+/// Runs commands for pressed keys and passes the mouse to the pointer. Call it once a frame after
+/// ImGui::NewFrame(). Input over a panel or in a text field belongs to the panel; a gesture that began in the
+/// view continues over panels.
+void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer);
 
 /// Draws all panels and overlays. The user's actions change the workspace.
 void draw_panels(const Context& ui);
@@ -45,7 +58,7 @@ void split_overlay(const Context& ui);
 void panel_display(const Context& ui);
 void status_bar(const Context& ui);
 void file_panel(const Context& ui);
-void question_panel(const Context& ui);        ///< see workspace/question.h
+void question_panel(const Context& ui);        ///< see workspace/messages.h
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
 /// Notices at the bottom of the view. Each function returns the notice's top edge, or `bottom` if it is

@@ -1,4 +1,4 @@
-#include "ui/style.h"
+#include "ui/panels.h"
 
 #include <array>
 #include <filesystem>

@@ -15,6 +15,9 @@ inline bool is_dragging(const Workspace& w) {
   return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
          (time && time->what == TimeView::What::keys);
 }
+inline bool selects_probes(const Workspace& w) {
+  return w.document.selection.kind() == document::ElementKind::probe;
+}
 inline constexpr Condition no_drag_runs{[](const Workspace& w) { return !is_dragging(w); },
                                         "Finish the current drag first."};
 template <const Condition& C>
@@ -41,12 +44,9 @@ inline constexpr Condition has_probe_room{
       return has_model(w) && w.document.probes.all.size() < document::most_probes && !is_dragging(w);
     },
     "Open a model first. At most 256 probes are possible."};
-inline constexpr Condition has_probes_selected{[](const Workspace& w) {
-                                                 return w.document.selection.kind() ==
-                                                            document::ElementKind::probe &&
-                                                        !w.document.selection.empty() && !is_dragging(w);
-                                               },
-                                               "Select a probe first."};
+inline constexpr Condition has_probes_selected{
+    [](const Workspace& w) { return selects_probes(w) && !w.document.selection.empty() && !is_dragging(w); },
+    "Select a probe first."};
 inline constexpr Condition has_pins_selected{
     [](const Workspace& w) {
       return has_probes_selected(w) && std::ranges::any_of(w.document.selection.indices(), [&](auto i) {
@@ -61,17 +61,14 @@ inline constexpr Condition has_mask{[](const Workspace& w) { return w.document.m
                                     "Nothing is painted: the whole model follows the cage."};
 inline constexpr Condition has_selection{[](const Workspace& w) { return !w.document.selection.empty(); },
                                          "Nothing is selected."};
-inline constexpr Condition has_selection_or_hover{
-    [](const Workspace& w) {
-      return has_cage(w) && w.document.selection.kind() != document::ElementKind::probe &&
-             (has_selection(w) || w.interaction.hovered);
-    },
-    "Select part of the cage first, or point at it."};
-inline constexpr Condition selects_of_cage{[](const Workspace& w) {
-                                             return has_cage(w) && w.document.selection.kind() !=
-                                                                       document::ElementKind::probe;
-                                           },
-                                           "Open a cage and choose vertices, edges or faces first."};
+inline constexpr Condition has_selection_or_hover{[](const Workspace& w) {
+                                                    return has_cage(w) && !selects_probes(w) &&
+                                                           (has_selection(w) || w.interaction.hovered);
+                                                  },
+                                                  "Select part of the cage first, or point at it."};
+inline constexpr Condition selects_of_cage{
+    [](const Workspace& w) { return has_cage(w) && !selects_probes(w); },
+    "Open a cage and choose vertices, edges or faces first."};
 inline constexpr Condition has_selection_of_cage{
     [](const Workspace& w) { return selects_of_cage(w) && has_selection(w); },
     "Select part of the cage first."};
@@ -101,8 +98,8 @@ inline constexpr Condition is_editing{
     "Start cage editing first (Tab)."};
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
-      return is_editing(w) && w.document.selection.kind() != document::ElementKind::probe &&
-             has_selection(w) && !w.time_view.hovered;  // over the timeline, Delete acts on its keys
+      return is_editing(w) && !selects_probes(w) && has_selection(w) &&
+             !w.time_view.hovered;  // over the timeline, Delete acts on its keys
     },
     "Start cage editing (Tab) and select part of the cage first."};
 inline constexpr Condition has_outside{
@@ -137,13 +134,12 @@ inline constexpr Condition can_redo{
 inline constexpr Condition is_posed{
     [](const Workspace& w) { return !is_dragging(w) && differs_from_rest(w.document); },
     "Cage and probes are at rest."};
-inline constexpr Condition has_posed_selection{
-    [](const Workspace& w) {
-      const bool of_cage = w.document.selection.kind() != document::ElementKind::probe;
-      return has_selection(w) && is_posed(w) && !(of_cage && is_editing_cage(w.document)) &&
-             !w.time_view.hovered;
-    },
-    "The selection is already at rest."};
+inline constexpr Condition has_posed_selection{[](const Workspace& w) {
+                                                 return has_selection(w) && is_posed(w) &&
+                                                        (selects_probes(w) || !is_editing_cage(w.document)) &&
+                                                        !w.time_view.hovered;
+                                               },
+                                               "The selection is already at rest."};
 
 /// The effect of a command that toggles an option of the view, or of another part of the workspace.
 template <class Part = document::ViewOptions>

@@ -1,4 +1,3 @@
-#include "workspace/file_commands.h"
 
 #include "files/output.h"
 #include "workspace/command_conditions.h"

@@ -43,4 +43,10 @@ document::FilesInUse files_open(const Workspace& workspace, std::string_view own
 /// The file name of the session, or of the model if there is no session: "dragon.ply".
 std::string name_of_work(const Workspace& workspace);
 
+/// Saves to the session's file. If the session has no file, opens the browser.
+void save(Workspace& workspace);
+void browse_to_save_session(Workspace& workspace);
+/// Opens the browser in the session's folder to find a missing model or cage. `unopened` must be set.
+void browse_to_locate(Workspace& workspace, FileBrowser::Purpose purpose);
+
 }  // namespace viete::workspace

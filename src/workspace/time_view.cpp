@@ -1,7 +1,6 @@
 #include "workspace/time_view.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace viete::workspace {
 

@@ -6,12 +6,14 @@
 #include <glm/glm.hpp>
 #include <limits>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/background.h"
 #include "deform/maps.h"
+#include "document/animation.h"
 #include "document/brush.h"
 #include "document/cage_making.h"
 #include "document/camera.h"
@@ -30,14 +32,35 @@
 #include "workspace/file_browser.h"
 #include "workspace/frame_stats.h"
 #include "workspace/messages.h"
-#include "workspace/playback.h"
 #include "workspace/pose_picture.h"
 #include "workspace/preferences.h"
-#include "workspace/question.h"
 #include "workspace/split.h"
 #include "workspace/time_view.h"
 
 namespace viete::workspace {
+
+/// The pose of the keys at a frame.
+struct TimedPose {
+  std::shared_ptr<const document::Animation> animation{};
+  double frame = 0;
+  document::SharedPose pose{};
+};
+
+/// The state of playback, see playing.h.
+struct Playback {
+  bool playing = false;
+  bool backward = false;  ///< direction, for ping-pong
+  bool auto_key = false;  ///< edits of the pose set a key at the current frame
+  document::VectorCache vectors{};
+  std::shared_ptr<const document::Animation> animation{};  ///< for `timeline`; null without keys
+  document::Timeline timeline{};
+  std::shared_ptr<const deform::Cage> cage{};
+  std::shared_ptr<const mesh::Surface> model{};
+  mutable TimedPose by_time{};         ///< the pose that was computed last
+  document::SharedPose shown{};        ///< the pose that the timeline has set; null: none
+  unsigned long seen_revision = 0;     ///< the last revision of the history that playback has handled
+  document::Timeline seen_timeline{};  ///< the timeline at that revision
+};
 
 /// The elements under the cursor in the view, and the current drag or selection.
 struct Interaction {

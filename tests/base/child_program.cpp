@@ -1,4 +1,4 @@
-#include "base/child_program.h"
+#include "base/process.h"
 
 #include <doctest/doctest.h>
 

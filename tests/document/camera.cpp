@@ -1,5 +1,5 @@
 #include "document/camera.h"
-#include "document/up_axis.h"
+#include "document/document.h"
 
 #include <doctest/doctest.h>
 

@@ -18,7 +18,6 @@
 #include "support/text.h"
 #include "workspace/apply_opened.h"
 #include "workspace/command.h"
-#include "workspace/file_commands.h"
 
 using namespace viete;
 using namespace viete::document;

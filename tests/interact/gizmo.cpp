@@ -1,5 +1,5 @@
 #include "interact/gizmo.h"
-#include "interact/drag_guides.h"
+#include "interact/transform_drag.h"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,4 @@
-#include "mesh/cavity.h"
+#include "mesh/drawing.h"
 
 #include "mesh/normals.h"
 #include "support/shapes.h"

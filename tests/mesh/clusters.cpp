@@ -1,4 +1,4 @@
-#include "mesh/clusters.h"
+#include "mesh/drawing.h"
 
 #include "mesh/summary.h"
 #include "support/shapes.h"

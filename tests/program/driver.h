@@ -22,6 +22,7 @@
 #include "program/dragon.h"
 #include "program/no_pixels.h"
 #include "support/distance.h"
+#include "ui/imgui_bridge.h"
 #include "workspace/command.h"
 
 namespace viete::test {

@@ -1,5 +1,5 @@
-#include "workspace/playback.h"
 #include "workspace/playing.h"
+#include "workspace/workspace.h"
 
 #include <doctest/doctest.h>
 

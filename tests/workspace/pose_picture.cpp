@@ -4,7 +4,6 @@
 
 #include "support/cube.h"
 #include "support/shapes.h"
-#include "workspace/picture_view.h"
 
 using namespace viete;
 using namespace viete::document;

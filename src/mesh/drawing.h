@@ -1,6 +1,7 @@
-// Shading of creases, computed once per model: keeps details visible in soft light.
+// Data for drawing a model, computed once: coarse triangles, and the shading of creases.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,5 +16,10 @@ namespace viete::mesh {
 /// counts the next corner of each triangle as a neighbour. Unused vertices get 1.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, Adjacency around, int levels = 4);
+
+/// About `wanted` triangles between vertices of the surface: one vertex stands for all in a cell of a grid
+/// (Rossignac and Borrel 1993), so that deformed vertices deform these triangles too. area: of the surface.
+/// Empty without area. Linear time.
+std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted);
 
 }  // namespace viete::mesh
