@@ -20,24 +20,24 @@ using Budget = std::map<std::string, std::size_t>;
 
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
-    {"analysis", 621}, {"app", 7227},      {"base", 1983},          {"bench", 5073},    {"blender", 592},
-    {"cages", 3559},   {"deform", 13111},  {"deform/sparse", 1248}, {"document", 5103}, {"files", 3842},
-    {"formats", 8385}, {"interact", 2599}, {"library", 926},        {"mesh", 2852},     {"platform", 975},
-    {"python", 1332},  {"render", 2171},   {"sym3", 6429},          {"ui", 6148},       {"workspace", 5987},
+    {"analysis", 616}, {"app", 7213},      {"base", 2020},          {"bench", 5052},    {"blender", 591},
+    {"cages", 3523},   {"deform", 13139},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
+    {"formats", 8381}, {"interact", 2504}, {"library", 924},        {"mesh", 2959},     {"platform", 967},
+    {"python", 1320},  {"render", 2192},   {"sym3", 6344},          {"ui", 6073},       {"workspace", 5889},
 };
-constexpr std::size_t all_lines_of_src = 80'163;
+constexpr std::size_t all_lines_of_src = 79'828;
 
 // support has the helpers of several folders.
 const Budget lines_of_tests = {
-    {"analysis", 286}, {"app", 1103},     {"assets", 244},   {"base", 799},      {"bench", 612},
-    {"blender", 426},  {"cages", 965},    {"consumer", 507}, {"deform", 7002},   {"document", 3123},
-    {"files", 2303},   {"formats", 3329}, {"fuzz", 342},     {"interact", 1503}, {"mesh", 1687},
-    {"platform", 295}, {"program", 7039}, {"python", 762},   {"releases", 113},  {"render", 958},
-    {"rules", 693},    {"support", 1349}, {"sym3", 3683},    {"ui", 13},         {"workspace", 2190},
+    {"analysis", 285}, {"app", 1096},     {"assets", 244},   {"base", 796},      {"bench", 611},
+    {"blender", 426},  {"cages", 961},    {"consumer", 507}, {"deform", 7001},   {"document", 3076},
+    {"files", 2279},   {"formats", 3348}, {"fuzz", 363},     {"interact", 1461}, {"mesh", 1703},
+    {"platform", 295}, {"program", 7023}, {"python", 758},   {"releases", 113},  {"render", 958},
+    {"rules", 693},    {"support", 1335}, {"sym3", 3663},    {"ui", 13},         {"workspace", 2162},
 };
-constexpr std::size_t all_lines_of_tests = 41'326;
+constexpr std::size_t all_lines_of_tests = 41'170;
 
-constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'746;
+constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'693;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
