@@ -9,7 +9,7 @@ namespace viete::mesh {
 
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted) {
   std::vector<Triangle> triangles;
-  // A plane of any direction meets 1.5 cells per square of a cell's side, on average.
+  // On average, a plane of random direction intersects 1.5 cells per area of side * side.
   const double side = std::sqrt(3 * area / static_cast<double>(wanted));
   if (!(side > 0)) return triangles;
   const Point low = used_bounds(surface).low;

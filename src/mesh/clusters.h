@@ -8,9 +8,9 @@
 
 namespace viete::mesh {
 
-/// About `wanted` triangles between vertices of the surface: one vertex stands for all in a cell of a grid
-/// (Rossignac and Borrel 1993), so that deformed vertices deform these triangles too. area: of the surface.
-/// Empty without area. Linear time.
+/// Returns about `wanted` triangles for fast drawing (Rossignac and Borrel 1993). In each cell of a grid, one
+/// vertex of the surface replaces all vertices. `area` is the area of the surface; if it is 0, returns no
+/// triangles. Linear time.
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted);
 
 }  // namespace viete::mesh

@@ -9,7 +9,7 @@
 
 namespace viete::mesh {
 
-/// The surface must outlive the object. Immutable and thread-safe.
+/// Answers queries about one surface. The surface must outlive the object. Immutable and thread-safe.
 class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
