@@ -1,4 +1,4 @@
-// The size of a binding, computed before binding starts.
+// Estimates the size of a binding before binding starts.
 #pragma once
 
 #include <string>

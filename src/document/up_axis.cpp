@@ -27,8 +27,8 @@ mesh::Point centroid(const mesh::Surface& surface) {
   return sum.area > 0 ? (1 / sum.area) * sum.moment : sum.moment;
 }
 
-// The area of the box around the model's lowest points, relative to the bounding box seen from above. 0 if
-// it would fall over.
+// Returns the area of the box around the model's lowest points, divided by the area of the bounding box as
+// seen from above. If the center of the model is not above this box, returns 0: the model would fall over.
 double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
                 std::size_t axis) {
   const double lowest = box.low[axis] + 0.02 * (box.high[axis] - box.low[axis]);

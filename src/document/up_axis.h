@@ -6,8 +6,8 @@
 
 namespace viete::document {
 
-/// Y, except Z for STL files (common for CAD and 3D printing), and for a model that stands upright on its
-/// lowest points along Z but would topple, or stand on a much smaller base, along Y. glTF defines Y as up.
+/// Returns Y for glTF and Z for STL, which is common in CAD. For other formats returns Z if the model stands
+/// on its lowest points and would fall over or have a much smaller base with Y up; otherwise Y.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document
