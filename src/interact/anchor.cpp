@@ -25,7 +25,7 @@ bool selects_probes(const document::Document& document) {
   return document.selection.kind() == document::ElementKind::probe;
 }
 
-// Returns the vertices with an edge to the largest fixed part of the cage.
+// Returns the given vertices that have an edge to the largest fixed part of the cage.
 Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   const std::size_t count = cage.surface.positions.size();
   std::vector<char> moves(count, 0);
@@ -36,7 +36,7 @@ Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   }
   std::vector<std::size_t> size(count, 0);
   for (std::uint32_t v = 0; v < count; ++v) ++size[together.find(v)];
-  std::vector<std::uint32_t> joined_to(count, 0);  // the size of the largest fixed part next to a vertex
+  std::vector<std::uint32_t> joined_to(count, 0);  // the size of the largest fixed part beside a vertex
   std::size_t largest = 0;
   const auto meet = [&](std::uint32_t moving, std::uint32_t staying) {
     if (!moves[moving] || moves[staying]) return;
@@ -51,7 +51,7 @@ Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   return border;
 }
 
-// Returns axes with this Z axis, and with the X axis as close as possible to `near_x`.
+// Returns axes with this Z axis. The X axis is as close as possible to `near_x`.
 glm::dmat3 axes_from(const glm::dvec3& z, const glm::dvec3& near_x) {
   const glm::dvec3 across = near_x - glm::dot(near_x, z) * z;
   const double length = glm::length(across);
@@ -59,7 +59,7 @@ glm::dmat3 axes_from(const glm::dvec3& z, const glm::dvec3& near_x) {
   return {x, glm::cross(z, x), z};
 }
 
-// Makes the largest component positive, so that the axis does not flip while vertices move.
+// Reverses the axis if its largest component is negative, so that it does not flip while vertices move.
 glm::dvec3 forward(const mesh::Vec3& axis) {
   const glm::dvec3 a = glm::normalize(document::vector_of(axis));
   int largest = 0;
@@ -94,7 +94,7 @@ glm::dvec3 pivot_of(const document::Document& document, const document::Handling
   return center.value_or(middle_of(document, vertices));
 }
 
-// The columns are sorted from the longest extent of the selection to the shortest.
+// Returns axes of the selection as columns, sorted from its longest extent to its shortest.
 glm::dmat3 axes_of_selection(const document::Document& document, const Vertices& vertices) {
   mesh::Surface cloud;
   for (const auto v : vertices) cloud.positions.push_back(document.pose.positions[v]);

@@ -1,4 +1,4 @@
-// The pivot and the axes of the selection, at which the gizmo is drawn.
+// The pivot and the axes of the selection. The gizmo is drawn there.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,8 @@ struct Anchor {
   glm::dmat3 axes{1};          ///< columns of length 1, right-handed
 };
 
-/// Returns the selected vertices that a drag moves directly, ascending. If both partners of a mirrored pair
-/// are selected, returns only the partner on one side: the side of the active element or, without an active
+/// Returns the selected vertices that a drag moves directly, ascending. If both vertices of a mirrored pair
+/// are selected, returns only the vertex on one side: the side of the active element or, without an active
 /// element, the side with more selected vertices.
 std::vector<std::uint32_t> leading_vertices(const document::Document& document,
                                             const document::Mirror* mirror);
@@ -28,12 +28,12 @@ std::vector<std::uint32_t> leading_vertices(const document::Document& document,
 Anchor anchor_of(const document::Document& document, const document::Handling& handling,
                  const document::Mirror* mirror, const document::Camera& camera);
 
-/// Returns the center of the boundary between the vertices and the largest connected part of the other
-/// vertices; nullopt without a boundary.
+/// Returns the center of the boundary between these vertices and the largest connected part of the others. If
+/// there is no boundary, returns nullopt.
 std::optional<glm::dvec3> joint_of(const document::Document& document,
                                    const std::vector<std::uint32_t>& vertices);
 
-/// Returns the center of the active cage element; nullopt without an active cage element.
+/// Returns the center of the active element, or nullopt if no cage element is active.
 std::optional<glm::dvec3> center_of_active(const document::Document& document);
 
 }  // namespace viete::interact

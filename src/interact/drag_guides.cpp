@@ -17,7 +17,7 @@ bool follows(const TransformDrag& drag, int axis) {
   return (c.kind == Kind::axis) == (axis == c.axis);
 }
 
-// Returns the arc on which the rotation moves the point under the cursor.
+// Returns the arc that the point under the cursor follows during the rotation.
 std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const document::Camera& camera,
                              const document::Viewport& viewport) {

@@ -1,4 +1,4 @@
-// Entering a number, with single keys during a drag or as text in a field.
+// Enters a number: by single keys during a drag, or as text in a field.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace viete::interact {
 
-/// Parses a number with a decimal point or comma; nullopt for other text and for numbers beyond double.
+/// Parses a number with a decimal point or comma. Returns nullopt for other text and for too large numbers.
 std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:
-  /// Accepts digits, a point or comma, and minus. Minus changes the sign at any time. Returns false if `c` is
-  /// another character.
+  /// Enters a digit, a point, a comma or a minus. A minus changes the sign, wherever it is typed. If `c` is
+  /// another character, returns false.
   bool type(char c);
   void backspace();
 
