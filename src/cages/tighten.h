@@ -1,4 +1,4 @@
-// Tightens a cage around its model and evens out its triangles.
+// Tightens a cage around its model, and makes its triangles more even.
 #pragma once
 
 #include "base/progress.h"
@@ -6,11 +6,11 @@
 
 namespace viete::cages {
 
-/// In each round, flips edges, evens out the triangles and moves each vertex inward, as far as the cage stays
+/// In each round, flips edges, makes triangles more even, and moves each vertex inward while the cage stays
 /// sound. Throws base::Cancelled.
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
 
-/// Splits the edges that reduce the volume most, up to this many triangles. Throws base::Cancelled.
+/// Splits the edges that reduce the volume most, until the cage has `triangles`. Throws base::Cancelled.
 void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
 
 /// Moves each neighbour of the vertex inward.
