@@ -21,7 +21,7 @@ namespace {
 
 constexpr int look_again_ms = 20;
 
-// Settings of a child process: its three standard files, no blocked signals, its own process group.
+// The settings of a child process: three standard files, no blocked signals, and a new process group.
 struct SpawnSettings {
   posix_spawn_file_actions_t files{};
   posix_spawnattr_t attributes{};
@@ -104,7 +104,7 @@ void ChildProgram::finish() {
 
 namespace {
 
-// Joins lines: "this; that".
+// Joins lines to one line, such as "this; that".
 std::string in_one_line(const std::string& lines) {
   std::string text;
   for (const char c : lines) {

@@ -1,4 +1,4 @@
-// Runs another program.
+// Runs another program as a child process.
 #pragma once
 
 #include <optional>
@@ -7,13 +7,13 @@
 
 namespace viete::base {
 
-/// A child process. Its standard input is empty, its standard output is discarded, and its standard error is
-/// used for messages. Ctrl+C in a terminal does not end it. Not thread-safe.
+/// A child process. Its standard input is empty, and its standard output is discarded. Its standard error is
+/// used in messages. Ctrl+C in a terminal does not end the process. Not thread-safe.
 class ChildProgram {
 public:
-  /// Starts words[0], which is searched in PATH, with the other words as arguments. `variables`
-  /// ("NAME=value") are added to the environment. Throws Error, usually with this advice, if the program is
-  /// not installed or cannot be run.
+  /// Starts the program words[0], found in PATH, with the other words as arguments. Adds `variables`
+  /// ("NAME=value") to the environment. If the program is not installed or cannot run, throws Error, usually
+  /// with `advice`.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
   /// Kills the program and its children.
@@ -21,19 +21,19 @@ public:
   ChildProgram(const ChildProgram&) = delete;
   ChildProgram& operator=(const ChildProgram&) = delete;
 
-  /// The first 4 KB of the program's standard error.
+  /// Returns the first 4 KB of the program's standard error.
   std::string said() const;
   bool running();
   /// Sends SIGTERM to the program.
   void stop();
-  /// Waits until the program ends. If it has failed, throws Error with its standard error.
+  /// Waits until the program ends. If the program failed, throws Error with its standard error.
   void finish();
 
 private:
   [[noreturn]] void fail();
   std::string name_;
   int process_ = 0, errors_ = -1;
-  std::optional<int> status_;  // set after the program has ended
+  std::optional<int> status_;  // set after the program ended
 };
 
 }  // namespace viete::base
