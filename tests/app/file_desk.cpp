@@ -23,7 +23,7 @@ using QuestionKind = workspace::Question::Kind;
 
 namespace {
 
-// A FileDesk without the viewer, with files of cubes and a state folder.
+// A FileDesk without a viewer. It has files of cubes and a folder for its state.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -224,7 +224,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
 
 namespace {
 
-// Renames the recovery file of the desk, so that it belongs to an ended program.
+// Renames the desk's recovery file, as if it belonged to a program that has ended.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();

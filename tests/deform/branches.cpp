@@ -18,7 +18,7 @@ Edges path(std::uint32_t nodes) {
 }  // namespace
 
 TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
-  // The last length is beyond the limit of exact centres.
+  // The last length is above the limit for exact centers.
   for (const auto& [length, centre] : {std::pair{7u, 3u}, {8u, 3u}, {20001u, 10000u}}) {
     const GraphParts parts = graph_parts(length, path(length), std::vector<std::uint8_t>(length, 0));
     CHECK(parts.centers == std::vector{centre});
@@ -119,7 +119,7 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
 
 namespace {
 
-// Rotations for a tube that is bent about x, with angles linear along the tube, and then rotated about z.
+// Returns rotations of a tube bent about x, by angles linear along the tube, and then rotated about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)

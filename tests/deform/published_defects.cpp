@@ -27,7 +27,7 @@ using namespace viete::test;
 
 namespace {
 
-// Returns the different weightings of all schemes.
+// Returns each weighting that a scheme uses, without repetitions.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
   for (const Scheme& s : whole_schemes()) {
@@ -117,7 +117,7 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }
-  // After binding, the size includes a few empty slots.
+  // After binding, a few empty slots increase the size.
   const auto model = tube(51, 50, 0.3, 1.4);
   const Cage cage = make_cage(tube(12, 12, 0.5, 1.8));
   base::WorkerPool pool(2);
