@@ -83,8 +83,7 @@ float linear_light(float display);
 
 // The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: from blue to grey to yellow, with increasing lightness. Bright enough to show
-/// shading.
+/// For positive values: from blue to grey to yellow. The lightness increases, and shading stays visible.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
 /// For signed values: from blue to light grey to orange.

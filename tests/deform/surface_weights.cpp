@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Small triangles at these places: each an element of a cage that encloses nothing.
+// Returns a cage of small triangles at these places. The cage encloses nothing.
 Cage triangles_at(const std::vector<Vec3>& places) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -34,7 +34,7 @@ Cage triangles_at(const std::vector<Vec3>& places) {
   return make_cage(mesh::from_triangles(p, t));
 }
 
-// The solved weights, one row per vertex.
+// Solves for the weights. The result has one row per vertex.
 Eigen::MatrixXd solved_weights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                                int threads = 2) {
   base::WorkerPool pool(threads);

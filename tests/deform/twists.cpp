@@ -1,4 +1,4 @@
-// A twisted tube must follow the cage through full turns without tears.
+// Twists a tube by full turns. The tube must follow the cage and must not tear.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -8,7 +8,7 @@ using namespace viete::test;
 
 namespace {
 
-// A tear separates neighbours by the model's size, so edges stretch far more than the cage's edges.
+// A tear separates neighbours by the model's size: edges stretch far more than the cage's edges.
 constexpr double tear = 1.5;
 
 }  // namespace
