@@ -44,9 +44,8 @@ struct SurfaceStyle {
   /// For a closed surface that is oriented outward: skips back faces. On a software rasteriser, this more
   /// than halves the time of the layer. Parts that a deformation turned inside out then look transparent.
   bool closed = false;
-  bool coarse = false;  ///< draws the coarse triangles, if they are set and the file's looks are not used
-  float wireframe =
-      0;  ///< the opacity of triangle edges; 0 draws no edges. Tiny triangles have fainter edges
+  bool coarse = false;    ///< draws the coarse triangles, if they are set and the file's looks are not used
+  float wireframe = 0;    ///< the opacity of triangle edges; fainter on tiny triangles; 0 draws no edges
   float occlusion = 1;    ///< the strength of the baked darkening, from 0 to 1
   bool scalars = false;   ///< uses the colours of set_scalars() and set_palette() instead of theme.model
   float scalar_low = 0;   ///< the scalar with the first palette colour

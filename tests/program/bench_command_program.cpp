@@ -1,4 +1,4 @@
-// viete bench: short runs of all benchmarks, with their files and tables.
+// viete bench: short runs of all benchmarks; checks the files and tables.
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,4 @@
-// Mouse and keyboard gestures: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and
-// painting.
+// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -45,7 +44,7 @@ struct Hand : Driver {
     frame(2);
     CHECK(document().selection.size() == pose().size());
   }
-  // The model in double. The drawn model in float must agree.
+  // Returns the model in double. The model drawn in float must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
     return exact_positions();
@@ -64,7 +63,7 @@ struct Hand : Driver {
 
 constexpr double radians = std::numbers::pi / 180;
 
-// Rotates points about a vertical line.
+// Returns points after a rotation about a vertical line.
 std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec3& center, double degrees) {
   const double c = std::cos(degrees * radians), s = std::sin(degrees * radians);
   for (auto& p : points) {
@@ -332,7 +331,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   Hand d(test::with_pixels);
   const auto selected = [&] { return d.document().selection.size(); };
-  // Counts the pixels with the colour of selected vertices.
+  // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {
     d.move({700, 20});
     d.frame(2);
