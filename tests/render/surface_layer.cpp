@@ -66,7 +66,7 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
   const render::Image middle = scene.picture();
-  // The same frustum through a window shifted right by half a picture: the picture moves left by 80 pixels.
+  // Shifts the frustum to the right by half a picture. The picture then moves left by 80 pixels.
   const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
@@ -156,7 +156,7 @@ TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
 
 namespace {
 
-// Two triangles, 16 units wide and high, with a texture of a red, a green, a blue and a transparent quarter.
+// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
 struct Card : Scene {
   Card()
       : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
@@ -209,7 +209,7 @@ TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   CHECK(both[1] > 3 * both[2]);
   card.looks.colors.assign(4, {255, 0, 0, 255});
   CHECK(mostly(card.painted(render::Paint::file).pixel(160, 100), 0));
-  // One triangle red, the other green.
+  // One triangle is red, and the other triangle is green.
   card.looks.colors.assign(6, {255, 0, 0, 255});
   std::fill(card.looks.colors.begin() + 3, card.looks.colors.end(), render::Rgba8{0, 255, 0, 255});
   card.looks.colors_of_corners = true;
@@ -222,7 +222,7 @@ TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
 TEST_CASE("checker_and_normals_paint_the_surface") {
   Card card;
   const render::Image checker = card.painted(render::Paint::checker);
-  // 160 pixels, 16 squares: 10 pixels each.
+  // 160 pixels with 16 squares: a square has 10 pixels.
   const int a = test::brightness(checker.pixel(105, 45)), b = test::brightness(checker.pixel(115, 45));
   CHECK(std::abs(a - b) > 40);
   CHECK(std::abs(a - test::brightness(checker.pixel(115, 55))) < 20);

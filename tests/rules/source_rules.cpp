@@ -1,4 +1,4 @@
-// Rules for source text: ASCII only, and a first line that states a header's purpose.
+// Source text must be ASCII. The first line of a header must state its purpose.
 #include <doctest/doctest.h>
 
 #include <filesystem>

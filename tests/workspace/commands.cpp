@@ -156,7 +156,7 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
-  // Consecutive changes of the constraints are one edit. They are kept while stitching is off.
+  // Consecutive changes of the constraints form one edit. While stitching is off, the constraints are kept.
   const auto edits = test::edit_count(w.document.history);
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history) == edits + 1);
