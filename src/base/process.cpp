@@ -43,7 +43,7 @@ bool process_runs(std::string_view name) {
 
 namespace {
 
-std::mutex entrance;          // locked during fork()
+std::mutex entrance;          // fork() locks this mutex
 std::atomic<int> inside = 0;  // the number of threads with a ForkDelay
 thread_local int own = 0;     // the number of ForkDelays in this thread
 

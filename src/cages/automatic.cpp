@@ -29,7 +29,7 @@ Topology topology_of(const Shell& shell) {
   mesh::UnionFind parts = mesh::parts_by_triangles(shell.positions.size(), shell.triangles);
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  // Euler's formula: vertices - edges + triangles = 2 parts - 2 handles, with 2 edges = 3 triangles.
+  // Euler's formula is vertices - edges + triangles = 2 parts - 2 handles. The edges are 3 / 2 triangles.
   const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
   found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;

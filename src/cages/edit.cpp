@@ -32,7 +32,7 @@ public:
       put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
   }
 
-  std::vector<Polygon> all;  // removed polygons are empty
+  std::vector<Polygon> all;  // a removed polygon is empty
 
   void put(Polygon p) {
     for (const auto v : p) around_[v].push_back(static_cast<std::uint32_t>(all.size()));

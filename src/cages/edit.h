@@ -11,7 +11,7 @@
 
 namespace viete::cages {
 
-/// The old vertices from which a new vertex was made.
+/// The old vertices from which an edit made a new vertex.
 struct Origin {
   std::vector<std::uint32_t> of;  ///< the new vertex is at the mean position of these vertices
   bool mirrored = false;          ///< true if the new vertex is a mirror image

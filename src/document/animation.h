@@ -16,7 +16,7 @@
 namespace viete::document {
 
 struct ShapeTerm {
-  SharedShape shape;  ///< null means the rest shape
+  SharedShape shape;  ///< null is the rest shape
   double factor;
 };
 
@@ -57,7 +57,7 @@ public:
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// Adds the cached shapes of another cache. Does nothing if the caches have different models.
+  /// Adds the cached shapes of another cache. If the caches have different models, does nothing.
   void take(VectorCache&& others);
 
 private:

@@ -5,7 +5,7 @@
 
 namespace viete::document {
 
-/// The margin between a fitted cage and the model's box, relative to the model's diagonal.
+/// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
 /// Begin and end cage editing. At the end, each vertex returns to its pose, plus the change of its rest

@@ -55,7 +55,7 @@ glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
 
 }  // namespace
 
-// See T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
+// Source: T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], from = ray.origin - t[0];
   const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(from, u);

@@ -10,7 +10,7 @@ namespace viete::document {
 
 /// The part of the window that is free of panels, in logical pixels from the top left of the window.
 struct Viewport {
-  glm::vec2 window{1, 1};  ///< size of the whole window
+  glm::vec2 window{1, 1};  ///< the size of the whole window
   glm::vec2 origin{0, 0};  ///< the top left of the free part
   glm::vec2 size{1, 1};    ///< the size of the free part
   /// In a split view: the top left and the size of this view's pane, as fractions of the free part.
@@ -92,7 +92,7 @@ public:
   /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
              float covered = 0);
-  /// Advances a running animation by `seconds`. Returns false if no animation runs.
+  /// Advances the animation by `seconds`. If no animation runs, returns false.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
 

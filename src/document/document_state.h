@@ -69,7 +69,7 @@ struct OpenedSurface {
   std::filesystem::path path;  ///< empty if the surface does not come from a file
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
-  std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has none
+  std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has no attributes
   std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written again unchanged
   mesh::Summary summary;
   mesh::Bounds bounds;  ///< the bounding box of the vertices of polygons
@@ -96,7 +96,7 @@ struct DocumentState {
   OpenedSurface cage_file;                   ///< its surface is null without a cage
   deform::Pose pose;
   SharedShape shape;                      ///< the model's shape before cage and probes act; null at rest
-  std::optional<deform::Pose> kept_pose;  ///< the cage's pose during cage editing, see cage_editing.h
+  std::optional<deform::Pose> kept_pose;  ///< during cage editing, the cage's pose; otherwise nullopt
   deform::Scheme scheme = deform::default_scheme();
   deform::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
   deform::Probes probes;

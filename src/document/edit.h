@@ -19,7 +19,7 @@ void reset_selected(Document& document, const Mirror* mirror = nullptr);
 /// were all selected. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
-/// Sets the deformer. Undoable.
+/// Sets the deformer as an undoable edit.
 void set_scheme(Document& document, const deform::Scheme& scheme);
 
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.

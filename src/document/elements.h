@@ -49,7 +49,7 @@ std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind 
 Selection without_hidden(const Document& document, Selection selection);
 std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<std::uint32_t> vertices);
 
-/// Hides and deselects the selected elements.
+/// Hides the selected elements and deselects them.
 void hide_selected(Document& document);
 void hide_others(Document& document);
 void show_all(Document& document);

@@ -21,7 +21,7 @@ enum class MirrorPlane { none, x, y, z, fit };
 /// The falloff of soft selection.
 enum class SoftCurve { smooth, sharp, linear, constant };
 
-/// The distance measure of soft selection.
+/// Measures distances along edges or in space, for soft selection.
 enum class SoftDistance { edges, space };
 
 std::span<const Choice> choices(Pivot);

@@ -21,7 +21,7 @@ void History::record_selection(DocumentState before) {
 }
 
 void History::push(std::string label, DocumentState before, EditStep step) {
-  constexpr std::size_t bytes_of_cage_vertex = 1000;  // the memory of a cage per vertex, roughly
+  constexpr std::size_t bytes_of_cage_vertex = 1000;  // the memory of a cage per vertex, estimated
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
   // Two states with different cages cannot share poses and keys.
   const std::size_t poses =

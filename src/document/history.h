@@ -1,4 +1,4 @@
-// Undo and redo.
+// The history of a document: undo and redo.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ public:
 
   /// Adds a change of the selection. The revision stays, because a selection need not be saved.
   void record_selection(DocumentState before);
-  /// Replaces the selection stored with the last edit. Requires can_undo().
+  /// Replaces the selection in the state before the last edit. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// Increases the revision. Call this after a change that belongs to the last edit.
@@ -78,7 +78,7 @@ private:
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
 
   std::vector<Entry> undo_, redo_;
-  std::vector<Entry> given_up_;  // the redo list before the last edit
+  std::vector<Entry> given_up_;  // the redo list that the last edit cleared
   unsigned long revision_ = 0, recorded_ = 0;
 };
 

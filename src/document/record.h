@@ -25,9 +25,9 @@ void take_back(Document& document, EditMark&& mark);
 /// True if a cage vertex, a probe or the model's shape differs from the state `before`.
 bool moved_since(const Document& document, const DocumentState& before);
 
-/// Requires History::can_undo().
+/// Undoes the last edit. Requires History::can_undo().
 void undo(Document& document);
-/// Requires History::can_redo().
+/// Redoes the next edit. Requires History::can_redo().
 void redo(Document& document);
 /// Undoes or redoes edits until History::position() equals `edits`.
 void go_to_edit(Document& document, std::size_t edits);

@@ -24,7 +24,7 @@ public:
   }
 
   ElementKind kind() const { return kind_; }
-  /// Ascending and unique.
+  /// Returns the selected elements, ascending and unique.
   const std::vector<std::uint32_t>& indices() const { return indices_; }
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }

@@ -12,9 +12,9 @@
 
 namespace viete::interact {
 
-/// Sizes in logical pixels.
-inline constexpr float gizmo_radius = 84;      ///< radius of the rings, and distance to the arrow heads
-inline constexpr float gizmo_head = 14;        ///< the length of an arrow head
+/// The sizes of the gizmo, in logical pixels.
+inline constexpr float gizmo_radius = 84;  ///< the radius of the rings, and the distance to the arrow heads
+inline constexpr float gizmo_head = 14;    ///< the length of an arrow head
 inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring for the view direction
 inline constexpr float gizmo_center = 9;       ///< the radius of the handle in the middle
 inline constexpr float gizmo_tolerance = 7;    ///< the largest distance from the cursor to a handle

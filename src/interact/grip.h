@@ -15,7 +15,7 @@ namespace viete::interact {
 /// Returns the falloff: 1 at distance 0, and 0 at distance 1. The distance is relative to the radius.
 double soft_share(document::SoftCurve curve, double distance);
 
-/// A vertex moved by a drag.
+/// A vertex that a drag moves.
 struct Gripped {
   /// The dragged side of the mirror, the other side, or the plane. A vertex on the plane stays on the plane.
   enum class Side { own, other, plane };
@@ -41,7 +41,7 @@ struct Grip {
 /// Returns the grip in the current pose. `mirror` may be null. Requires a selection.
 Grip grip_of(const document::Document& document, const document::Handling& handling,
              const document::Mirror* mirror, const document::Camera& camera);
-/// Returns only the vertices of the grip.
+/// Returns the vertices of the grip, without its other data.
 std::vector<Gripped> gripped(const document::Document& document, const document::SoftSelection& soft,
                              const document::Mirror* mirror);
 std::vector<std::uint32_t> vertices_of(const Grip& grip);

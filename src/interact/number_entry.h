@@ -18,7 +18,7 @@ public:
   void backspace();
 
   bool empty() const { return digits_.empty() && !negative_; }
-  /// Returns nullopt before the first digit.
+  /// Returns the number, or nullopt if no digit was typed.
   std::optional<double> value() const;
   std::string text() const { return (negative_ ? "-" : "") + digits_; }
 

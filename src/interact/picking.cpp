@@ -10,8 +10,8 @@ namespace viete::interact {
 
 namespace {
 
-constexpr float cell = 2;        // in logical pixels
-constexpr float behind = 0.01f;  // in view units
+constexpr float cell = 2;        // the size of a sample, in logical pixels
+constexpr float behind = 0.01f;  // the visible depth behind a surface, in view units
 
 }  // namespace
 

@@ -20,7 +20,7 @@ constexpr double slow_lag = 0.9;           // the fraction of the movement that 
 constexpr double turn_snap = 15;           // in degrees
 constexpr double scale_snaps = 10;         // steps per unit of the factor
 constexpr double move_snaps = 10;          // steps per grid cell
-constexpr double even_scale_pixels = 120;  // the movement for a factor of 2
+constexpr double even_scale_pixels = 120;  // the mouse movement that scales by 2
 constexpr double shortest_grip = 40;       // in pixels; limits the speed of scaling close to the pivot
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degrees_of_radian = 57.29577951308232;

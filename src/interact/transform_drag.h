@@ -18,8 +18,8 @@ namespace viete::interact {
 
 struct DragInput {
   glm::vec2 cursor;   ///< in logical pixels
-  bool snap = false;  ///< rounds to 15 degrees, to a scale of 0.1, or to a tenth of the grid cell
-  bool slow = false;  ///< moves at a tenth of the speed
+  bool snap = false;  ///< rounds to 15 degrees, to a factor of 0.1, or to a tenth of a grid cell
+  bool slow = false;  ///< follows the mouse at a tenth of the speed
 };
 
 /// One drag, from press to release. Each update starts from the positions at the press, so that errors do not
@@ -48,7 +48,7 @@ public:
 
   /// If the selection moved, records the drag as one undoable edit.
   void commit(document::Document& document) const;
-  /// Restores exactly the pose at the press.
+  /// Restores the exact pose at the press.
   void cancel(document::Document& document) const;
 
   Tool tool() const { return tool_; }

@@ -54,7 +54,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
   for (int level = 0; level < levels; ++level) {
     for (int step = 0; step < 1 << level; ++step) {
       std::swap(hollow, scratch);
-      for_vertices([&](std::size_t v) {  // averages with the neighbours
+      for_vertices([&](std::size_t v) {  // computes the mean with the neighbours
         const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
         hollow[v] = around.of(v).empty() ? scratch[v] : 0.5F * scratch[v] + 0.5F * mean;
       });

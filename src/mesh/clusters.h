@@ -1,4 +1,4 @@
-// Simplification of large surfaces for drawing.
+// Simplifies large surfaces for drawing.
 #pragma once
 
 #include <cstddef>

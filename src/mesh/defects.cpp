@@ -47,9 +47,9 @@ std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
   const Adjacency around = vertex_triangles(surface.positions.size(), surface.triangles);
   std::vector<std::uint8_t> pinched(surface.positions.size(), 0);
   base::for_blocks(pinched.size(), [&](std::size_t begin, std::size_t end) {
-    UnionFind joined;  // triangles at one vertex, joined across edges
+    UnionFind joined;  // the triangles at one vertex; edges join triangles
     std::vector<std::array<std::uint32_t, 2>>
-        spokes;  // their other corners, and the triangle's place in the list
+        spokes;  // the triangles' other corners, and the places of the triangles in the list
     for (std::size_t v = begin; v < end; ++v) {
       spokes.clear();
       std::uint32_t count = 0;

@@ -15,7 +15,7 @@ Surface welded(const Surface& surface);
 /// that most of its triangles have. A component that is not orientable (a Moebius strip) does not change.
 Surface consistently_oriented(const Surface& surface);
 
-/// Triangles with consistent orientation.
+/// The result of one_sided(): triangles with consistent orientation.
 struct OneSided {
   std::vector<Triangle> triangles;  ///< empty if a component is not orientable (a Moebius strip)
   std::vector<std::uint32_t> of;    ///< the index of each triangle in the original surface, ascending

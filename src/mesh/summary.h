@@ -16,7 +16,7 @@ struct Summary {
   std::size_t parts = 0;                ///< components connected by shared vertices, without unused vertices
   std::vector<Edge> boundary_edges;     ///< edges with one triangle
   std::vector<Edge> nonmanifold_edges;  ///< edges with three or more triangles
-  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in the same direction
+  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in one direction
   std::vector<std::uint32_t> unused_vertices;
   std::vector<std::uint32_t> degenerate_triangles;  ///< without area (see has_area()) or repeating a corner
   double area = 0;

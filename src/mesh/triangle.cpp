@@ -117,7 +117,7 @@ public:
   int sign() const { return size_ == 0 ? 0 : mesh::sign(parts_[size_ - 1]); }
 
 private:
-  std::array<double, 128> parts_;  // a determinant needs at most 96
+  std::array<double, 128> parts_;  // a determinant needs at most 96 parts
   std::size_t size_ = 0;
 };
 

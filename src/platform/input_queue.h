@@ -16,7 +16,7 @@ struct InputEvent {
   int code = 0;              ///< for buttons: 0 left, 1 right, 2 middle; for keys: the key code of GLFW
   bool down = false;
   float wheel = 0;
-  std::string text{};  ///< UTF-8
+  std::string text{};  ///< the typed text, in UTF-8
 
   static InputEvent move(glm::vec2 to) { return {.kind = Kind::move, .position = to}; }
   static InputEvent button(int code, bool down) { return {.kind = Kind::button, .code = code, .down = down}; }

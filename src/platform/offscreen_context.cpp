@@ -52,7 +52,7 @@ private:
 
 // Functions of GL/osmesa.h. They are declared here so that the build does not need this header.
 struct OsmesaApi {
-  // RGBA, 24 bits of depth, core profile, version 3.3.
+  // Requests RGBA, 24 bits of depth, the core profile and version 3.3.
   static constexpr int attributes[] = {0x22, GL_RGBA, 0x30, 24, 0x33, 0x34, 0x36, 3, 0x37, 3, 0};
 
   Library library{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};

@@ -29,7 +29,7 @@ public:
   Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }
-  int samples() const { return samples_; }  ///< 0 without multisampling
+  int samples() const { return samples_; }  ///< 0 if there is no multisampling
 
 private:
   void fit(glm::ivec2 size, int samples);

@@ -15,7 +15,7 @@
 
 namespace viete::render {
 
-/// The functions that the program uses. A direct call of glFoo instead of gl.Foo intentionally does not link.
+/// The functions that the program uses. If code calls glFoo instead of gl.Foo, linking intentionally fails.
 // clang-format off
 #define VIETE_GL_FUNCTIONS(X) \
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \

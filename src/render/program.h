@@ -1,4 +1,4 @@
-// Compiles the shaders in shaders/, which are embedded in the program.
+// Compiles the shaders of the folder shaders/. The program contains their text.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -26,7 +26,7 @@ struct SurfaceRun {
   glm::vec3 color{1};  ///< in linear light; multiplied by image and vertex colours
   int image = -1;      ///< index into SurfaceLooks::images; -1 without an image
   bool repeats = true;
-  bool flat = false;  ///< flat shading
+  bool flat = false;  ///< true: flat shading
 };
 
 /// The appearance that a file stores. An array is empty if the file does not have its data.

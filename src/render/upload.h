@@ -19,10 +19,10 @@ glm::vec3 relative(const Point& point, const Point& origin);
 /// Uploads each point as a vec4: x, y, z relative to the origin, and 1.
 void upload_points(Buffer& buffer, std::span<const Point> points, const Point& origin);
 
-/// Throws base::Error with the place `what` if the numbers differ.
+/// If the numbers differ, throws base::Error with the place `what`.
 void require_count(const char* what, std::size_t count, std::size_t expected);
 
-/// Throws base::Error with the place `what` if a buffer texture cannot store this number of texels.
+/// If a buffer texture cannot store this number of texels, throws base::Error with the place `what`.
 void require_texels(const Gl& gl, const char* what, std::size_t texels);
 
 /// Throws base::Error with the place `what` and the element if a vertex index is not less than vertex_count.

@@ -34,11 +34,10 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// The matrices and size of a view. The matrices are in double to avoid jitter far from the origin.
 struct View {
-  glm::dmat4 view{1};  ///< from world to eye space, right-handed, looking along -z
-  glm::dmat4 projection{
-      1};                 ///< from eye to clip space with depth -1 to 1, as glm::perspective and glm::ortho
-  glm::ivec2 size{1, 1};  ///< in device pixels
-  float scale = 1;        ///< device pixels per logical pixel
+  glm::dmat4 view{1};        ///< from world to eye space, right-handed, looking along -z
+  glm::dmat4 projection{1};  ///< from eye to clip space (depth -1 to 1), like glm::perspective
+  glm::ivec2 size{1, 1};     ///< in device pixels
+  float scale = 1;           ///< device pixels per logical pixel
   friend bool operator==(const View&, const View&) = default;
 };
 
@@ -65,7 +64,7 @@ struct Theme {
   glm::vec3 cage;       ///< unselected cage edges and vertices
   glm::vec3 selection;  ///< selected elements
   glm::vec3 hover;      ///< the ring around the hovered point
-  glm::vec3 finding;    ///< problems found by checks
+  glm::vec3 finding;    ///< problems that checks found
   glm::vec3 outline;    ///< the thin edge around discs
   glm::vec4 halo;       ///< the thin edge around lines, with opacity
   glm::vec4 shadow;     ///< the ground shadow, with its largest opacity
@@ -83,10 +82,11 @@ float linear_light(float display);
 
 // The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: from blue to grey to yellow. The lightness increases, and shading stays visible.
+/// For positive values: the colours are from blue to grey to yellow. The lightness increases, and shading
+/// stays visible.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: from blue to light grey to orange.
+/// For signed values: the colours are from blue to light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
 /// Interpolates between the colours `keys` in Oklab. Requires at least 2 keys, as displayed. Source: B.
