@@ -80,7 +80,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   d.frame();
   d.answer(workspace::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // but no model is open
+  d.workspace.requests.save_model = d.files / "out.obj";  // no model is open, so nothing is saved
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());

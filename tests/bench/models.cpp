@@ -86,7 +86,7 @@ mesh::Surface square() {
 // Returns the square with its corner (1, 1) rotated about the diagonal.
 std::vector<mesh::Point> folded(double angle) {
   auto positions = square().positions;
-  const double out = std::cos(angle) / 2;  // from the middle of the diagonal
+  const double out = std::cos(angle) / 2;  // the distance from the middle of the diagonal
   positions[3] = {0.5 + out, 0.5 + out, std::sin(angle) / std::sqrt(2)};
   return positions;
 }

@@ -131,7 +131,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // plus Way::arap
+  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // one more for Way::arap
   for (deform::Scheme scheme : deform::valid_schemes()) {
     scheme.weighting.radius = deform::number("radius").largest;
     const auto found =

@@ -37,7 +37,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
     for (const auto& piece : pieces) {
       const mesh::Corners corners = mesh::corners_of(model.positions, piece);
       const mesh::Bounds other = mesh::bounds(corners);
-      double apart = 0;  // distance of the boxes
+      double apart = 0;  // the distance between the boxes
       for (std::size_t k = 0; k < 3; ++k)
         apart = std::max({apart, box.low[k] - other.high[k], other.low[k] - box.high[k]});
       if (apart >= least) continue;

@@ -149,7 +149,7 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
   const auto model = cloud(16'000);
   const auto cage = std::make_shared<const Cage>(make_cage(tube(50, 60, 1.4, 4)));
   const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage->element_count());
-  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak of the memory use
   const auto before = memory("VmHWM");
   const auto now = memory("VmRSS");
   if (!before || !now || *before > 1.1 * *now) {

@@ -97,7 +97,7 @@ Vector nearest(const Vector& v, const Vector& other) {
 constexpr Matrix identity = quad_identity;
 
 struct Element {
-  Vector rest_center, center, turn{};  // turn: the log of the rotation
+  Vector rest_center, center, turn{};  // `turn` is the log of the rotation
   Matrix map = identity, rotation = identity;
   QuadSym log_of_stretch{};
 };

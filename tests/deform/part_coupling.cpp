@@ -92,7 +92,7 @@ mesh::Surface head(double gap, double eye) {
     const Vec3 d = on_sphere(u, v);
     return Vec3{half[0] * d[0], half[1] * d[1], half[2] * d[2]};
   };
-  std::vector<std::pair<Vec3, Vec3>> eyes;  // centre, outward
+  std::vector<std::pair<Vec3, Vec3>> eyes;  // the center and the outward direction of each eye
   for (const double side : {-0.45, 0.45}) {
     const Vec3 p = skin(1.4, side), n{p[0] / (half[0] * half[0]), p[1] / (half[1] * half[1]), p[2]};
     eyes.push_back({p - (0.2 * eye / norm(n)) * n, (1 / norm(n)) * n});
@@ -135,7 +135,7 @@ TEST_CASE("a_tube_in_a_tube_takes_weights_like_those_of_the_tube_around_it") {
 
 TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinates") {
   const Twist twist{2, {0, 0, 0}, -1.2, 1.2, -100 * degree, 100 * degree};
-  const auto bent = [](const Vec3& p) {  // by 90 degrees
+  const auto bent = [](const Vec3& p) {  // bends by 90 degrees
     const double radius = 2.6 / (0.5 * std::numbers::pi), angle = p[2] / radius;
     return Vec3{radius - (radius - p[0]) * std::cos(angle), p[1], (radius - p[0]) * std::sin(angle)};
   };

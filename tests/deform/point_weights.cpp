@@ -243,7 +243,7 @@ TEST_CASE("in_the_plane_of_a_face_but_outside_of_it_weights_are_exact_and_contin
   const Cage cage = make_cage(box());
   Random random(11);
   for (int n = 0; n < 50; ++n) {
-    const Vec3 p{random(1.5, 4), random(-4, 4), 1};  // in the plane of the top
+    const Vec3 p{random(1.5, 4), random(-4, 4), 1};  // p is in the plane of the top
     const auto in = at(cage, p);
     CHECK(in.exists);
     CHECK(norm(blended(cage, in) - p) < 1e-12 * cage.diagonal);

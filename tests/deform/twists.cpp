@@ -19,7 +19,7 @@ TEST_CASE("a_tube_twisted_from_both_ends_or_one_does_not_tear") {
     double low, most, farthest;
   } cases[] = {{9, 6, -0.5, 400, 0.18},
                {17, 8, -0.5, 400, 0.18},
-               {25, 12, -0.5, 400, 0.18},  // the radius
+               {25, 12, -0.5, 400, 0.18},  // the last number is the radius
                {9, 6, 0, 280, 1},
                {17, 8, 0, 280, 1}};
   for (const auto& c : cases) {

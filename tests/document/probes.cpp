@@ -296,7 +296,7 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     CHECK_FALSE(has_unsaved_edits(back));
     REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
     CHECK(is_kept());
-    CHECK(has_unsaved_edits(back));  // no session file has the probes together with this cage
+    CHECK(has_unsaved_edits(back));  // no session file has both the probes and this cage
     REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
     CHECK_FALSE(back.document.mask);

@@ -123,7 +123,7 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
 
 TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer") {
   test::AnimatedCube cube;
-  formats::write(cube / "fine.obj", test::ball(1));  // has more vertices than the error is measured at
+  formats::write(cube / "fine.obj", test::ball(1));  // the error is measured only at some of these vertices
   cube.document.model = open_document(cube / "fine.obj", cube.cage).model;
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),

@@ -406,7 +406,7 @@ TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
   for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = 0.29;  // kept even if the weights do not use it
+    scheme.weighting.radius = 0.29;  // the radius is kept even if the weights do not use it
     check_kept(scheme);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);

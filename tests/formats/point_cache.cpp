@@ -136,7 +136,7 @@ TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   std::string bytes = test::file_bytes(folder / "a.pc2");
-  put_cache_word(bytes, 32 + 24 + 16, {0, 0, 0x80, 0x7F});  // infinite
+  put_cache_word(bytes, 32 + 24 + 16, {0, 0, 0x80, 0x7F});  // an infinite number
   const PointCache cache("given", bytes);
   CHECK(cache.frame(0).size() == 2);
   CHECK_THROWS_WITH_AS(cache.frame(1), doctest::Contains("given: frame 1: the position of point 1 is not"),

@@ -113,7 +113,7 @@ void check_converted(const ReadResult& read) {
       continue;
     }
     const ReadResult result = read_back(format.read, bytes);
-    if (glb) continue;  // triangles in another order
+    if (glb) continue;  // a GLB has the triangles in another order
     require(result.surface.corners == read.surface.corners);
     require(result.surface.polygon_starts == read.surface.polygon_starts);
   }

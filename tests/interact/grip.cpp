@@ -205,8 +205,8 @@ TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   t.shift = {0, 0, 2};
   REQUIRE(transform_selection(document, Tool::move, grip, t));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // moved by three quarters of 2
-  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // moved by a quarter of 2
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // the vertex moved by three quarters of 2
+  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // the vertex moved by a quarter of 2
   CHECK(document.pose.positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());

@@ -117,7 +117,7 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
     CHECK(near(t, is_then));
 
-  Surface line;  // along y: its rotation about itself is undetermined
+  Surface line;  // along y: the rotation about the line is undetermined
   line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
   for (const auto& n :
        deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))

@@ -215,7 +215,7 @@ TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
 TEST_CASE("coplanar_triangles_cross_only_if_they_overlap") {
   const Corners t = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
   CHECK(intersect(t, {{{1, 1, 1}, {9, 1, 1}, {1, 9, 1}}}));
-  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // inside it
+  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // the triangle is inside t
   CHECK(intersect(t, t));
   CHECK_FALSE(intersect(t, {{{4, 0, 1}, {0, 4, 1}, {4, 4, 1}}}));    // a common edge
   CHECK_FALSE(intersect(t, {{{2, 0, 1}, {6, 0, 1}, {4, -4, 1}}}));   // a part of an edge
@@ -238,7 +238,7 @@ TEST_CASE("triangle_distance_agrees_with_sampling") {
     }
     const double distance = std::sqrt(squared_distance(s, t)), sampled = sampled_distance(s, t);
     CHECK(distance <= sampled + 1e-12);
-    CHECK(distance > sampled - 1.0);  // both grids together are at most this coarse
+    CHECK(distance > sampled - 1.0);  // the error of the grids is at most 1
     CHECK(squared_distance(t, s) == doctest::Approx(distance * distance).epsilon(1e-12));
     if (has_plane(s) && has_plane(t) && intersect(s, t)) CHECK(distance == 0);
   }

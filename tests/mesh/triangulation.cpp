@@ -179,7 +179,7 @@ TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
 TEST_CASE("only_repeated_corners_make_triangles_without_area") {
   CHECK(without_area(u_shape) == 0);
   CHECK(without_area(keyhole) == 0);
-  Ring ring;  // the U with a midpoint on every side
+  Ring ring;  // the U-shape with a corner in the middle of each side
   for (std::size_t i = 0; i < u_shape.size(); ++i) {
     ring.push_back(u_shape[i]);
     ring.push_back(0.5 * (u_shape[i] + u_shape[(i + 1) % u_shape.size()]));

@@ -162,7 +162,7 @@ TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const fs::path part = files / "b.obj.999999999-1-0.part";
   put_file(part, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // although the command is refused
+  CHECK(files.animate("-o p_##.obj").code == 1);  // the command fails
   CHECK_FALSE(fs::exists(part));
 }
 

@@ -23,7 +23,7 @@ struct Bound : Driver {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
-    workspace::mark_saved(workspace());  // otherwise the program asks before it replaces the cage
+    workspace::mark_saved(workspace());  // otherwise, the program asks before replacing the cage
   }
   // Opens a cage of 8 * 4^levels triangles around the dragon. Calls a function after the first frame.
   template <class Act>

@@ -126,7 +126,7 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   const glm::vec2 at = glm::round(d.vertex(v));
   d.press_and_move(at, at + glm::vec2(30, 30));
   const auto axes = d.workspace().view.axes;
-  d.key('X', true);  // without a drag, a shortcut
+  d.key('X', true);  // if no drag is active, X is a shortcut
   d.type("x");
   d.key('X', false);
   CHECK(d.workspace().view.axes == axes);
@@ -258,7 +258,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
   d.type("60");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
-  d.type("y");  // pressed again: bends in the plane of the view
+  d.type("y");  // the second y bends in the plane of the view again
   d.frame();
   CHECK(is_bent({}, 60));
   d.type("Z");
@@ -315,7 +315,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.choose("mirror", "mirror_x");
   REQUIRE(workspace::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
-  const double plane = 0.0195;  // a fraction of the pixels, larger than that of lines
+  const double plane = 0.0195;  // the fraction of the pixels; lines have fewer pixels
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
   d.settle();
   CHECK(test::difference(without, d.picture(), 0) > plane);

@@ -386,10 +386,10 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
     d.frame(3);
     for (const auto& [name, rect] : d.viewer().recorder().all()) {
-      if (!before.contains(name)) continue;  // only widgets that existed before
+      if (!before.contains(name)) continue;  // skips new widgets
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
-    if (!d.workspace().browser.open) d.press_key('O', true);  // it stays open in later rounds
+    if (!d.workspace().browser.open) d.press_key('O', true);  // the file browser stays open in later rounds
     d.frame(3);
     for (const char* name : {"file_path", "file_choose"}) {
       const auto rect = d.viewer().recorder().find(name);

@@ -128,7 +128,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   auto& w = d.workspace();
   const double diagonal = d.document().space.diagonal();
   const struct {
-    const char* command;  // runs first, if not empty
+    const char* command;  // if not empty, runs first
     const char *slider, *text;
     std::function<double()> value;
     double expected;
@@ -293,7 +293,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   CHECK(browser.open);
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.viewer().recorder().find("file_replaces"));
-  d.press_key(workspace::Key::enter);  // the first Enter warns, the second confirms
+  d.press_key(workspace::Key::enter);  // the first Enter warns; the second Enter confirms
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == precious);

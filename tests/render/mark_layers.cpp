@@ -137,7 +137,7 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   test::Stage stage;
   stage.view.projection = perspective;
   render::LineLayer lines(stage.gl);
-  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind the eye
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
   CHECK(image.pixel(160, 195)[0] > 0);  // the line ends at the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);

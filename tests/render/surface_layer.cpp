@@ -31,7 +31,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
-  Scene scene(test::ball(7));  // radius 70 pixels
+  Scene scene(test::ball(7));  // the ball has a radius of 70 pixels
   const render::Image plain = scene.picture(), sampled = scene.picture({}, 4);
   CHECK(static_cast<double>(test::count_not_black(plain)) == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
   CHECK(test::lit_area(sampled) == doctest::Approx(test::lit_area(plain)).epsilon(0.01));
@@ -55,7 +55,7 @@ TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
 TEST_CASE("model_far_from_the_origin_looks_the_same") {
   Scene near_scene(test::ball(7));
   const render::Image here = near_scene.picture();
-  const Point far{3e8, -2e8, 5e8};  // float steps are 32 units out there
+  const Point far{3e8, -2e8, 5e8};  // at this distance, float has steps of 32 units
   Scene far_scene(test::ball(7, far));
   far_scene.stage.view.view =
       far_scene.stage.view.view * glm::translate(glm::dmat4(1), glm::dvec3(-far[0], -far[1], -far[2]));
@@ -256,8 +256,8 @@ TEST_CASE("materials_differ_from_clay_and_from_each_other_and_zebra_has_stripes"
   const auto clay = picture(Paint::plain).pixel(160, 100),
              porcelain = picture(Paint::porcelain).pixel(160, 100),
              jade = picture(Paint::jade).pixel(160, 100);
-  CHECK(clay[0] > clay[2] + 15);            // warm
-  CHECK(porcelain[2] + 5 >= porcelain[0]);  // white, a little cool
+  CHECK(clay[0] > clay[2] + 15);            // clay is warm
+  CHECK(porcelain[2] + 5 >= porcelain[0]);  // porcelain is white and slightly cool
   CHECK(jade[1] > jade[0] + 30);
   CHECK(jade[1] > jade[2] + 15);
   const render::Image zebra = picture(Paint::zebra);

@@ -124,7 +124,7 @@ TEST_CASE("log_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
       const auto m = make(i, random);
       if (!has_log(m)) continue;
       const double error = error_by_condition(log_general(m), quad_log_general, to_quad(m));
-      worst = error <= worst ? worst : error;  // false for NaN, which is kept
+      worst = error <= worst ? worst : error;  // keeps NaN, because comparisons with NaN are false
     }
     CHECK(worst < 32);
   }

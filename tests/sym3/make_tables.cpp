@@ -47,7 +47,7 @@ void check_interpolated(const std::string& name, const T (&table)[N], const Quad
   int different = 0;
   for (std::size_t k = 0; k < N; ++k) {
     const Quad ulp = std::nextafter(std::fabs(table[k]), T(2)) - std::fabs(table[k]);
-    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // 0.5 for rounding, and the error of 113 bits
+    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // 0.5 for rounding, and 0.1 for the error of 113 bits
   }
   report(different == 0, std::to_string(different) + " of " + std::to_string(N) + " differ");
 }

@@ -123,7 +123,7 @@ double error_in_u(const sym3::Sym3<T>& computed, const QuadSym& exact) {
          unit_roundoff<T>;
 }
 
-using QuadMat = std::array<Quad, 9>;  // by rows
+using QuadMat = std::array<Quad, 9>;  // stored by rows
 
 inline constexpr QuadMat quad_identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 

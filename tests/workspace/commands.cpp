@@ -149,9 +149,9 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK(test::run_command(w, "redo"));
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_harmonic"));  // keeps stitching
+  CHECK(test::run_command(w, "weights_harmonic"));  // stitching stays on
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_mean_value"));  // does not support stitching
+  CHECK(test::run_command(w, "weights_mean_value"));  // these weights do not support stitching
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
