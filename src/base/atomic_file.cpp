@@ -26,7 +26,7 @@ namespace {
               full ? "free some disk space" : "choose a folder that exists and can be written");
 }
 
-// The target of a link. A broken link counts as its own target.
+// Returns the target of a link. If the link is broken, returns the path of the link.
 fs::path target_of(const fs::path& path) {
   std::error_code code;
   const fs::path real = fs::canonical(path, code);
@@ -40,7 +40,7 @@ fs::path part_of(const fs::path& target, int number) {
          std::string(part_extension);
 }
 
-// The process in the name of a part file, or an empty text if it is no part file.
+// Returns the process name in the name of a part file. If it is not a part file, returns an empty text.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());
@@ -56,7 +56,7 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// Removes a part file unless a running program has locked it.
+// Removes a part file. If a running program has locked the file, keeps it.
 void remove_if_left(const fs::path& part) {
   const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0) return;
@@ -66,16 +66,16 @@ void remove_if_left(const fs::path& part) {
   close(handle);
 }
 
-// The permissions that a new file gets from the existing file. setuid and setgid bits are not among them.
+// The permission bits that a new file gets from the existing file. The setuid and setgid bits are excluded.
 constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-// A process in another container or on another computer is not in our process list, but its part files are
-// locked.
+// Keeps part files that are locked: their process may be in another container or on another computer, and is
+// then missing in the local process list.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
-  std::error_code code;  // an unreadable folder counts as empty
+  std::error_code code;  // set if the folder cannot be read; the folder then counts as empty
   for (fs::directory_iterator at(folder.empty() ? "." : folder, code), end; !code && at != end;
        at.increment(code)) {
     const std::string name = at->path().filename().string();
@@ -86,7 +86,7 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(stale, remove_if_left);
 }
 
-// A new file. The destructor removes it unless become_target() has renamed it.
+// A new file. Unless become_target() has renamed the file, the destructor removes it.
 struct FilesTogether::File {
   explicit File(const fs::path& target) : target_(target) {
     remove_stale_parts(target.parent_path(), target.filename().string());
@@ -98,7 +98,7 @@ struct FilesTogether::File {
       if (handle_ < 0 && errno != EEXIST) break;
     }
     if (handle_ < 0) fail(target, errno);
-    flock(handle_, LOCK_EX | LOCK_NB);  // shows other programs that the file is in use
+    flock(handle_, LOCK_EX | LOCK_NB);  // shows other programs that this file is in use
   }
 
   File(const File&) = delete;
@@ -138,7 +138,7 @@ struct FilesTogether::File {
   fs::path folder() const { return target_.parent_path(); }
 
 private:
-  // Only root may change the owner of a file. Only members of a group may give a file to the group.
+  // Only root may give a file to another owner. Only members of a group may give a file to the group.
   bool keep_owner(const struct stat& existing) {
     return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
            fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
@@ -151,7 +151,7 @@ private:
 
 namespace {
 
-// Makes a rename survive a power cut. Ignores errors, because some file systems do not support it.
+// Makes a rename survive a power cut. Ignores errors, because some file systems do not support this.
 void sync_folder(const fs::path& folder) {
   const int handle = open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (handle < 0) return;
@@ -159,7 +159,7 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
-// Throws Error if the file is write-protected, even for root, who could write it.
+// Throws Error if the file is write-protected. This also applies to root, although root could write the file.
 void check_rights(const fs::path& path, const fs::path& target) {
   struct stat existing {};
   if (stat(target.c_str(), &existing) != 0) return;
@@ -168,7 +168,7 @@ void check_rights(const fs::path& path, const fs::path& target) {
                 "choose another name, or make it writable (chmod u+w)");
 }
 
-// The path to write. Throws Error if it cannot be a regular file.
+// Returns the path of the file to write. If it cannot be a regular file, throws Error.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
   std::error_code code;
@@ -209,7 +209,7 @@ void check_replaceable(const fs::path& path) {
                 "this file has " + std::to_string(existing.st_nlink) +
                     " names (hard links), which replacing it would separate",
                 "choose another name, or remove this one first");
-  FilesTogether::File probe(target);  // the destructor removes it again
+  FilesTogether::File probe(target);  // its destructor removes the file again
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {

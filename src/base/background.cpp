@@ -33,7 +33,7 @@ void BackgroundQueue::serve() {
       tasks_.pop_front();
       lock.unlock();
       task();
-    }  // destroys the task before the next task begins
+    }  // destroys the finished task before the next task begins
     lock.lock();
   }
 }

@@ -1,4 +1,4 @@
-// Work on other threads, so that frames are not delayed.
+// Runs work on other threads, so that the work does not delay frames.
 #pragma once
 
 #include <chrono>
@@ -20,15 +20,15 @@
 
 namespace viete::base {
 
-/// True if the future has a value. Waits for it at most this number of seconds.
+/// True if the future has a value. If not, waits for the value, for at most this number of seconds.
 template <class Value>
 bool is_ready(const std::future<Value>& future, double seconds = 0) {
   return future.valid() &&
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-/// Runs work on a thread, in the order of add(). If the system cannot create a thread, add() runs the work
-/// itself. Must be used by one thread only. The destructor waits for all work.
+/// Runs work on one thread, in the order of add(). If the system cannot create a thread, add() runs the work
+/// before it returns. Only one thread may use a queue. The destructor waits for all work.
 class BackgroundQueue {
 public:
   BackgroundQueue() = default;
@@ -36,7 +36,7 @@ public:
   BackgroundQueue(const BackgroundQueue&) = delete;
   BackgroundQueue& operator=(const BackgroundQueue&) = delete;
 
-  /// The future gets the result or the exception of the work.
+  /// Adds work. The future gets the work's result or exception.
   template <class Work>
   std::future<std::invoke_result_t<Work>> add(Work work) {
     auto task = std::make_shared<std::packaged_task<std::invoke_result_t<Work>()>>(std::move(work));
@@ -56,23 +56,23 @@ private:
   std::jthread thread_;
 };
 
-/// The progress of background work, to be shown to the user.
+/// The progress of background work, for display.
 struct WorkState {
   bool running = false;
-  std::string what{};  ///< the step, for example "Reading dragon.ply"
+  std::string what{};  ///< the current step, for example "Reading dragon.ply"
   double done = 0;     ///< in [0, 1]
-  double seconds = 0;  ///< time since the step began
-  double age = 0;      ///< time since the work began
+  double seconds = 0;  ///< seconds since the step began
+  double age = 0;      ///< seconds since the work began
 };
 
-/// The estimated remaining seconds, or nullopt if it is too early for an estimate.
+/// Returns an estimate of the remaining seconds, or nullopt if it is too early for an estimate.
 std::optional<double> time_left(double done, double seconds);
 
 class StepProgress : public Progress {
 public:
   explicit StepProgress(std::string name) : name_(std::move(name)) {}
 
-  /// Begins the next step, whose progress starts at 0. The working thread calls it.
+  /// Begins the next step. Its progress starts at 0. The thread that does the work must call this.
   void step(std::string name);
   WorkState state() const;
 
@@ -82,15 +82,15 @@ private:
   double begun_ = wall_seconds(), step_begun_ = begun_;
 };
 
-/// Runs one job at a time. Must be used by one thread only. start() and cancel() do not wait for a running
-/// job, which ends at its next progress report; then the next job begins. The destructor cancels the job and
-/// waits for its end.
+/// Runs one job at a time. Only one thread may use the object. start() and cancel() do not wait for a running
+/// job: it ends at its next progress report, and then the next job begins. The destructor cancels the job and
+/// waits until it ends.
 template <class Value>
 class BackgroundJob {
 public:
   struct Result {
     std::optional<Value> value{};  ///< empty if the job failed or was stopped
-    std::string problem{};         ///< what() of the exception if the job failed
+    std::string problem{};         ///< what() of the job's exception; empty if the job did not fail
     bool stopped = false;
   };
 
@@ -99,12 +99,12 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  /// Cancels the running job and starts another. The user sees `name` in state().
+  /// Cancels the running job, and starts another job. state() shows `name` to the user.
   void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
     progress_ = std::make_shared<StepProgress>(std::move(name));
     value_ = queue_.add([progress = progress_, work = std::move(work)] {
-      progress->report(0);  // throws if the job was cancelled before it began
+      progress->report(0);  // throws if the job was already cancelled
       return work(*progress);
     });
   }
@@ -114,7 +114,7 @@ public:
     value_ = {};
   }
 
-  /// Asks the job to stop. poll() still returns a result, which is `stopped` or complete.
+  /// Asks the job to stop. poll() then returns a result: either `stopped`, or the complete result.
   void stop() {
     if (running()) progress_->cancel();
   }
@@ -124,7 +124,7 @@ public:
   WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
 
-  /// Returns the result once, when it is available or, if `wait` is true, after waiting for it.
+  /// Returns the result once, as soon as it is available. If `wait` is true, waits for the result.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

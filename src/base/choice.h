@@ -1,4 +1,4 @@
-// Names and descriptions of the values of an enumeration, for users.
+// The names and descriptions of an enumeration's values, for users.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 namespace viete::base {
 
 struct Choice {
-  std::string_view word;   ///< name in files and on the command line
-  std::string_view label;  ///< name in lists of the window
-  std::string_view hint;   ///< description in one sentence
+  std::string_view word;   ///< the name in files and on the command line
+  std::string_view label;  ///< the name in lists of the window
+  std::string_view hint;   ///< a description in one sentence
 };
 
-/// The choices of an enumeration. Each enumeration has an overload in its namespace.
+/// Returns the choices of an enumeration. Each enumeration has an overload in its namespace.
 template <class Value>
 std::span<const Choice> choices(Value) = delete;
 
@@ -24,7 +24,7 @@ const Choice& entry_of(Value value) {
   return choices(value)[static_cast<std::size_t>(value)];
 }
 
-/// The value with this word, or nullopt.
+/// Returns the value with this word. If no value has this word, returns nullopt.
 template <class Value>
 std::optional<Value> value_of_word(std::string_view word) {
   const std::span<const Choice> all = choices(Value{});
@@ -33,7 +33,7 @@ std::optional<Value> value_of_word(std::string_view word) {
   return static_cast<Value>(found - all.begin());
 }
 
-/// The next value; the first follows the last.
+/// Returns the next value. After the last value, returns the first.
 template <class Value>
 Value next_choice(Value value) {
   return static_cast<Value>((static_cast<std::size_t>(value) + 1) % choices(value).size());

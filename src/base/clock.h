@@ -6,12 +6,12 @@
 
 namespace viete::base {
 
-/// Wall time in seconds since a fixed moment. It never decreases.
+/// Returns wall time in seconds since a fixed moment. The time never decreases.
 inline double wall_seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// Processor time of the calling thread in seconds. On a busy computer it varies less than wall time.
+/// Returns the calling thread's processor time in seconds. On a busy computer, it varies less than wall time.
 inline double thread_seconds() {
   timespec t{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);

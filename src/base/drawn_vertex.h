@@ -1,4 +1,4 @@
-// The vertices of a frame. Shared with vector code: no functions here.
+// The vertices of a frame. Code with vector instructions also includes this file: it must not have functions.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@ namespace viete::base {
 
 using PackedNormal = std::array<std::int16_t, 2>;  ///< see pack_normal()
 
-/// One vertex of a frame, as a graphics card takes it.
+/// A vertex of a frame, in the layout of the GPU.
 struct alignas(16) DrawnVertex {
   float position[3];    ///< relative to the frame's origin
-  PackedNormal normal;  ///< (0, 0, 1) where there is no area
+  PackedNormal normal;  ///< (0, 0, 1) if the triangles around the vertex have no area
 };
 
 }  // namespace viete::base

@@ -83,15 +83,15 @@ std::string percent_decoded(std::string_view text, bool* whole) {
 
 namespace {
 
-// If one argument is fixed, different values of the other give different results.
+// Combines two words. If one argument is fixed, different values of the other give different results.
 std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
-  state = (state ^ word) * 0x9e3779b97f4a7c15;  // an odd number: 2^64 divided by the golden ratio
+  state = (state ^ word) * 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio, as an odd number
   return state ^ state >> 32;
 }
 
 }  // namespace
 
-// Four independent chains, because each multiplication waits for the previous result of its chain.
+// Uses four independent chains, because a multiplication waits for the previous result of its chain.
 void Checksum::add(const void* bytes, std::size_t size) {
   const char* at = static_cast<const char*>(bytes);
   for (std::size_t left = size; left > 0;) {

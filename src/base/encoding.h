@@ -11,19 +11,19 @@
 namespace viete::base {
 
 std::string base64(std::string_view bytes);
-/// Decodes Base64 up to the first "=". Returns nullopt if a character is not in the Base64 alphabet.
+/// Decodes Base64 up to the first "=". If a character is not in the Base64 alphabet, returns nullopt.
 std::optional<std::string> bytes_of_base64(std::string_view text);
 
-/// Encodes all bytes for which is_plain() is false. It must be false for the percent sign.
+/// Percent-encodes all bytes for which is_plain() is false. is_plain() must be false for the percent sign.
 std::string percent_encoded(std::string_view bytes, bool (*is_plain)(char));
 
-/// Decodes percent-encoding. Keeps a percent sign without two hexadecimal digits, and then sets *whole to
-/// false if `whole` is not null.
+/// Decodes percent-encoding. If two hexadecimal digits do not follow a percent sign, keeps the percent sign
+/// and sets *whole to false. `whole` may be null.
 std::string percent_decoded(std::string_view text, bool* whole = nullptr);
 
-/// A 64-bit checksum of all added bytes, not cryptographic. It depends on how the bytes are divided into
-/// calls, and on the byte order of the processor. A change within 8 aligned bytes always changes the value;
-/// other changes remain unnoticed with probability 2^-64.
+/// A 64-bit checksum of all added bytes; not cryptographic. Depends on how calls divide the bytes, and on the
+/// byte order of the processor. A change within 8 aligned bytes always changes the checksum. Other changes
+/// leave the checksum unchanged with probability 2^-64.
 class Checksum {
 public:
   void add(const void* bytes, std::size_t size);

@@ -6,12 +6,11 @@
 
 namespace viete::base {
 
-/// An expected failure, for example bad input or a full disk. what() is a line of the form `place: problem;
-/// advice`, for example `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model
-/// again`.
+/// An expected failure, such as bad input or a full disk. what() is a line `place: problem; advice`. Example:
+/// `dragon.obj:1042: face refers to vertex 70000, the file has 50000; export the model again`.
 class Error : public std::runtime_error {
 public:
-  /// `place` is a file, `file:line` or `file: element 12`. `advice` is an imperative. Both may be empty.
+  /// `place` is a file, `file:line` or `file: element 12`. `advice` is an instruction. Both may be empty.
   Error(std::string place, std::string problem, std::string advice = "");
 
   const std::string& place() const { return place_; }

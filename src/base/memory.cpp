@@ -26,7 +26,7 @@ void* allocate_aligned(std::size_t bytes) {
   void* memory = nullptr;
   if (size < bytes || posix_memalign(&memory, alignment, size) != 0) throw std::bad_alloc();
 #if defined(__linux__)
-  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);  // without large pages it is only slower
+  if (alignment == large_page) madvise(memory, size, MADV_HUGEPAGE);  // a failure only costs speed
 #endif
   return memory;
 }

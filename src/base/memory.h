@@ -11,8 +11,8 @@
 
 namespace viete::base {
 
-/// Allocates memory that is aligned to a cache line. Uses large pages for 2 MB or more, if the system has
-/// them: reading large arrays is up to a third faster. Throws std::bad_alloc.
+/// Allocates memory that is aligned to a cache line. For 2 MB or more, uses large pages if the system has
+/// them; reading large arrays is then up to a third faster. Throws std::bad_alloc.
 void* allocate_aligned(std::size_t bytes);
 void free_aligned(void* memory);
 
@@ -24,7 +24,7 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Leaves numbers uninitialised, so that the threads that compute a large array also write it first.
+  // Leaves numbers uninitialised. The threads that compute a large array are then also the first to write it.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;
@@ -45,22 +45,22 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
-/// The number of bytes available without swapping, or nullopt if the system does not report it. Thread-safe.
+/// Returns the bytes available without swapping; nullopt if the system does not report them. Thread-safe.
 std::optional<double> free_memory();
 
-/// An amount of memory, and the texts of the error if it is not available.
+/// An amount of memory, and the texts of the error if the memory is not available.
 struct MemoryNeed {
   double bytes;
-  std::string taker;   ///< the start of the message, for example "1000 matrices take"
+  std::string taker;   ///< the beginning of the message, for example "1000 matrices take"
   std::string advice;  ///< for example "give a smaller number"
   std::string place;
 };
 
-/// Throws base::Error if the amount is more than nine tenths of the free memory. Does nothing if the system
-/// does not report free memory. Thread-safe.
+/// If the amount is more than nine tenths of the free memory, throws base::Error. If the system does not
+/// report free memory, does nothing. Thread-safe.
 void require_memory(const MemoryNeed& need);
 
-/// Throws the error of require_memory(). Call it after an allocation has failed.
+/// Throws the error of require_memory(). Call this after an allocation failed.
 [[noreturn]] void refuse_memory(const MemoryNeed& need);
 
 }  // namespace viete::base

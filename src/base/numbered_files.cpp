@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int most_digits = 18;  // every number with 18 digits fits into 64 bits
+constexpr int most_digits = 18;  // every number with at most 18 digits fits into 64 bits
 constexpr std::string_view decimal = "0123456789";
 
 struct NumberPlace {

@@ -1,4 +1,4 @@
-// Sequences of numbered files, whose names follow a pattern.
+// Sequences of numbered files. The file names follow a pattern.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,28 @@ struct NumberedFile {
   std::filesystem::path path;
 };
 
-/// A pattern such as `frame_####.obj`. Numbers have at least as many digits as the pattern has marks. The
-/// folder has no number. Immutable.
+/// A pattern such as `frame_####.obj`. A number has at least as many digits as the pattern has marks (#). The
+/// number is in the file name, not in the folder. Immutable.
 class NumberedName {
 public:
-  /// Throws Error unless the pattern has exactly one placeholder for the number.
+  /// If the pattern does not have exactly one placeholder for the number, throws Error.
   explicit NumberedName(const std::filesystem::path& pattern);
 
   static bool is_pattern(const std::filesystem::path& path);
 
-  /// The pattern of the sequence that contains a file: the last digits of the name are the number. For `a_10`
-  /// it is `a_##` or `a_#`, whichever has more files. Returns nullopt if the name has no digits. Throws
-  /// errors of find().
+  /// Returns the pattern of the sequence that contains a file. The last digits of the file name are the
+  /// number. For `a_10`, the pattern is `a_##` or `a_#`: the pattern with more files. If the name has no
+  /// digits, returns nullopt. Throws errors of find().
   static std::optional<NumberedName> of_file(const std::filesystem::path& file);
 
-  /// The file with a number. As in printf, the file of `a_####` with the number -7 is `a_-007`.
+  /// Returns the file with a number. As in printf, the file of `a_####` with the number -7 is `a_-007`.
   std::filesystem::path file(std::int64_t number) const;
 
-  /// The number in a file name, or nullopt if file() would give another name: `a_1` does not match `a_##`.
+  /// Returns the number in a file name. If file() gives another name, nullopt: `a_1` does not match `a_##`.
   std::optional<std::int64_t> number(const std::string& name) const;
 
-  /// All existing files, sorted by number. A missing folder counts as empty. Throws Error if the folder
-  /// cannot be read.
+  /// Returns all existing files, sorted by number. If the folder is missing, returns no files. If the folder
+  /// cannot be read, throws Error.
   std::vector<NumberedFile> find() const;
 
   std::string pattern() const;

@@ -14,7 +14,7 @@ namespace viete::base {
 
 namespace {
 
-// False for PSD, PIC, HDR, PNM and GIF, which the stb library decodes less safely. TGA has no signature.
+// False for PSD, PIC, HDR, PNM and GIF: the stb library decodes these formats less safely.
 bool is_known(std::string_view bytes) {
   using namespace std::string_view_literals;
   constexpr auto others =
@@ -26,8 +26,8 @@ std::size_t byte_at(std::string_view bytes, std::size_t i) {
   return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0;
 }
 
-// True if JPEG tables at a position after their marker have at most 256 Huffman codes each. The stb library
-// of Debian 12 does not check these counts and overflows its arrays.
+// True if the JPEG tables at this position have at most 256 Huffman codes each. The stb library of Debian 12
+// does not check this, and would overflow its arrays.
 bool counts_fit(std::string_view bytes, std::size_t at) {
   std::size_t left = 256 * byte_at(bytes, at) + byte_at(bytes, at + 1);
   at += 2;
@@ -41,8 +41,8 @@ bool counts_fit(std::string_view bytes, std::size_t at) {
   return true;
 }
 
-// True if all Huffman tables of a JPEG are valid. Up to the first scan, reads segments one after the other.
-// After it, or if a segment is damaged, checks everything that looks like tables.
+// True if all Huffman tables of a JPEG are valid. Up to the first scan, reads the segments in order. After
+// the first scan, or after a damaged segment, checks all bytes that look like tables.
 bool has_sound_tables(std::string_view bytes) {
   constexpr std::size_t tables = 0xC4, scan = 0xDA, mark = 0xFF;
   std::size_t at = std::min(bytes.find_first_not_of('\xFF'), bytes.size() - 1) + 1;  // after the first marker
@@ -60,13 +60,13 @@ bool has_sound_tables(std::string_view bytes) {
   return true;
 }
 
-// A big-endian number of four bytes. (The stb library rejects large PNG files without reporting their size.)
+// Returns a big-endian number of four bytes. (stb does not report the size of a PNG that is too large.)
 std::size_t word_at(std::string_view bytes, std::size_t i) {
   return byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16 | byte_at(bytes, i + 2) << 8 |
          byte_at(bytes, i + 3);
 }
 
-// Returns the number of pixels. Throws Error if the picture is too large.
+// Returns the number of pixels. If the picture is too large, throws Error.
 std::size_t check_size(const std::string& place, std::size_t width, std::size_t height) {
   constexpr std::size_t longest_side = 16384, most_pixels = std::size_t{1} << 26;
   if (width > 0 && height > 0 && width <= longest_side && height <= longest_side &&

@@ -24,8 +24,8 @@ namespace viete::base {
 
 namespace {
 
-// The start time of a process in clock ticks: field 22 of /proc/PID/stat. (Field 2, the program's name, may
-// contain spaces and parentheses.) Empty if the process does not exist or is a zombie.
+// Returns the start time of a process in clock ticks: field 22 of /proc/PID/stat. (Field 2, the program's
+// name, may contain spaces and parentheses.) Empty if the process does not exist or is a zombie.
 std::string start_of(const std::string& pid) {
   std::ifstream file("/proc/" + pid + "/stat");
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -55,9 +55,9 @@ bool process_runs(std::string_view name) {
 
 namespace {
 
-std::mutex entrance;          // locked during fork()
-std::atomic<int> inside = 0;  // number of threads with a ForkDelay
-thread_local int own = 0;     // number of ForkDelays of this thread
+std::mutex entrance;          // fork() locks this mutex
+std::atomic<int> inside = 0;  // the number of threads with a ForkDelay
+thread_local int own = 0;     // the number of ForkDelays in this thread
 
 void before_fork() {
   entrance.lock();

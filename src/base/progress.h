@@ -1,4 +1,4 @@
-// The progress of long work, and how to cancel it.
+// The progress of long work, and its cancellation.
 #pragma once
 
 #include <atomic>
@@ -12,25 +12,25 @@ public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// The progress of long work. The working thread calls report(), section() and part(). Any other thread may
-/// call cancel() and done().
+/// The progress of long work. The thread that does the work calls report(), section() and part(). Any other
+/// thread may call cancel() and done().
 class Progress {
 public:
-  /// Call it often, with `done` in [0, 1]. Throws Cancelled after cancel().
+  /// Reports the progress. `done` is in [0, 1]. Call this often. After cancel(), throws Cancelled.
   void report(double done) {
     const double of_part = from_ + (to_ - from_) * done;
     done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
-  /// The next reports are about the range [from, to] of the whole work, or of the current part().
+  /// Sets the range [from, to] of the next reports, within the whole work or the current part().
   void section(double from, double to) {
     from_ = from;
     to_ = to;
     report(0);
   }
 
-  /// The next sections are about the range [from, to] of the whole work.
+  /// Sets the range [from, to] of the next sections, within the whole work.
   void part(double from, double to) {
     part_from_ = from;
     part_to_ = to;

@@ -21,7 +21,7 @@ void append_visible(unsigned char code, std::string& line) {
   }
 }
 
-// The control characters 0x80 to 0x9F have two bytes in UTF-8.
+// Makes control characters visible. In UTF-8, the control characters 0x80 to 0x9F have two bytes.
 std::string visible(std::string_view text) {
   std::string line;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -52,7 +52,7 @@ std::string printable(std::string_view text, std::size_t most) {
 namespace {
 
 std::string print(const char* format, double value) {
-  char text[400];  // enough for every double without an exponent
+  char text[400];  // enough for every double without exponent
   std::snprintf(text, sizeof text, format, value);
   return text;
 }

@@ -1,4 +1,4 @@
-// Vectors of three numbers and their arithmetic.
+// Vectors of three numbers, and arithmetic with them.
 #pragma once
 
 #include <algorithm>
@@ -12,13 +12,13 @@
 
 namespace viete::base {
 
-/// A type of its own, so that argument-dependent lookup finds the operators. It is an array for code that
-/// does not know it.
+/// A vector. It is a separate type, so that argument-dependent lookup finds its operators. Code that does not
+/// use this type can use it as an array.
 template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// A template, so that a list in braces is always three numbers.
+  /// A template, so that a list in braces always has three numbers.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };
@@ -26,7 +26,7 @@ struct Vector : std::array<T, 3> {
 using Vec3 = Vector<double>;
 using Vec3f = Vector<float>;
 
-// T is the type of the arguments. For lists in braces it is double.
+// T is the type of the arguments. If the arguments are lists in braces, T is double.
 template <class T = double>
 Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -44,7 +44,7 @@ T dot(const Vector<T>& a, const Vector<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Exactly -cross(b, a).
+/// Returns exactly -cross(b, a).
 template <class T = double>
 Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -55,14 +55,14 @@ T squared_norm(const Vector<T>& a) {
   return dot(a, a);
 }
 
-/// The length. Its square must be in the range of T: lengths from 1e-150 to 1e150 in double, 1e-18 to 1e18 in
-/// float.
+/// Returns the length. The square of the length must be in the range of T: the length from 1e-150 to 1e150 in
+/// double, from 1e-18 to 1e18 in float.
 template <class T = double>
 T norm(const Vector<T>& a) {
   return std::sqrt(squared_norm(a));
 }
 
-/// The length of any vector. Several times slower than norm().
+/// Returns the length of any vector. Several times slower than norm().
 inline double stable_norm(const Vec3& a) {
   return std::hypot(a[0], a[1], a[2]);
 }
@@ -71,14 +71,14 @@ inline double largest_abs(const Vec3& a) {
   return std::max({std::abs(a[0]), std::abs(a[1]), std::abs(a[2])});
 }
 
-/// The cosine of the angle between two vectors, or -1 if a vector is zero.
+/// Returns the cosine of the angle between two vectors. If a vector is zero, returns -1.
 inline double cosine(const Vec3& a, const Vec3& b) {
   const double lengths = std::sqrt(squared_norm(a) * squared_norm(b));
   return lengths > 0 ? dot(a, b) / lengths : -1;
 }
 
-/// A unit vector as octahedral coordinates, to 4e-5 (Meyer et al. 2010, On Floating-Point Normal Vectors).
-/// n must not be 0.
+/// Returns a unit vector as octahedral coordinates, to 4e-5 (Meyer et al. 2010, On Floating-Point Normal
+/// Vectors). n must not be 0.
 inline PackedNormal pack_normal(const Vec3& n) {
   const double scale = 32767 / (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
   const double fold = std::max(-n[2], 0.0);

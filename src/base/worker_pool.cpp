@@ -15,21 +15,21 @@ namespace viete::base {
 
 struct WorkerPool::State {
   const pid_t process = getpid();
-  std::vector<std::jthread> threads;  // threads[i] has the number i + 1, the caller has the number 0
+  std::vector<std::jthread> threads;  // threads[i] has the number i + 1; the caller has the number 0
   std::mutex mutex;
   std::condition_variable wake, finished;
   std::uint64_t generation = 0;
   int busy = 0;
-  std::size_t last = 0;  // threads with a higher number end
+  std::size_t last = 0;  // threads with a higher number must end
   std::exception_ptr error;
   Cost cost;
-  double longest = 0;  // processor time of the slowest thread in this loop, in seconds
+  double longest = 0;  // the processor time of the slowest thread in this loop, in seconds
 
   std::size_t count = 0, block = 1;
   const std::function<void(std::size_t, std::size_t)>* body = nullptr;
 
-  // Runs the blocks of thread t of n and returns the processor time. The blocks of a thread are adjacent, so
-  // that adjacent memory stays on one core.
+  // Runs the blocks of thread t of n threads, and returns the processor time. The blocks of a thread are
+  // adjacent, so that adjacent memory stays on one core.
   double work(std::size_t t, std::size_t n) {
     const double begun = thread_seconds();
     const std::size_t blocks = (count + block - 1) / block;
@@ -60,12 +60,12 @@ struct WorkerPool::State {
     }
   }
 
-  // Starts as many threads as the system allows. If the system refuses a thread, ends half of them, to leave
-  // memory and threads to the rest of the program.
+  // Starts as many threads as the system allows. If the system refuses a thread, ends half of the threads, to
+  // leave memory and threads to the rest of the program.
   void start(std::size_t wanted) {
     threads.reserve(wanted);
     {
-      const std::lock_guard lock(mutex);  // threads wait until the list is complete
+      const std::lock_guard lock(mutex);  // new threads wait until the list is complete
       while (threads.size() < wanted) {
         std::jthread thread = try_thread([this, index = threads.size() + 1] { serve(index); });
         if (!thread.joinable()) break;
@@ -78,7 +78,7 @@ struct WorkerPool::State {
 
   void end_beyond_last() {
     wake.notify_all();
-    threads.resize(last);  // joins the removed threads
+    threads.resize(last);  // waits until the removed threads end
   }
 };
 
@@ -88,7 +88,7 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
-  if (state_->process != getpid()) {  // in a forked child, which does not have the threads
+  if (state_->process != getpid()) {  // true in a forked child process, which has no other threads
     for (auto& thread : state_->threads) thread.detach();
     static_cast<void>(state_.release());
     return;

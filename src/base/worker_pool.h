@@ -11,7 +11,7 @@
 
 namespace viete::base {
 
-/// A thread that runs the work. If the system cannot create a thread, the result is not joinable.
+/// Returns a thread that runs the work. If the system cannot create a thread, the result is not joinable.
 template <class Work>
 std::jthread try_thread(Work work) {
   try {
@@ -21,12 +21,11 @@ std::jthread try_thread(Work work) {
   }
 }
 
-/// Threads that divide the blocks of a loop among them. The size of blocks is fixed, so results do not depend
-/// on the number of threads. After fork(), the child process has no other threads and the caller runs all
-/// blocks.
+/// Threads that share the blocks of a loop. The size of blocks is fixed, so that results do not depend on the
+/// number of threads. After fork(), the child process has no other threads, and the caller runs all blocks.
 class WorkerPool {
 public:
-  /// `threads` is the largest number of threads, including the caller. 0 means one for each processor.
+  /// `threads` is the largest number of threads, including the caller. 0 means one thread per processor.
   explicit WorkerPool(int threads = 0);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
@@ -34,16 +33,16 @@ public:
 
   int threads() const;
 
-  /// Processor time of all loops so far, in seconds.
+  /// The processor time of all loops until now, in seconds.
   struct Cost {
-    double caller = 0;   ///< time of the thread that called for_blocks()
-    double longest = 0;  ///< time of the slowest thread of each loop: about the wall time on an idle machine
+    double caller = 0;   ///< the time of the thread that called for_blocks()
+    double longest = 0;  ///< the time of the slowest thread in each loop; on an idle machine, about wall time
   };
   Cost cost() const;
 
-  /// Calls body(begin, end) on all threads for blocks that cover [0, count), and waits until all calls are
-  /// done. Rethrows the first exception of a body. Two threads must not call for_blocks() at the same time,
-  /// and a body must not call it.
+  /// Calls body(begin, end) on all threads for blocks that cover [0, count), and waits until all calls end.
+  /// Rethrows the first exception of `body`. Two threads must not call for_blocks() at the same time. `body`
+  /// must not call for_blocks().
   void for_blocks(std::size_t count, std::size_t block,
                   const std::function<void(std::size_t begin, std::size_t end)>& body);
 
@@ -52,14 +51,14 @@ private:
   std::unique_ptr<State> state_;
 };
 
-/// Elements per block of loops over large arrays.
+/// The number of elements per block, for loops over large arrays.
 inline constexpr std::size_t large_block = std::size_t{1} << 15;
 
-/// WorkerPool::for_blocks() on threads for this loop alone; on the caller's if there is only one block.
+/// Like WorkerPool::for_blocks(), with threads for this loop only. If there is one block, the caller runs it.
 void for_blocks(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body,
                 std::size_t block = large_block);
 
-/// The sum of body(begin, end) over those blocks, in their order. add(sum, term) adds to a sum.
+/// Returns the sum of body(begin, end) over the blocks of for_blocks(), in order. add(sum, term) adds a term.
 template <class Body, class Add = std::plus<>>
 auto sum_of_blocks(std::size_t count, const Body& body, const Add& add = {}) {
   std::vector<decltype(body(0, 0))> sums((count + large_block - 1) / large_block);

@@ -28,18 +28,18 @@ Topology topology_of(const Shell& shell) {
   mesh::UnionFind parts = mesh::parts_by_triangles(shell.positions.size(), shell.triangles);
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  // Euler's formula: vertices - edges + triangles = 2 parts - 2 handles, with 2 edges = 3 triangles.
+  // Euler's formula is vertices - edges + triangles = 2 parts - 2 handles. The edges are 3 / 2 triangles.
   const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
   found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;
 }
 
-// Divides the progress among attempts and their stages. The progress never decreases.
+// Divides the progress among attempts and their stages. The reported progress never decreases.
 class Stages {
 public:
   explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
 
-  // Begins another attempt, which gets this share of the remaining progress.
+  // Begins another attempt. `share` is the attempt's share of the remaining progress.
   void begin(double share = 1) {
     from_ = progress_ ? progress_->done() : 0;
     to_ = from_ + share * (1 - from_);
@@ -83,12 +83,12 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // The number of grid cells along the model. A final triangle is about seven cells wide.
+  // Returns the number of grid cells along the model. A triangle of the result is about seven cells wide.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
 
-  // The offset surface of the model, and its clearance. Must not be moved.
+  // An offset surface of the model, and the clearance. Must not be moved.
   struct Offset {
     Clearance field;
     double margin;
@@ -119,8 +119,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Returns a sound cage for this gap, if one is found. If the gap is larger than requested, first tries a
-  // preview on a coarse grid.
+  // Returns a sound cage for this gap, if it finds one. If the gap is larger than requested, first tests the
+  // gap with a preview on a coarse grid.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
@@ -192,7 +192,7 @@ private:
     if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
     refine_to(cage, target_, stages_.until(0.7));
     tighten(cage, 2, stages_.until(0.8));
-    // A preview keeps the margin only within the resolution of the grid.
+    // A preview keeps the margin approximately, within the resolution of the grid.
     if (!is_preview()) too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
     return cage.shell();
   }
@@ -213,7 +213,7 @@ private:
     return true;
   }
 
-  // Makes the margin exact. Before, it was only kept within the resolution of the grid.
+  // Makes the margin exact. Until now, the margin was only kept within the resolution of the grid.
   Shell settled(WorkingCage& cage) {
     too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);
@@ -221,7 +221,7 @@ private:
     return cage.shell();
   }
 
-  // Splits the edges that reduce the volume most, and collapses the edges that increase it least.
+  // Splits the edges whose split reduces the volume most, and collapses the edges that increase it least.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();
@@ -239,7 +239,7 @@ private:
     return best;
   }
 
-  // Checks the cage with the rounding errors of file coordinates.
+  // Checks the cage in file coordinates, with their rounding errors.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
@@ -250,7 +250,7 @@ private:
     return found.sound();
   }
 
-  // Adds the vertices of all components of the model outside the cage.
+  // Remembers all vertices of each component of the model that is outside the cage.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
     mesh::UnionFind parts = mesh::parts_by_triangles(model_.positions.size(), model_.triangles);
@@ -261,8 +261,8 @@ private:
     }
   }
 
-  // Increases the distance, first around the missed components, then everywhere. Returns false if another
-  // attempt cannot help.
+  // Increases the distance: first around the missed components, then everywhere. If another attempt cannot
+  // help, returns false.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -322,10 +322,10 @@ private:
   Stages stages_;
   Made made_;
   std::size_t target_;
-  std::size_t too_near_ = 0;  // the number of triangles nearer to the model than the margin
-  // At this distance, in grid steps, the cage encloses components smaller than a step.
+  std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
+  // In grid steps. At this distance, a cage encloses components that are smaller than a step.
   static constexpr double parts_margin_steps = 1.25;
-  static constexpr std::size_t few_triangles = 150;  // smaller cages are made more carefully
+  static constexpr std::size_t few_triangles = 150;  // smaller cages get a more careful method
   static constexpr double coarser = 0.62;            // the relative resolution of a preview's grid
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;

@@ -1,4 +1,4 @@
-// Makes closed cages of a requested size that enclose the model.
+// Makes closed cages with a requested number of triangles that enclose the model.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@
 
 namespace viete::cages {
 
-/// Extracts an offset surface from a distance grid by marching cubes, simplifies it by edge collapses and
-/// tightens it. With a mirror plane, makes one half of the cage and mirrors it. If the cage needs too many
-/// triangles, closes holes and gaps of the model and adds a message. Returns nullopt if no sound cage was
-/// found. Throws like Maker::make().
+/// Extracts an offset surface from a distance grid by marching cubes, simplifies the surface by edge
+/// collapses, and tightens it. If there is a mirror plane, makes one half of the cage and mirrors it. If the
+/// cage would need too many triangles, closes holes and gaps of the model, and adds a message. If no sound
+/// cage is found, returns nullopt. Throws errors of Maker::make().
 std::optional<Made> make_automatic(const Subject& subject, const Wish& wish, base::WorkerPool& pool,
                                    base::Progress* progress);
 

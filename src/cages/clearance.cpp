@@ -8,9 +8,9 @@ namespace viete::cages {
 
 namespace {
 
-constexpr std::size_t block = 8;  // the number of nodes along a side of a block
+constexpr std::size_t block = 8;  // the number of nodes along one side of a block
 
-// Measures the distances to the model and its mirror image.
+// Computes the distances of the nodes to the model and its mirror image.
 class Distances {
 public:
   Distances(const Obstacle& model, const Grid& grid, double enough)
@@ -19,7 +19,7 @@ public:
   std::vector<float> measure(base::WorkerPool& pool, base::Progress* progress) {
     const Index3 blocks = {blocks_along(0), blocks_along(1), blocks_along(2)};
     const std::size_t all = blocks[0] * blocks[1] * blocks[2];
-    constexpr std::size_t portion = 64;  // the number of blocks between progress reports
+    constexpr std::size_t portion = 64;  // the number of blocks between two progress reports
     for (std::size_t first = 0; first < all; first += portion) {
       const std::size_t some = std::min(all - first, portion);
       pool.for_blocks(some, 4, [&](std::size_t begin, std::size_t end) {
@@ -46,8 +46,8 @@ private:
     return std::sqrt(squared);
   }
 
-  // Far from the model, measures only the distance of the block's centre, and fills the nodes with lower
-  // bounds. Divides other blocks into eight.
+  // If the block is far from the model, computes only the distance of its center, and gives all nodes lower
+  // bounds. Divides other blocks into eight blocks.
   void measure_block(const Index3& low, std::size_t size, double below) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (low[k] >= grid_.size[k]) return;
@@ -85,7 +85,7 @@ private:
   std::vector<float> values_;
 };
 
-// Calls visit(index) for the neighbours of a node along the axes.
+// Calls visit(index) for each neighbour of a node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   const Index3 at = grid.node(index);
@@ -96,7 +96,7 @@ void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   }
 }
 
-// Returns 1 for the nodes inside an open model that are farther from the model than `least`.
+// Returns 1 for nodes inside an open model whose distance to the model is larger than `least`.
 std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const std::vector<float>& distances,
                                 double least, base::WorkerPool& pool) {
   std::vector<std::uint8_t> inside(grid.node_count(), 0);
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// Returns 1 for the nodes that are connected with the grid's border by nodes farther than `least`.
+// Returns 1 for nodes with a path to the grid's border along nodes whose distance is larger than `least`.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -137,8 +137,8 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
   return reached;
 }
 
-// The distances of the unreached nodes from the reached region, at most `most`. Propagates the nearest border
-// point from node to node (Danielsson 1980, Euclidean distance mapping).
+// The distances from unreached nodes to the reached region, at most `most`. Each node passes its nearest
+// border point to its neighbours (Danielsson 1980, Euclidean distance mapping).
 class Depths {
 public:
   Depths(const Grid& grid, const std::vector<std::uint8_t>& reached, const std::vector<float>& distances,
@@ -153,8 +153,8 @@ public:
   std::vector<float> take() { return std::move(values_); }
 
 private:
-  // Finds a border point on each edge between a reached and an unreached node, at the distance `least` from
-  // the model. If no point has this distance, uses the midpoint.
+  // Finds a border point on each edge between a reached node and an unreached node. Its distance from the
+  // model is `least`. If no point of the edge has this distance, uses the midpoint.
   void find_border(const std::vector<float>& distances, double least) {
     for (std::size_t n = 0; n < reached_.size(); ++n) {
       if (!reached_[n]) continue;
@@ -194,7 +194,7 @@ private:
 };
 
 // Returns the clearance of an unreached node. `by_depth` follows from the distance to the reached region. If
-// it agrees with the distance to the model, returns the distance to the model, negative inside the model.
+// it agrees with the distance to the model, returns that distance, negative inside the model.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;
@@ -230,7 +230,7 @@ Clearance::Place Clearance::in_steps(const Point& p) const {
 }
 
 float Clearance::at(const Place& p) const {
-  float beyond = 0;  // the squared distance to the grid, in steps
+  float beyond = 0;  // the squared distance from p to the grid, in steps
   std::array<std::size_t, 3> cell;
   Place t;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -1,4 +1,4 @@
-// Distances to a model, sampled on a grid.
+// Computes distances to a model on a grid.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ using mesh::Point, mesh::Vec3;
 
 using Index3 = std::array<std::size_t, 3>;
 
-/// Calls visit(i, j, k) for all indices from low to high, including high.
+/// Calls visit(i, j, k) for all indices from `low` to `high`, including `high`.
 template <class Visit>
 void for_box(const Index3& low, const Index3& high, Visit&& visit) {
   for (std::size_t k = low[2]; k <= high[2]; ++k) {
@@ -32,7 +32,7 @@ struct Grid {
   Point origin{};
   double step = 1;
   Index3 size{};          ///< the number of nodes along each axis
-  bool mirrored = false;  ///< if true, covers only x >= 0, and the first nodes are at x = 0
+  bool mirrored = false;  ///< if true, the grid begins at x = 0
 
   std::size_t node_count() const { return size[0] * size[1] * size[2]; }
   std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
@@ -51,16 +51,16 @@ struct Grid {
 };
 
 /// Returns a grid around a box, with `padding` on each side and about `cells` cells along the longest side.
-/// If `mirrored`, the box must be symmetric about x = 0.
+/// If `mirrored` is true, the box must be symmetric about x = 0.
 Grid grid_around(const mesh::Bounds& box, std::size_t cells, double padding, bool mirrored);
 
 struct Closing {
-  double offset = 0;  ///< the distance of the extracted surface from the model
-  double gap = 0;     ///< gaps narrower than twice this value are closed
+  double offset = 0;  ///< the distance from the model to the extracted surface
+  double gap = 0;     ///< closes gaps that are narrower than twice this value
 };
 
-/// The clearance: the interpolated distance to the model. It is smaller in closed gaps, and negative inside
-/// the model and in enclosed cavities. Thread-safe.
+/// The clearance of points: the distance to the model, interpolated on a grid. The clearance is smaller in
+/// closed gaps. It is negative inside the model and inside enclosed cavities. Thread-safe.
 class Clearance {
 public:
   Clearance(const Grid& grid, std::vector<float> values);
@@ -68,11 +68,11 @@ public:
   const Grid& grid() const { return grid_; }
   float at_node(std::size_t index) const { return values_[index]; }
 
-  /// Returns the clearance at any point; outside of the grid, a lower bound of the distance to the model.
+  /// Returns the clearance. Outside of the grid, returns a lower bound of the distance to the model.
   double at(const Point& p) const;
 
-  /// True if the clearance is at least `margin` at samples on the triangle, about a grid step apart. The
-  /// corners are not tested. Around a sample with a larger clearance, fewer samples are needed.
+  /// True if the clearance is at least `margin` at samples on the triangle, about a grid step apart. Does not
+  /// test the corners. Where the clearance is larger, fewer samples are needed.
   bool is_clear(const mesh::Corners& t, double margin) const;
 
 private:
@@ -82,22 +82,22 @@ private:
   bool is_clear(const Place& a, const Place& b, const Place& c, float radius, float margin) const;
 
   Grid grid_;
-  std::array<float, 3> last_;  // the index of the last node along each axis
+  std::array<float, 3> last_;  // the largest index of a node along each axis
   std::vector<float> values_;
 };
 
 struct Obstacle {
   const mesh::TriangleTree& tree;  ///< the triangles of the model
-  bool closed = false;             ///< if false, winding numbers determine the inside
+  bool closed = false;             ///< if false, uses winding numbers to find the inside
 };
 
-/// Computes the clearance. Far from the model, the values are lower bounds of the distance. The result does
-/// not depend on the pool. Throws base::Cancelled.
+/// Computes the clearance. Far from the model, its values are lower bounds. The result does not depend on the
+/// pool. Throws base::Cancelled.
 Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& closing, base::WorkerPool& pool,
                     base::Progress* progress = nullptr);
 
-/// Adds balls around these points to the model, so that the clearance includes details smaller than a grid
-/// step. Only values below `most` are exact.
+/// Adds balls around these points to the model, so that the clearance includes details that are smaller than
+/// a grid step. Values are exact only below `most`.
 Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

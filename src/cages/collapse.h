@@ -8,14 +8,14 @@
 
 namespace viete::cages {
 
-/// The cost of a collapse. `quadrics` is the squared distance to the planes of the triangles (Garland and
-/// Heckbert 1997, Surface simplification using quadric error metrics). `volume` is the added volume after
-/// tightening; it is about a hundred times slower.
+/// The cost of a collapse. `quadrics` is the sum of squared distances to the planes of the triangles (Garland
+/// and Heckbert 1997, Surface simplification using quadric error metrics). `volume` is the volume that the
+/// collapse adds after tightening; it takes about a hundred times as long.
 enum class Accuracy { quadrics, volume };
 
-/// Collapses edges in the order of their cost, until at most `triangles` are left. Each collapse keeps the
-/// cage sound. If no edge can be collapsed, permits worse triangle shapes. Returns false if more triangles
-/// are left. `progress` may be null. Throws base::Cancelled.
+/// Collapses edges in the order of their cost until at most `triangles` are left. The cage stays sound. If no
+/// edge can be collapsed, permits worse triangle shapes. If more triangles are left at the end, returns
+/// false. `progress` may be null. Throws base::Cancelled.
 bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, base::Progress* progress);
 
 /// In each round, flips edges, evens out the triangles and moves each vertex inward, as far as the cage stays

@@ -32,14 +32,14 @@ public:
       put({cage.corners.begin() + cage.polygon_starts[p], cage.corners.begin() + cage.polygon_starts[p + 1]});
   }
 
-  std::vector<Polygon> all;  // removed polygons are empty
+  std::vector<Polygon> all;  // a removed polygon is empty
 
   void put(Polygon p) {
     for (const auto v : p) around_[v].push_back(static_cast<std::uint32_t>(all.size()));
     all.push_back(std::move(p));
   }
 
-  // Returns the polygons that were added at vertex v, if accepts(polygon) is true.
+  // Returns the polygons that were added at the vertex v and for which accepts(polygon) is true.
   template <class Accepts>
   std::vector<std::uint32_t> around(std::uint32_t v, Accepts accepts) const {
     std::vector<std::uint32_t> found;
@@ -58,7 +58,7 @@ public:
     return static_cast<std::uint32_t>(positions_.size() - 1);
   }
 
-  // Adds a vertex at the mean of the vertices.
+  // Adds a vertex at the mean position of the polygon's vertices.
   std::uint32_t add_middle(const Polygon& of) {
     Point sum{0, 0, 0};
     Origin origin;
@@ -72,7 +72,7 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // Splits a polygon that contains the vertex v several times.
+  // Splits a polygon at the vertex v, if the polygon contains v several times.
   void part_at(std::uint32_t v, std::size_t number) {
     for (std::ptrdiff_t left = std::ranges::count(all[number], v); left > 1; --left) {
       Polygon& p = all[number];
@@ -130,7 +130,7 @@ std::vector<Polygon> triangles_of(const Polygons& cage, const Polygon& p) {
   return triangles;
 }
 
-// True if the polygon is star-shaped around the mean of its corners.
+// True if the polygon is star-shaped around the mean position of its corners.
 bool is_about_its_middle(const Polygons& cage, const Polygon& p) {
   std::vector<Point> fan = places_of(cage, p);
   Point sum{0, 0, 0};
@@ -147,7 +147,7 @@ Vec3 area_of(const Polygons& cage, const Polygon& p) {
   return sum;
 }
 
-// Returns the boundary of connected polygons, in order; empty unless the boundary is a single loop.
+// Returns the boundary of connected polygons in order, or an empty polygon if it is not a single loop.
 Polygon rim_of(const std::vector<Polygon>& polygons) {
   std::set<std::array<std::uint32_t, 2>> sides;
   for (const Polygon& p : polygons) {
@@ -174,7 +174,7 @@ std::size_t side_of(const Polygon& p, const mesh::Edge& edge) {
   return p.size();
 }
 
-// Inserts the middle vertex on the edge, and rotates the polygon to start at this vertex.
+// Inserts the vertex `middle` on the edge. The new polygon starts at this vertex.
 Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   Polygon with;
   for (std::size_t i = 0; i < p.size(); ++i) {
@@ -185,8 +185,8 @@ Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   return with;
 }
 
-// Merges the polygons into one polygon without the corners for which `goes` is true. Does nothing if their
-// boundary is not a single loop.
+// Merges the polygons into one polygon. Leaves out the corners for which `goes` is true. If the boundary of
+// the polygons is not a single loop, does nothing.
 template <class Goes>
 void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
   std::vector<Polygon> united;
@@ -271,7 +271,7 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles connected by edges of exactly two triangles. The patch to remove first compares as least.
+// A patch of triangles, connected by edges with exactly two triangles. The least patch is removed first.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -279,7 +279,7 @@ struct Patch {
   auto operator<=>(const Patch&) const = default;
 };
 
-// Returns the polygons of the patch to remove first; empty if no patch must be removed.
+// Returns the polygons of the patch to remove first. If no patch must be removed, returns no polygons.
 std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
   const auto table = mesh::half_edges(cage.positions.size(), mesh::welded(cage).triangles);
   mesh::UnionFind patch_of(cage.triangles.size());
@@ -334,7 +334,7 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // If the normals cancel, each vertex moves along the normal of its own polygons.
+  // If the normals cancel, moves each vertex along the normal of its own polygons.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {
@@ -392,7 +392,7 @@ Edited subdivide(const Surface& surface) {
 
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
-  // Vertices nearer than this to the plane are moved onto it.
+  // Moves vertices that are nearer than this to the plane onto the plane.
   const double near = 1e-3 * mesh::used_bounds(surface).diagonal();
   const auto height = [&](std::uint32_t v) { return mesh::dot(plane.normal, cage.at(v)) - plane.offset; };
   const auto count = static_cast<std::uint32_t>(surface.positions.size());
@@ -401,7 +401,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // From corner i, walks past corners in the plane. True if the next corner is above the plane.
+  // Walks from corner i past corners in the plane. True if the next corner is above the plane.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);
@@ -427,7 +427,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     }
   };
   for (const Polygon& p : cage.all) {
-    std::size_t rises = 0;  // if 2 or more, the part above the plane may be in several pieces
+    std::size_t rises = 0;  // if 2 or more, the part above the plane may consist of several pieces
     for (std::size_t i = 0; i < p.size(); ++i) rises += !above(p[i]) && above(p[(i + 1) % p.size()]);
     if (rises < 2) {
       keep_above(p);
@@ -448,7 +448,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   cage.all = half;
   for (const Polygon& p : half) {
     Polygon turned;
-    turned.push_back(image(p.front()));  // the same first corner gives the mirrored triangulation
+    turned.push_back(image(p.front()));  // keeps the first corner, so that the triangulation is mirrored
     for (std::size_t i = p.size() - 1; i > 0; --i) turned.push_back(image(p[i]));
     cage.all.push_back(std::move(turned));
   }

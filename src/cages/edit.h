@@ -11,42 +11,42 @@
 
 namespace viete::cages {
 
-/// The old vertices from which a new vertex was made.
+/// The old vertices from which an edit made a new vertex.
 struct Origin {
-  std::vector<std::uint32_t> of;  ///< the new vertex is at the mean of these vertices
+  std::vector<std::uint32_t> of;  ///< the new vertex is at the mean position of these vertices
   bool mirrored = false;          ///< true if the new vertex is a mirror image
 };
 
 struct Edited {
   mesh::Surface surface;
-  std::vector<Origin> origins;           ///< one per vertex
+  std::vector<Origin> origins;           ///< one per vertex of the new surface
   std::vector<std::uint32_t> selection;  ///< the vertices to select after the edit, ascending
 };
 
-// The functions below are pure and thread-safe. Vertices, edges and polygons refer to `cage` and must not
-// repeat. Vertices without polygons are removed. The result may be an invalid cage; see deform::make_cage().
+// The next functions are pure and thread-safe. Vertices, edges and polygons refer to `cage`; they must not
+// repeat. Removes vertices without polygons. The result can be an invalid cage; see deform::make_cage().
 
-/// Adds a vertex at the midpoint of each edge. The adjacent polygons become triangles around the vertex.
+/// Adds a vertex at the middle of each edge. The polygons at the edge become triangles around the vertex.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
-/// Adds a vertex at the centre of each polygon and joins it to the corners. If a polygon is not star-shaped
-/// around its centre, triangulates it and adds the vertex to the largest triangle.
+/// Adds a vertex at the center of each polygon, with edges to the corners. If a polygon is not star-shaped
+/// around its center, triangulates it, and adds the vertex to its largest triangle.
 Edited cut_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// Merges the vertices at their mean. Removes polygons with fewer than three remaining corners.
+/// Merges the vertices at their mean position. Removes polygons with fewer than three remaining corners.
 Edited merge_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// Removes the vertices. The polygons around each vertex become one polygon.
+/// Removes the vertices. Merges the polygons around each vertex into one polygon.
 Edited dissolve_vertices(const mesh::Surface& cage, std::span<const std::uint32_t> vertices);
-/// Merges the polygons at each edge.
+/// Removes the edges. Merges the polygons at each edge into one polygon.
 Edited dissolve_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);
 Edited remove_polygons(const mesh::Surface& cage, std::span<const std::uint32_t> polygons);
-/// Removes patches of polygons until no edge has three, five or another odd number of triangles above one.
-/// Removes open patches before closed patches, and small patches before large patches.
+/// Removes patches of polygons until no edge has an odd number of three or more triangles. Removes open
+/// patches before closed patches, and small patches before large patches.
 mesh::Surface without_fins(mesh::Surface cage);
-/// Moves the polygons by `distance` along the mean of their normals, and adds quads along their boundary.
+/// Moves the polygons by `distance` along the mean of their normals. Adds quads along their boundary.
 Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygons, double distance);
-/// Divides each triangle into four triangles, and any other polygon into one quad per corner. The shape does
-/// not change. A polygon that is not star-shaped around its centre is triangulated first.
+/// Divides each triangle into four triangles, and each other polygon into one quad per corner. The shape does
+/// not change. If a polygon is not star-shaped around its center, triangulates it first.
 Edited subdivide(const mesh::Surface& cage);
-/// Cuts the cage at the plane, keeps the side to which the normal points, and adds its mirror image.
+/// Cuts the cage at the plane. Keeps the side to which the normal points, and adds its mirror image.
 Edited mirrored(const mesh::Surface& cage, const Plane& plane);
 
 }  // namespace viete::cages

@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// Returns the outward displacement of each cage vertex.
+// Returns the displacement of each cage vertex that moves the cage outward.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
@@ -56,7 +56,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Tests the outside vertices until all of them are inside; then tests all vertices again.
+  // Tests only the vertices that were outside. After all of these are inside, tests all vertices again.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

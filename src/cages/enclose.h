@@ -1,4 +1,4 @@
-// Fits a cage to the size and position of its model, and moves it outward around model vertices outside it.
+// Fits a cage to the model's box, and moves the cage outward to enclose model vertices.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +13,8 @@ struct Fitted {
   double scale = 1;
 };
 
-/// Translates and uniformly scales the cage to enclose the model's bounding box, with a margin on each side.
-/// `margin` is relative to the model's diagonal. Neither surface may be a single point.
+/// Moves and uniformly scales the cage so that it encloses the model's bounding box. `margin` is the distance
+/// on each side, relative to the model's diagonal. Neither surface may be a single point.
 Fitted fitted_to_box(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 struct Enclosing {
@@ -22,8 +22,8 @@ struct Enclosing {
   std::size_t left = 0;                ///< the number of model vertices that are still outside
 };
 
-/// Moves cage triangles outward past the model vertices outside the cage, in several rounds. The added
-/// distance is `margin` times the model's diagonal. Requires a closed cage.
+/// In several rounds, moves cage triangles outward past the model vertices that are outside. Moves them
+/// farther by `margin` times the model's diagonal. Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 }  // namespace viete::cages

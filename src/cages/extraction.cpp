@@ -14,7 +14,7 @@ namespace viete::cages {
 
 namespace {
 
-// A cell edge along `axis`, from the corner `low`. Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1).
+// A cell edge along `axis` from the corner `low`. Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1).
 struct Edge {
   int low, axis;
 };
@@ -38,14 +38,14 @@ constexpr int edge_between(int a, int b) {
   return -1;
 }
 
-// The corners of each face, counter-clockwise as seen from outside the cell.
+// The corners of each face of a cell, counter-clockwise as seen from outside the cell.
 constexpr std::array<std::array<int, 4>, 6> faces = {
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-using Next = std::array<std::int8_t, 12>;  // the next edge of the loop after each edge; -1 for uncut edges
+using Next = std::array<std::int8_t, 12>;  // for each edge, the next edge of its loop; -1 if not cut
 
-// Traces the loops in a cell. `above` has a bit for each corner above the level. On a face, a walk around the
-// corners enters and leaves each run of corners above the level; the loop joins these two edges.
+// Finds the loops in a cell. `above` has a bit for each corner above the level. A walk around the corners of
+// a face enters and leaves each run of corners above the level. The loop connects these two edges.
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);
@@ -125,8 +125,8 @@ private:
     }
   }
 
-  // Triangulates the loop as a fan. An inner edge of the fan must not be on a cell face: there it could
-  // coincide with an edge of the next cell. If no fan fits, triangulates around the centre.
+  // Triangulates the loop as a fan. Inner edges of the fan must not be on a face of the cell, because they
+  // could coincide with an edge of the next cell. If no fan is suitable, triangulates around the center.
   void close_loop() {
     const std::size_t n = loop_.size();
     for (std::size_t first = 0; first < n; ++first) {
@@ -151,7 +151,7 @@ private:
     if (made != unmade) return made;
     made = static_cast<std::uint32_t>(shell_.positions.size());
     const double a = clearance_.at_node(from), b = clearance_.at_node(to);
-    // The limits keep vertices apart, so that every triangle has area.
+    // The limits keep the vertices apart, so that every triangle has area.
     const double t = std::clamp((level_ - a) / (b - a), 0.05, 0.95);
     Point p = grid_.place(i + (edge.low & 1), j + (edge.low >> 1 & 1), k + (edge.low >> 2 & 1));
     p[static_cast<std::size_t>(edge.axis)] += t * grid_.step;
@@ -164,7 +164,7 @@ private:
   float level_;
   std::vector<std::uint32_t> vertices_;  // three per node: on the edges along x, y and z
   std::vector<std::uint32_t> loop_;      // the vertices of one loop
-  std::vector<std::size_t> cut_;         // the cell edges of these vertices
+  std::vector<std::size_t> cut_;         // the cell edges of the vertices in loop_
   Shell shell_;
 };
 
@@ -178,7 +178,7 @@ namespace {
 
 using Quad = std::array<std::uint32_t, 4>;
 
-// Joins two triangles to a quad. The shared edge connects the first and the third corner.
+// Joins two triangles to a quad. Their common edge connects the first corner and the third corner.
 Quad quad_of(const mesh::Triangle& s, const mesh::Triangle& t) {
   std::size_t i = 0;
   while (std::ranges::find(t, s[i]) != t.end()) ++i;
@@ -187,11 +187,11 @@ Quad quad_of(const mesh::Triangle& s, const mesh::Triangle& t) {
   return {s[(i + 1) % 3], t[j], s[(i + 2) % 3], s[i]};
 }
 
-// Returns 0 for a flat rectangle, and more than 1 for an unsuitable quad.
+// Returns 0 for a flat rectangle. Returns more than 1 if the quad is unsuitable.
 double badness(const Shell& shell, const Quad& quad) {
   const auto at = [&](std::size_t i) { return shell.positions[quad[i % 4]]; };
   const Vec3 n = mesh::cross(at(1) - at(0), at(2) - at(0)), m = mesh::cross(at(2) - at(0), at(3) - at(0));
-  const double bend = (1 - mesh::cosine(n, m)) / 0.3;  // 1 if the halves are at an angle of 45 degrees
+  const double bend = (1 - mesh::cosine(n, m)) / 0.3;  // 1 for an angle of 45 degrees between the halves
   double worst = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec3 before = at(i + 3) - at(i), after = at(i + 1) - at(i);

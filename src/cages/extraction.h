@@ -1,4 +1,4 @@
-// Extracts the surface at a given clearance, as triangles or quads.
+// Extracts the surface of a given clearance, as triangles or quads.
 #pragma once
 
 #include <array>
@@ -11,25 +11,24 @@
 
 namespace viete::cages {
 
-/// An indexed triangle mesh that becomes a cage.
+/// An indexed triangle mesh. A cage is made from it.
 struct Shell {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
 };
 
-/// Extracts the isosurface at `level` by marching cubes (Lorensen and Cline 1987). On ambiguous cell faces,
-/// the nodes below the level are joined. The result is an oriented manifold, counter-clockwise as seen from
-/// the side of larger clearance. It is closed or, on a mirrored grid, ends in the plane x = 0.
+/// Extracts the isosurface at `level` by marching cubes (Lorensen and Cline 1987). If a cell face is
+/// ambiguous, joins the nodes below the level. The result is an oriented manifold, counter-clockwise as seen
+/// from the side of larger clearance. It is closed or, if the grid is mirrored, ends in the plane x = 0.
 Shell extract(const Clearance& clearance, double level);
 
 using TrianglePair = std::array<std::uint32_t, 2>;
 
-/// Returns pairs of neighbouring triangles that form good quads: nearly flat, convex, with angles near 90
-/// degrees. The best pair is first. Each triangle is in at most one pair.
+/// Returns pairs of neighbouring triangles that form good quads: nearly flat, convex, and with angles near 90
+/// degrees. Begins with the best pair. A triangle is in at most one pair.
 std::vector<TrianglePair> quad_pairs(const Shell& shell);
 
-/// Joins the pairs to quads. The triangulation of the result has the same triangles as the shell, in another
-/// order.
+/// Joins the pairs to quads. The result has the same triangles as the shell, but in another order.
 mesh::Surface with_quads(const Shell& shell, std::span<const TrianglePair> pairs);
 
 }  // namespace viete::cages

@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::array<std::size_t, 3>;
 
-// Makes the surface of a box that is divided into cells.
+// Makes the surface of a box. The box is divided into cells.
 class Lattice {
 public:
   Lattice(const Frame& frame, const mesh::Bounds& box, const Cell& cells)
@@ -45,7 +45,7 @@ private:
           corner[v] = j + dv;
           surface_.corners.push_back(vertex(corner));
         };
-        const bool high = at > 0;  // if true, rotating u to v is counter-clockwise as seen from outside
+        const bool high = at > 0;  // if true, u to v is counter-clockwise as seen from outside
         add(0, 0);
         add(high ? 1 : 0, high ? 0 : 1);
         add(1, 1);

@@ -16,13 +16,13 @@ namespace viete::cages {
 /// number of quads along each axis. The model must have at least two different points.
 Made make_box(const mesh::Surface& model, const Wish& wish);
 
-/// Makes several cages around one model; faster than calling make() several times. Not thread-safe.
+/// Makes several cages around one model. Faster than several calls of make(). Not thread-safe.
 class Maker {
 public:
-  /// Throws base::Error if the model does not have two different points.
+  /// If the model does not have two different points, throws base::Error.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
-  /// Makes a closed, oriented manifold without self-intersection that encloses the model's triangles, or the
-  /// points of a model without triangles. The model's size must be from 1e-60 to 1e60. Clamps the values of
+  /// Makes a closed, oriented manifold without self-intersection. It encloses the model's triangles or, if
+  /// there are no triangles, the points. The model's size must be from 1e-60 to 1e60. Clamps the values of
   /// the wish. The result does not depend on the pool. `progress` may be null. Throws base::Cancelled.
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
@@ -32,11 +32,11 @@ private:
 
   std::shared_ptr<const mesh::Surface> model_;
   mesh::Bounds box_;
-  std::optional<std::optional<Plane>> own_plane_;  // nullopt before the first search
-  std::unique_ptr<const Subject> subject_;         // for the mirror plane of the last wish
+  std::optional<std::optional<Plane>> own_plane_;  // before the first search, nullopt
+  std::unique_ptr<const Subject> subject_;         // the subject for the mirror plane of the last wish
 };
 
-/// Makes a single cage; see Maker.
+/// Makes a single cage. See Maker.
 Made make(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool,
           base::Progress* progress = nullptr);
 

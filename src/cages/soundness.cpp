@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // Finds the triangles that are too near, and the directions in which to move their vertices.
+  // Finds the triangles that are too near. Sets the directions in which their vertices must move.
   template <class Report>
   std::size_t look(Report&& report) {
     away_.assign(mesh_.n_vertices(), {0, 0, 0});
@@ -100,7 +100,7 @@ private:
     return found;
   }
 
-  // Returns false if no vertex could be moved.
+  // Moves vertices away from the model. If no vertex can move, returns false.
   template <class Report>
   bool push_all(Report&& report) {
     bool moved = false;
@@ -134,9 +134,9 @@ private:
   double margin_;
   base::Progress* progress_;
   Star star_;
-  std::vector<Vec3> away_;           // one direction per vertex
-  std::vector<std::uint8_t> stale_;  // 1 for triangles that moved after the last check
-  std::vector<std::uint8_t> near_;   // 1 for triangles that were too near at the last check
+  std::vector<Vec3> away_;           // one per vertex
+  std::vector<std::uint8_t> stale_;  // 1 for a triangle that moved after the last check
+  std::vector<std::uint8_t> near_;   // 1 for a triangle that was too near in the last check
 };
 
 }  // namespace

@@ -16,19 +16,19 @@ namespace viete::cages {
 
 /// The defects of a cage.
 struct Soundness {
-  std::size_t open_edges = 0;           ///< edges that are not shared by two triangles of equal orientation
-  std::size_t pinched_vertices = 0;     ///< vertices at which several triangle fans meet
+  std::size_t open_edges = 0;           ///< edges that are not between two triangles of equal orientation
+  std::size_t pinched_vertices = 0;     ///< vertices at which triangles meet without a shared edge
   std::vector<std::uint32_t> crossing;  ///< cage triangles that intersect other cage triangles
   std::vector<std::uint32_t> cutting;   ///< cage triangles that intersect the model
-  std::vector<std::uint32_t> outside;   ///< one vertex of each component of the model outside the cage
+  std::vector<std::uint32_t> outside;   ///< one vertex per component of the model that is outside the cage
 
   bool sound() const {
     return open_edges == 0 && pinched_vertices == 0 && crossing.empty() && cutting.empty() && outside.empty();
   }
 };
 
-/// The tree must contain the model's triangles. The result is exact, but a model vertex may be outside the
-/// cage by up to 1e-9 of the cage's diagonal. `progress` may be null. Throws base::Cancelled.
+/// Checks a cage. The tree must contain the model's triangles. Exact, except that a model vertex may be
+/// outside by 1e-9 of the cage's diagonal. `progress` may be null. Throws base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);
@@ -36,8 +36,8 @@ Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> posi
 /// Checks a cage and a model in file coordinates.
 Soundness soundness(const mesh::Surface& cage, const mesh::Surface& model, base::WorkerPool& pool);
 
-/// Moves triangles that are nearer to the model than the margin outward, while the cage stays sound. Returns
-/// the number of triangles that are still too near. `progress` may be null. Throws base::Cancelled.
+/// Moves triangles outward if their distance to the model is less than the margin. The cage stays sound.
+/// Returns the number of triangles that are still too near. `progress` may be null. Throws base::Cancelled.
 std::size_t keep_margin(WorkingCage& cage, double margin, base::Progress* progress);
 
 }  // namespace viete::cages

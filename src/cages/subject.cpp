@@ -23,7 +23,7 @@ Vec3 unit(const Vec3& v) {
   return length > 0 ? (1 / length) * v : Vec3{1, 0, 0};
 }
 
-// Searches for a plane of symmetry of a model with diagonal 1.
+// Finds a plane of symmetry. The model must have diagonal 1.
 class Search {
 public:
   Search(const std::vector<Point>& positions, const mesh::TriangleTree& tree, base::Progress* progress)
@@ -31,7 +31,7 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // Returns the largest distance of a mirrored sample to the model. Stops at any distance above `most`.
+  // Returns the largest distance from a mirrored sample to the model. Stops if a distance is above `most`.
   double error(const Plane& plane, double most) const {
     double worst = 0;
     for (const Point& p : points_) {
@@ -52,7 +52,7 @@ public:
     return sum / count;
   }
 
-  // Changes the offset and the tilt of the plane in small steps, as long as the error decreases.
+  // Changes the offset and the tilt of the plane in small steps while the error decreases.
   Plane fitted(Plane plane) const {
     double best = mean_error(plane, tolerance);
     for (double step = 0.02; step > 2e-4; step *= 0.5) {
@@ -136,7 +136,7 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>;
 
-// Computes the eigenvectors of a symmetric matrix, as columns, by Jacobi rotations.
+// Returns the eigenvectors of a symmetric matrix as columns. Uses Jacobi rotations.
 Matrix eigenvectors(Matrix a) {
   Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < 12; ++sweep) {
@@ -163,7 +163,7 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-// Calls visit(position, weight) for points that have the same area, mean and inertia as the triangles. If the
+// Calls visit(position, weight) for points whose area, mean and inertia equal those of the triangles. If the
 // triangles have no area, calls it for the vertices.
 template <class Visit>
 void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
@@ -235,7 +235,7 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   std::vector<std::uint32_t> used;
   for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
   model.box = mesh::bounds(model.positions, used);
-  // The triangulation of a polygon that repeats corners can contain equal triangles.
+  // If a polygon repeats corners, its triangulation can contain equal triangles.
   std::set<mesh::Triangle> seen;
   const std::size_t copies = std::erase_if(model.triangles, [&](mesh::Triangle t) {
     std::ranges::rotate(t, std::ranges::min_element(t));

@@ -1,4 +1,4 @@
-// The input of cage making: the model with a diagonal of 1, and its plane of symmetry.
+// The input for making a cage: the model with a diagonal of 1, and its plane of symmetry.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace viete::cages {
 
-/// The points p with dot(normal, p) = offset. The normal has length 1.
+/// A plane: the points p with dot(normal, p) = offset. The normal has length 1.
 struct Plane {
   mesh::Vec3 normal{1, 0, 0};
   double offset = 0;
@@ -22,11 +22,11 @@ struct Plane {
   friend bool operator==(const Plane&, const Plane&) = default;
 };
 
-/// Joins a half shell and its mirror image at x = 0. Vertices of the half keep their indices.
+/// Joins a half shell and its mirror image at x = 0. The vertices of the half keep their indices.
 Shell whole(const Shell& half);
 
-/// Returns the best plane of symmetry. Returns nullopt if the model and its mirror image differ by more than
-/// 2 % of the diagonal at a sampled point. `progress` may be null. Throws base::Cancelled.
+/// Returns the best plane of symmetry. If a sampled point shows a difference of more than 2 % of the diagonal
+/// between model and mirror image, returns nullopt. `progress` may be null. Throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {
@@ -43,16 +43,16 @@ struct Frame {
   }
 };
 
-/// Returns the bounding box of the vertices that triangles use; without triangles, of all vertices.
+/// Returns the bounding box of the vertices of triangles. If there are no triangles, uses all vertices.
 mesh::Bounds extent_of(const mesh::Surface& surface);
 
-/// Returns a frame in which the mirror is the plane x = 0. Without a mirror, the axes are the file's axes.
-/// The model must have at least two different points.
+/// Returns a frame in which the mirror is the plane x = 0. If there is no mirror, the frame has the file's
+/// axes. The model must have at least two different points.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// Returns a frame along the axes of inertia of the triangles; if they have no area, of the points.
+/// Returns a frame along the axes of inertia: of the triangles or, if these have no area, of the points.
 Frame own_frame(const mesh::Surface& model);
 
-/// The model in a frame. If it has no triangles, each point becomes a triangle without area.
+/// The model in a frame. If the model has no triangles, each point becomes a triangle without area.
 struct FramedModel {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
@@ -62,14 +62,14 @@ struct FramedModel {
 
 FramedModel model_in(const Frame& frame, const mesh::Surface& surface);
 
-/// The data shared by all cages with the same mirror plane. Thread-safe after construction.
+/// The data for all cages with one mirror plane. Thread-safe after construction.
 struct Subject {
   /// The surface must have at least two different points. `progress` may be null. Throws base::Cancelled.
   Subject(const mesh::Surface& surface, const std::optional<Plane>& mirror, base::Progress* progress);
 
   std::optional<Plane> mirror;
   Frame frame;
-  FramedModel model;  ///< with a mirror, the box is symmetric about x = 0
+  FramedModel model;  ///< if there is a mirror, the box is symmetric about x = 0
   mesh::TriangleTree tree;
 };
 

@@ -15,7 +15,7 @@ public:
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) pull_in(*neighbor);
   }
 
-  // Calls report(f) before each change; f is the completed fraction of the round.
+  // Calls report(f) before each change. f is the finished fraction of the round.
   template <class Report>
   void round(Report&& report) {
     for (auto e = mesh_.edges_sbegin(); e != mesh_.edges_end(); ++e) {
@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  // Returns limits that the current shape satisfies.
+  // Returns the limits, relaxed to the current shape around the vertex.
   Shape shape_for(VertexId v) {
     cage_.star_of(v, star_);
     Shape shape = {0.1, -0.75, 64};
@@ -80,7 +80,7 @@ private:
     if (to != x) cage_.move(v, to);
   }
 
-  // Returns the quality of the worse triangle.
+  // Returns the quality of the worse of the two triangles.
   static double worth(const mesh::Corners& s, const mesh::Corners& t) {
     return std::min(quality(s), quality(t));
   }
@@ -115,7 +115,7 @@ private:
   Star star_;
 };
 
-// A new vertex on an edge, and the volume that it saves.
+// A new vertex on an edge, and the volume that the split saves.
 struct Split {
   double gain;
   int edge;

@@ -16,11 +16,11 @@ namespace viete::cages {
 
 enum class Kind { automatic, box };
 
-/// The plane of symmetry. `automatic` finds the model's own plane. `x`, `y` and `z` are planes perpendicular
-/// to the axis, through the centre of the model's bounding box.
+/// The plane of symmetry. `automatic` searches for the model's plane. `x`, `y` and `z` are perpendicular to
+/// an axis, and contain the center of the model's bounding box.
 enum class Symmetry { automatic, none, x, y, z };
 
-/// A preview is about four times as fast. It is simplified less carefully, and its margin is less exact.
+/// A preview is about four times as fast. It is simplified with less care, and its margin is less exact.
 enum class Effort { preview, full };
 
 inline constexpr std::size_t least_triangles = 12, most_triangles = 20000;
@@ -31,7 +31,7 @@ struct Wish {
   Kind kind = Kind::automatic;
   std::size_t triangles = 200;  ///< only for Kind::automatic
   double margin = 0.0015;       ///< relative to the model's diagonal
-  double gap = 0.005;  ///< closes gaps narrower than twice this value, relative to the model's diagonal
+  double gap = 0.005;  ///< closes gaps narrower than twice this value; relative to the model's diagonal
   Symmetry symmetry = Symmetry::automatic;
   bool quads = false;                         ///< joins pairs of triangles to quads
   std::array<std::size_t, 3> cells{1, 1, 1};  ///< the number of cells along each axis; only for Kind::box
@@ -68,7 +68,7 @@ struct Made {
   mesh::Surface surface;
   std::vector<std::string> notes;  ///< messages for the user
   std::optional<Plane> mirror;     ///< the cage's plane of symmetry
-  double gap = 0;                  ///< the closed gap; may be larger than requested
+  double gap = 0;                  ///< the gap that was closed; may be larger than requested
 };
 
 }  // namespace viete::cages

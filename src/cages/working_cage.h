@@ -1,4 +1,4 @@
-// A cage under construction, with tests whether a change keeps the cage sound.
+// A cage under construction. Tests whether the cage stays sound after a change.
 #pragma once
 
 #include <OpenMesh/Core/Mesh/TriConnectivity.hh>
@@ -21,14 +21,14 @@ using HalfEdgeId = Connectivity::HalfedgeHandle;
 /// Limits for the shape of triangles.
 struct Shape {
   double least_quality = 0.1;
-  double least_cosine = -0.5;      ///< the least cosine between the normals of neighbours
+  double least_cosine = -0.5;      ///< the smallest cosine between the normals of neighbours
   std::size_t most_triangles = 9;  ///< the largest number of triangles at a vertex
 };
 
-/// Returns 4 sqrt(3) area / (sum of squared sides), which is 1 for an equilateral triangle.
+/// Returns 4 sqrt(3) area / (sum of the squared sides). The quality of an equilateral triangle is 1.
 double quality(const mesh::Corners& t);
 
-/// The triangles around a moved or new vertex.
+/// The triangles around a vertex that moves or is new.
 struct Star {
   std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges opposite the vertex, one per new triangle
   std::vector<FaceId> replaced;                   ///< the old triangles
@@ -41,9 +41,9 @@ struct Star {
   }
 };
 
-/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles
-/// intersect neither other triangles nor the model. Their clearance must be at least `margin`, within the
-/// resolution of the grid. No `enclosed` point may change sides. A mirrored cage must stay in x >= 0.
+/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles do
+/// not intersect other triangles or the model, their clearance is at least `margin` within the grid's
+/// resolution, no `enclosed` point changes sides, and a mirrored cage stays in x >= 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
@@ -61,39 +61,39 @@ public:
   mesh::Triangle vertices(FaceId f) const;
   mesh::Corners corners(FaceId f) const { return corners(vertices(f)); }
   mesh::Corners corners(const mesh::Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
-  /// Returns the normal; its length is twice the area.
+  /// Returns the normal of a triangle. Its length is twice the area.
   Vec3 normal(FaceId f) const;
 
-  /// The star of a vertex.
+  /// Sets the star of a vertex.
   void star_of(VertexId v, Star& star) const;
-  /// The star of the vertex that remains after collapsing the half-edge.
+  /// Sets the star of the vertex that remains after the half-edge collapses.
   void star_of(HalfEdgeId h, Star& star) const;
-  /// The star of a new vertex on an edge.
+  /// Sets the star of a new vertex on an edge.
   void star_of(Connectivity::EdgeHandle e, Star& star) const;
 
-  /// Returns the area-weighted mean normal of the replaced triangles, of length 1 or 0. For a star on the
-  /// mirror plane, the normal is parallel to this plane.
+  /// Returns the mean normal of the replaced triangles, weighted by area. Its length is 1 or 0. If the star
+  /// is on the mirror plane, the normal is parallel to this plane.
   Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Returns a position for the star's vertex that fits and encloses less volume than x, or x itself.
+  /// Returns a position of the star's vertex that fits and encloses less volume; x if none is found.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
-  /// Returns the volume that the cage gains if the star replaces its triangles and its vertex is at x.
+  /// Returns the volume that the cage gains if the star replaces its old triangles and its vertex is at x.
   double added_volume(const Star& star, const Point& x) const;
-  /// True if the star with its vertex at x fits.
+  /// True if the star fits with its vertex at x.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if the two triangles `now` can replace two triangles at an edge.
+  /// True if the triangles `now` fit as replacements of two triangles at an edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
-  /// From now on, fits() also tests this margin exactly. This is several times slower.
+  /// After this call, fits() also tests this margin exactly, and takes several times as long.
   void be_exact(double margin) { exact_margin_ = margin; }
-  /// True if the exact distance between triangle and model is less than `distance`.
+  /// True if the exact distance from the triangle to the model is less than `distance`.
   bool is_near_model(FaceId f, double distance) const { return is_near_model(corners(f), distance); }
 
-  // The next functions make a change, which must fit.
+  // Each of the next functions makes a change. The change must fit.
 
   void move(VertexId v, const Point& x);
-  /// Keeps the `to` vertex of the half-edge, and moves it to x.
+  /// Collapses the half-edge. Keeps its `to` vertex, and moves this vertex to x.
   void collapse(HalfEdgeId h, const Point& x);
   void flip(Connectivity::EdgeHandle e);
   VertexId split(Connectivity::EdgeHandle e, const Point& x);
@@ -113,7 +113,7 @@ private:
   struct Placed {
     Candidate triangle{};
     mesh::Bounds box{};
-    std::uint32_t seen = 0;  // the number of the last query that visited this triangle
+    std::uint32_t seen = 0;  // the number of the last query that found this triangle
     bool is_placed = false;
   };
   void place(FaceId f);
@@ -130,7 +130,7 @@ private:
   std::size_t faces_;
   double exact_margin_ = 0;  // if 0, only tests that triangles do not intersect the model
   std::vector<Placed> placed_;
-  std::vector<std::vector<std::uint32_t>> cells_;  // the faces in each cell of the search grid
+  std::vector<std::vector<std::uint32_t>> cells_;  // the triangles in each cell of the search grid
   std::uint32_t question_ = 0;
   std::vector<Candidate> now_;
 };

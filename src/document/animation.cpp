@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// Turns are equal if they differ by at most half a turn: missing turns count as 0, and the computed turns
-// that replace them are at most half a turn. Another branch of the same rotation differs by a whole turn.
+// Turns count as equal if they differ by at most half a turn. A missing turn is 0; the computed turn that
+// replaces it is at most half a turn. Another branch of a rotation differs by a whole turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {

@@ -1,4 +1,4 @@
-// Mixes shapes of the model, and computes the pose at any frame of a timeline.
+// Mixes shapes of the model. Computes the pose at each frame of a timeline.
 #pragma once
 
 #include <map>
@@ -16,48 +16,48 @@
 namespace viete::document {
 
 struct ShapeTerm {
-  SharedShape shape;  ///< null means the rest shape
+  SharedShape shape;  ///< null is the rest shape
   double factor;
 };
 
-/// Blends shapes in log space; `held` sets the translation of the result. If `held` is null, blends vertex
-/// positions linearly. A vertex that is at rest in all terms stays exactly at rest.
+/// Blends shapes in log space. `held` sets the translation of the result. If `held` is null, blends vertex
+/// positions linearly. If a vertex is at rest in all terms, keeps its exact rest position.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If the rest shape and all terms have the same constant x, y or z, sets this coordinate of the positions.
+/// If the rest shape and all terms have an equal constant x, y or z, sets this coordinate of all positions.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// Returns the rest shape plus the weighted shapes, in log space or (`straight`) linearly. A single shape
-/// with factor 1 is returned unchanged. Throws base::Error if a shape does not fit the model.
+/// Returns the rest shape plus the weighted shapes, blended linearly (`straight`) or in log space. Returns a
+/// single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
 /// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports);
 
-/// Caches the log vectors of poses of one cage and of shapes of one model. Not thread-safe.
+/// Caches log vectors: of the poses of one cage, and of the shapes of one model. Not thread-safe.
 class VectorCache {
 public:
   /// Sets the cage, which may be null. Clears the cached poses if the cage changed.
   void follow(const std::shared_ptr<const deform::Cage>& cage);
   /// Sets the model. Clears the cached shapes if the model changed.
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
-  /// Returns null without a cage.
+  /// Returns the pose space of the cage, or null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
-  /// Returns PoseSpace::vector(), or null without a cage. Caches the vector while other code uses the pose.
+  /// Returns PoseSpace::vector(), or null without a cage. Caches the vector while other code owns the pose.
   std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
-  /// Requires a model. The first call creates the space, and throws base::Error like its constructor.
+  /// Returns the shape space. Requires a model. The first call creates the space and can throw base::Error.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Returns ShapeSpace::vector() with `before` as the preceding shape; a null `shape` is the rest shape. The
-  /// vector is cached while other code uses the shape. Throws base::Error like ShapeSpace::vector().
+  /// Returns ShapeSpace::vector(). `before` is the preceding shape; if `shape` is null, uses the rest shape.
+  /// Caches the vector while other code owns the shape. Throws base::Error like ShapeSpace::vector().
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// Adds the cached shapes of another cache. Does nothing if the caches have different models.
+  /// Adds the cached shapes of another cache. If the caches have different models, does nothing.
   void take(VectorCache&& others);
 
 private:
@@ -83,23 +83,23 @@ private:
   std::map<const void*, KnownShape> known_shapes_;
 };
 
-/// Computes the pose at any frame of a timeline. Immutable and thread-safe. At a key, returns exactly the
-/// key's pose. If this pose has no whole turns, adds the whole turns nearest to the previous key.
+/// Computes the pose at any frame of a timeline. At a key, returns exactly the key's pose; if the pose has no
+/// whole turns, adds the whole turns that are nearest to the previous key. Immutable and thread-safe.
 ///
-/// Between keys, blends the cage in log space (see PoseSpace); if the timeline is linear, blends its vertex
-/// positions. Always blends probes in log space. If the result is out of the drawable range, because `smooth`
-/// easing can overshoot, returns the pose of the previous key.
+/// Between keys, blends the cage in log space (see PoseSpace) or, if the timeline is linear, blends its
+/// vertex positions. Always blends probes in log space. The `smooth` easing can overshoot: if the result is
+/// out of the drawable range, returns the pose of the previous key.
 class Animation {
 public:
-  /// The poses and shapes of the keys must belong to the cage and the model of `vectors`. Throws base::Error
-  /// if a shape does not fit the model.
+  /// The poses and shapes of all keys must fit the cage and the model of `vectors`. Throws base::Error if a
+  /// shape does not fit the model.
   Animation(const Timeline& timeline, VectorCache& vectors);
 
-  /// Returns messages about the shapes of the keys, for the user.
+  /// Returns messages about problems in the keys' shapes, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// Uses `straight` instead of the setting of the timeline.
+  /// Returns the pose at a frame. `straight` replaces the setting of the timeline.
   WholePose at(double frame, bool straight) const;
 
 private:
@@ -110,7 +110,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate, at least the largest of all keys
+  double farthest_ = most_drawn;  // the largest allowed coordinate; at least the largest of all keys
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

@@ -1,4 +1,4 @@
-// Painting the model's mask: the fraction of the cage's motion that each vertex follows.
+// Paints the model's mask. The mask is the fraction of the cage's motion that each vertex follows.
 #pragma once
 
 #include <optional>
@@ -19,17 +19,17 @@ struct Brush {
   float share = 0;    ///< the mask value to paint, from 0 (stays at rest) to 1 (follows the cage)
 };
 
-/// The last deformed model, in the vertex layout of the GPU. Without vertices, the model is at rest.
+/// The last deformed model, in the vertex layout of the GPU. If there are no vertices, the model is at rest.
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
-  unsigned long frame = 0;  ///< changes whenever the vertices may have changed
+  unsigned long frame = 0;  ///< changes each time the vertices may have changed
 
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };
 
-/// Returns the first intersection of the ray with the posed model, in file coordinates; nullopt if the ray
-/// misses. Tests every triangle.
+/// Returns the first intersection of the ray with the posed model, in file coordinates. Returns nullopt if
+/// the ray misses the model. Tests every triangle.
 std::optional<mesh::Point> pick_model(const Document& document, const PosedModel& posed, const Ray& ray);
 
 /// A point attached to the model: a triangle and barycentric coordinates.
@@ -41,20 +41,20 @@ struct SurfacePoint {
 /// Like pick_model(), but returns the triangle and the barycentric coordinates.
 std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedModel& posed, const Ray& ray);
 
-/// Masks are quantized to steps of 1/255, as in session files.
+/// The number of steps between mask values 0 and 1. Session files have the same steps.
 inline constexpr int mask_steps = 255;
 
-/// One stroke of the brush, from press to release of the mouse button. Painting a vertex twice in one stroke
-/// has the same effect as painting it once.
+/// One stroke of the brush, from press to release of the mouse button. If a stroke paints a vertex twice, the
+/// effect is that of painting it once.
 class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Paints the mask value `share` around the center. The strength is full up to half the radius, and falls
-  /// to 0 at the radius.
+  /// Paints the mask value `share` around the center. Up to half the radius, the strength is full. From there
+  /// it decreases to 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// Records the stroke as one undoable edit, if it changed the mask.
+  /// If the stroke changed the mask, records the stroke as one undoable edit.
   void commit(Document& document);
   /// Restores the mask from before the stroke.
   void cancel(Document& document) const;
@@ -65,8 +65,8 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// Sets the mask as an undoable edit. `mask` is null or has one value per model vertex. A mask of ones only
-/// becomes null.
+/// Sets the mask as an undoable edit. `mask` is null or has one value per model vertex. If all values are 1,
+/// sets null.
 void set_mask(Document& document, deform::Mask mask, const char* label);
 /// Returns the mask with each value s replaced by 1 - s.
 deform::Mask inverted(const Document& document);

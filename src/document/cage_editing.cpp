@@ -23,14 +23,14 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// How an edit changes the displacements from rest to pose: mirrors the displacements of mirrored vertices,
+// The change of the displacements from rest to pose. An edit mirrors the displacements of mirrored vertices,
 // and scales all displacements.
 struct Follow {
   cages::Plane plane{};
   double scale = 1;
 };
 
-// Transfers a pose to the edited cage. If the number of parts is unchanged, the parts keep their whole turns.
+// Transfers a pose to the edited cage. If the number of parts is unchanged, keeps the parts' whole turns.
 deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const cages::Edited& edited,
                      const deform::Cage& after, const Follow& follow) {
   deform::Pose now;
@@ -46,8 +46,8 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
-// Replaces the cage. During cage editing, the new cage is shown at rest; otherwise its vertices keep their
-// pose. With an empty label, the change extends the last edit.
+// Replaces the cage. During cage editing, shows the new cage at rest; otherwise its vertices keep their pose.
+// If `label` is empty, the change becomes part of the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -69,7 +69,7 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// Returns the cage with other positions.
+// Returns an edited cage that differs only in its positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
@@ -114,7 +114,7 @@ bool commit_cage_edit(Document& document) {
     document.selection = selection;
     return true;
   } catch (const base::Error& error) {
-    // Undoes the edit that moved the vertices, and selection changes after that edit.
+    // Undoes the edit that moved the vertices, and later changes of the selection.
     while (document.history.can_undo() && is_editing_cage(document) &&
            document.pose.positions != document.cage->surface.positions)
       undo(document);
@@ -175,7 +175,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // If vertices are selected, keeps their side of the plane.
+  // If vertices are selected, keeps the side of the plane that contains the selection.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))

@@ -1,34 +1,34 @@
-// Cage editing: a mode that shows the cage at rest and changes its rest shape instead of its pose.
+// Cage editing: a mode that shows the cage at rest. In this mode, dragging changes the rest shape.
 #pragma once
 
 #include "document/document.h"
 
 namespace viete::document {
 
-/// The margin between a fitted cage and the model's box, relative to the model's diagonal.
+/// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, each vertex returns to its pose, shifted by the change of its rest
+/// Begin and end cage editing. At the end, each vertex returns to its pose, plus the change of its rest
 /// position. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
-/// Makes the moved positions the rest shape of the cage, as part of the edit that moved them. Returns false
-/// if no vertex moved. If the result is not a valid cage, undoes that edit and throws base::Error.
+/// Makes the moved positions the rest shape of the cage, as part of the edit that moved them. If no vertex
+/// moved, returns false. If the new cage is not valid, undoes the edit and throws base::Error.
 bool commit_cage_edit(Document& document);
 
-/// Each function below is one undoable edit. It throws base::Error and changes nothing if the selection is
-/// unsuitable or the result would not be a valid cage. The functions named `selected` require cage editing.
+/// Each function below is one undoable edit. If the selection is unsuitable or the new cage would not be
+/// valid, it changes nothing and throws base::Error. The functions named `selected` require cage editing.
 void split_selected(Document& document);    ///< splits edges
 void cut_selected(Document& document);      ///< cuts faces
 void merge_selected(Document& document);    ///< merges vertices
 void remove_selected(Document& document);   ///< dissolves vertices or edges, or deletes faces
 void extrude_selected(Document& document);  ///< extrudes faces
 void subdivide_cage(Document& document);
-/// Mirrors one half of the cage across the axis-aligned plane in which the model is most symmetric. Keeps the
-/// half with the selected vertices, or the positive half without a selection.
+/// Mirrors one half of the cage across an axis-aligned plane: the plane in which the model is most symmetric.
+/// Keeps the half with the selected vertices or, without a selection, the positive half.
 void mirror_cage(Document& document);
-/// Moves and scales the cage, with its pose, to the model's bounding box.
+/// Fits the cage to the model's bounding box. Moves and scales the rest shape and the pose.
 void fit_cage(Document& document);
 /// Moves the cage outward to enclose the model. Returns the number of model vertices that are still outside.
 std::size_t enclose_model(Document& document);

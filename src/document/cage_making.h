@@ -1,4 +1,4 @@
-// The settings for generating a cage in the window, and the edit that applies the generated cage.
+// The settings for generating a cage, and the edit that puts the generated cage into the document.
 #pragma once
 
 #include <memory>
@@ -19,7 +19,7 @@ using CageWish = cages::Wish;
 /// While the panel is open, the document's cage follows the settings.
 struct CageMaking {
   bool open = false;
-  bool closing = false;  ///< the user confirmed, but a full-quality cage must still replace the preview
+  bool closing = false;  ///< true: the user confirmed, but the cage of full quality is not ready
   CageWish wish;
   std::vector<std::string> notes{};              ///< messages about the last generated cage
   std::vector<std::string> lost{};               ///< messages about sets, poses and keys of the previous cage
@@ -27,21 +27,21 @@ struct CageMaking {
   std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
 };
 
-/// True if the document's cage is the last generated cage.
+/// True if the document has the last generated cage.
 bool shows_generated(const Document& document, const CageMaking& making);
-/// True if the document's cage is the last generated cage and the last edit generated it. Then replacing the
-/// cage loses no work.
+/// True if the document has the last generated cage and the last edit generated it. In this case, no work is
+/// lost if another cage replaces this cage.
 bool can_replace_generated(const Document& document, const CageMaking& making);
 
-/// Puts a generated cage at rest into the document. Undoable. Consecutive generated cages form one edit.
+/// Puts the generated cage into the document, at rest. Undoable. Consecutive generated cages form one edit.
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
                    std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
-/// Undoes edits until the document has the cage from before the panel was opened.
+/// Undoes edits until the document has the cage that it had before the panel was opened.
 void cancel_making(Document& document, CageMaking& making);
 
-/// Returns a file in the model's folder whose name suggests a cage, such as cage.obj or MODEL_cage.obj; an
-/// empty path if no such file exists.
+/// Finds a file that may be the model's cage, such as cage.obj or MODEL_cage.obj in the model's folder. If no
+/// such file exists, returns an empty path.
 std::filesystem::path cage_beside(const std::filesystem::path& model);
 
 }  // namespace viete::document

@@ -19,7 +19,7 @@ glm::mat4 perspective_lens(float distance, float aspect) {
   return glm::perspective(Camera::vertical_field, aspect, near_plane, far_plane);
 }
 
-// The orthographic view volume begins behind the eye, so that zooming in does not clip the model.
+// Returns a projection that begins behind the eye, so that zooming in does not clip the model.
 glm::mat4 orthographic_lens(float distance, float aspect) {
   const float half = distance * std::tan(0.5f * Camera::vertical_field);
   return glm::ortho(-half * aspect, half * aspect, -half, half, -20.0f, distance + 20.0f);
@@ -55,7 +55,7 @@ glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
 
 }  // namespace
 
-// See T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
+// Source: T. Moeller and B. Trumbore, Fast, Minimum Storage Ray/Triangle Intersection (1997).
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& t) {
   const glm::dvec3 u = t[1] - t[0], v = t[2] - t[0], from = ray.origin - t[0];
   const glm::dvec3 p = glm::cross(ray.direction, v), q = glm::cross(from, u);
@@ -184,8 +184,8 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// The points are centered in the area above the covered pixels. `raised` is the height of this area's center
-// above the center of the pane, as the slope of a view ray.
+// Centers the points above the covered pixels. `raised` is the height of the center of the free area above
+// the center of the pane, as the slope of a view ray.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

@@ -1,4 +1,4 @@
-// The camera of a view, with orbit, pan, zoom to the cursor and animated standard views.
+// The camera of a view: orbits, pans, zooms to the cursor, and animates to standard views.
 #pragma once
 
 #include <array>
@@ -8,12 +8,12 @@
 
 namespace viete::document {
 
-/// The part of the window that panels do not cover, in logical pixels from the window's top left.
+/// The part of the window that is free of panels, in logical pixels from the top left of the window.
 struct Viewport {
-  glm::vec2 window{1, 1};  ///< size of the whole window
-  glm::vec2 origin{0, 0};  ///< top left of the uncovered part
-  glm::vec2 size{1, 1};    ///< size of the uncovered part
-  /// The top left and the size of this view's pane in a split view, as fractions of the uncovered part.
+  glm::vec2 window{1, 1};  ///< the size of the whole window
+  glm::vec2 origin{0, 0};  ///< the top left of the free part
+  glm::vec2 size{1, 1};    ///< the size of the free part
+  /// In a split view: the top left and the size of this view's pane, as fractions of the free part.
   glm::vec2 pane{0, 0}, pane_size{1, 1};
 
   friend bool operator==(const Viewport&, const Viewport&) = default;
@@ -23,23 +23,23 @@ struct Viewport {
 
 enum class StandardView { front, back, right, left, top, bottom, home };
 
-/// The file's up axis. It affects the view only; coordinates never change.
+/// The file's up axis. It changes only the view, not the coordinates.
 enum class UpAxis { y, z };
 
-/// Angles are in radians, lengths in view units (document/space.h). Camera clamps the values to the ranges in
-/// document/range.h.
+/// The pose of a camera. Angles are in radians, lengths in view units (document/space.h). Camera clamps the
+/// values to the ranges in document/range.h.
 struct CameraPose {
   glm::vec3 target{0, 0, 0};
   float distance = 4;
-  float yaw = 0.65f;          ///< about the up axis; at 0 the camera looks along -Z, or along Y if Z is up
+  float yaw = 0.65f;          ///< about the up axis; at 0, looks along -Z or, if Z is up, along Y
   float pitch = 0.32f;        ///< above the horizon, in [-pi/2, pi/2]
-  bool orthographic = false;  ///< shows objects near the target in the same size as perspective
+  bool orthographic = false;  ///< if true, the target has the same size as in perspective
   UpAxis up = UpAxis::y;
 
   friend bool operator==(const CameraPose&, const CameraPose&) = default;
 };
 
-/// A ray in view units; its direction has length 1.
+/// A ray in view units. The direction has length 1.
 struct Ray {
   glm::dvec3 origin, direction;
 };
@@ -48,7 +48,7 @@ struct RayHit {
   double distance;               ///< from the ray's origin; negative behind the origin
   std::array<double, 3> shares;  ///< barycentric coordinates
 };
-/// Intersects the line of the ray with a triangle, from either side; nullopt if they do not meet.
+/// Intersects the line of the ray with a triangle, from both sides. Returns nullopt if they do not intersect.
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& corners);
 
 class Camera {
@@ -56,7 +56,7 @@ public:
   static constexpr float vertical_field = 0.55f;  ///< the vertical field of view, in radians
 
   const CameraPose& pose() const { return current_; }
-  /// Returns the final pose of a running animation, or the current pose if no animation runs.
+  /// If an animation runs, returns its final pose, otherwise the current pose.
   const CameraPose& destination() const { return moving() ? goal_ : current_; }
   void set_pose(const CameraPose& pose);
 
@@ -65,34 +65,34 @@ public:
   glm::vec3 up() const;
   glm::vec3 forward() const;
   glm::mat4 view() const;
-  /// The target appears in the center of the view's pane.
+  /// Returns the projection matrix. The target is in the center of the view's pane.
   glm::mat4 projection(const Viewport& viewport) const;
   /// Returns the view-space depth of a point, positive in front of the camera.
   float depth(const glm::vec3& point) const;
-  /// Returns view units per logical pixel. The depth has no effect in an orthographic view.
+  /// Returns the number of view units per logical pixel. An orthographic view ignores the depth.
   double per_pixel(double depth, const Viewport& viewport) const;
-  /// Returns the ray under the cursor. It starts in the view plane through the eye.
+  /// Returns the ray under the cursor. The origin of the ray is in the view plane through the eye.
   Ray ray(const glm::vec2& cursor, const Viewport& viewport) const;
-  /// Returns the displacement parallel to the view plane that moves a point by `pixels` (right, down).
+  /// Returns the displacement in the view plane that moves a point at this depth by `pixels` (right, down).
   glm::dvec3 plane_displacement(const glm::vec2& pixels, double depth, const Viewport& viewport) const;
 
   void set_orthographic(bool orthographic);
-  /// Keeps the yaw and pitch angles.
+  /// Changes the up axis, but not the yaw and pitch angles.
   void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
   void pan(const glm::vec2& pixels, const Viewport& viewport);
-  /// Positive steps zoom in. The point at the target's depth under the cursor stays under the cursor.
+  /// If `steps` is positive, zooms in. A point under the cursor does not move if it has the target's depth.
   void zoom(float steps, const glm::vec2& cursor, const Viewport& viewport);
 
-  /// Animates the camera to a new target. Keeps direction and distance.
+  /// Animates the camera to a new target, without a change of direction and distance.
   void center(const glm::vec3& target);
   /// Animates the camera to a standard view.
   void look(StandardView view);
-  /// Shows all points as large as possible in the view's pane, with a margin. A single point is framed like a
-  /// small sphere. The lowest `covered` logical pixels of the pane stay empty.
+  /// Shows all points as large as possible in the view's pane, with a margin. A single point is shown like a
+  /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
              float covered = 0);
-  /// Advances a running animation by `seconds`. Returns false if no animation runs.
+  /// Advances the animation by `seconds`. If no animation runs, returns false.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
 

@@ -38,7 +38,7 @@ bool inside_out(const mesh::Summary& summary) {
   return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
-// Adds the defects that `summary` lists, and pinched vertices.
+// Adds the edge defects in `summary`, and the pinched vertices.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);
@@ -58,7 +58,7 @@ void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
 }
 
 struct Words {
-  const char *one, *several;       // the title, without its number
+  const char *one, *several;       // the title for one element and for several elements, without the number
   const char *of_cage, *of_model;  // the explanation for a cage and for a model
 };
 
@@ -151,7 +151,7 @@ std::vector<Finding> check_cage(const mesh::Surface& cage, base::Progress* progr
       faces_of(cage, mesh::thin_triangles(cage, thin)));
   const auto doubled = mesh::duplicate_vertices(cage);
   add(found, Defect::doubled_vertex, Subject::cage, ElementKind::vertex, doubled);
-  // Duplicate vertices lose their faces by welding, but they are not unused.
+  // Welding leaves duplicate vertices without faces. Such vertices do not count as unused.
   Elements unused;
   std::set_difference(summary.unused_vertices.begin(), summary.unused_vertices.end(), doubled.begin(),
                       doubled.end(), std::back_inserter(unused));
@@ -194,8 +194,8 @@ bool matters(const Finding& finding) {
 
 namespace {
 
-// Returns the signed volume of each part, relative to the cube of the cage's diagonal. The volume is positive
-// if the faces point outward.
+// Returns the signed volume of each part, divided by the cube of the cage's diagonal. If the faces of a part
+// point outward, its volume is positive.
 std::vector<double> volumes(const deform::Cage& cage, const std::vector<mesh::Point>& positions) {
   std::vector<double> all(cage.roots.size(), 0);
   for (std::size_t e = 0; e < cage.element_count(); ++e) {

@@ -29,7 +29,7 @@ struct SizeRange {
   const char* use;
 };
 
-// A single point has no size: then only its position is checked.
+// Checks the size and position of a box. A single point has no size, so only its position is checked.
 void check_size(const std::string& place, const mesh::Bounds& box, const SizeRange& range) {
   double size = box.diagonal();
   for (int k = 0; k < 3; ++k) size = std::max({size, std::abs(box.low[k]), std::abs(box.high[k])});
@@ -144,8 +144,8 @@ void check_drawable(const Document& document) {
   check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
-// The deformation computes squares of areas. The dragon deforms identically at all sizes from 1e-75 to 1e76;
-// the limits are closer, because triangles are smaller than the model.
+// The deformation computes squares of areas. At all sizes from 1e-75 to 1e76, the dragon deforms identically.
+// The limits are closer because triangles are smaller than the model.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }

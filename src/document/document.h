@@ -1,4 +1,4 @@
-// The document: model, cage, pose, selection and settings, with revisions for data computed from them.
+// The document: model, cage, pose, selection and settings. Revisions show which of them changed.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ using deform::Amounts, deform::Blend, deform::Holding, deform::most_iterations, 
 using deform::Falloff, deform::Influence, deform::Probe, deform::ProbePose;
 using mesh::Summary;
 
-/// A counter that increases with each change. Code compares it to decide whether its data is up to date.
+/// A counter of changes. Code stores it with computed data, to see later whether the data is up to date.
 using Revision = unsigned long;
 
 struct Revisions {
@@ -43,23 +43,23 @@ struct Revisions {
   Revision cage = 0;      ///< changes when an edit replaces the cage
   Revision weights = 0;   ///< changes with the weights and their radius
   Revision pose = 0;      ///< changes with the cage's pose, the probes and the model's shape
-  Revision method = 0;    ///< changes with the blend, its settings and the method of computing exp
+  Revision method = 0;    ///< changes with the blend, its settings and the method for exp
   Revision whole = 0;     ///< changes when the timeline, the pose list or undo sets a complete pose
 
   friend bool operator==(const Revisions&, const Revisions&) = default;
 };
 
-/// The motion of a probe by the cage.
+/// A probe after the cage moved it.
 struct Carried {
-  mesh::Point place;  ///< the moved position
+  mesh::Point place;  ///< the new position of the probe
   sym3::Mat3<double> map{1, 0, 0, 0, 1, 0, 0, 0, 1};
 };
 
 struct Document : DocumentState {
   OpenedSurface model;
-  std::filesystem::path cage_beside;  ///< a file that may be the model's cage; see document/cage_making.h
+  std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
   std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;       ///< one per probe, in the last frame; a missing entry means at rest
+  std::vector<Carried> carried;       ///< one per probe, from the last frame; missing probes are at rest
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
@@ -70,19 +70,19 @@ struct Document : DocumentState {
   bool has_shapes() const;
 
   const Revisions& revisions() const { return revisions_; }
-  /// Marks everything as changed. Call this after replacing the open document `other`.
+  /// Marks everything as changed. Call this after this document replaced the open document `other`.
   void mark_replacing(const Document& other);
 
-  /// Give write access and increase the revision.
+  /// Give write access. Each call increases the revision.
   deform::Pose& changed_pose() { return ++revisions_.pose, pose; }
   deform::Probes& changed_probes() { return ++revisions_.pose, probes; }
-  /// Sets the shape from the timeline, the pose list or undo. Null means the rest shape.
+  /// Sets the shape from the timeline, the pose list or undo. Null is the rest shape.
   void put_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose, ++revisions_.whole; }
   /// Sets the shape from pin posing.
   void put_posed_shape(SharedShape other) { shape = std::move(other), ++revisions_.pose; }
-  /// Replaces the cage and its pose. Clears the selection of cage elements, hidden vertices and named sets.
+  /// Replaces the cage and its pose. Clears selected cage elements, hidden vertices and named sets.
   void replace_cage(OpenedSurface file, std::shared_ptr<const deform::Cage> by, deform::Pose posed);
-  /// Change a setting. The history is unchanged.
+  /// Change a setting without recording an edit.
   void put_scheme(const deform::Scheme& other);
   void put_method(sym3::Method other);
   void restore(DocumentState&& state);
@@ -96,36 +96,36 @@ OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* pr
 
 /// Creates a document without a cage.
 Document document_of(OpenedSurface model);
-/// Throws base::Error if the model, the cage or a pose does not fit the float range of GPUs: if its size or a
-/// coordinate is above 1e32, or its size is below 1e-32.
+/// Throws base::Error if the float range of GPUs is too small for the model, the cage or a pose: if a size or
+/// a coordinate is above 1e32, or a size is below 1e-32.
 void check_drawable(const Document& document);
-/// Throws base::Error if a size is too large or small to deform in double: above 1e60 or below 1e-60.
+/// Throws base::Error if a size is above 1e60 or below 1e-60, because deforming in double would fail.
 void check_deformable(const Document& document);
-/// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError if it is not valid.
+/// Sets the cage at rest and clears the history. If it is invalid, throws base::Error or deform::FinError.
 void set_cage(Document& document, OpenedSurface cage);
 
-/// Reads a model and a cage into a new document. The cage's path may be empty. Throws base::Error.
+/// Reads a model and a cage into a new document. The path of the cage may be empty. Throws base::Error.
 Document open_document(const std::filesystem::path& model, const std::filesystem::path& cage,
                        base::Progress* progress = nullptr);
 
-/// Settings requested before a document is opened.
+/// The settings that were requested before a document is opened.
 struct RequestedSettings : deform::AskedScheme {
   std::optional<sym3::Method> method{};
 
   bool any() const { return method || AskedScheme::any(); }
 };
-/// Applies the settings without recording an edit. Throws like deform::scheme_of().
+/// Applies the settings without recording an edit. Throws errors of deform::scheme_of().
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 DocumentState state_of(const Document& document);
 
-/// True during cage editing (cage_editing.h). Then document.pose is the edited rest shape of the cage, and
-/// document.kept_pose is its pose.
+/// True during cage editing (cage_editing.h). During cage editing, document.pose is the rest shape that the
+/// user edits, and document.kept_pose is the cage's pose.
 inline bool is_editing_cage(const Document& document) {
   return document.kept_pose.has_value();
 }
 
-/// Returns the cage's pose, also during cage editing.
+/// Returns the cage's pose, during cage editing too.
 inline const deform::Pose& real_pose(const Document& document) {
   return document.kept_pose ? *document.kept_pose : document.pose;
 }
@@ -133,7 +133,7 @@ inline const deform::Pose& real_pose(const Document& document) {
 /// Returns the position of a vertex in the model's shape.
 mesh::Point shape_of_vertex(const Document& document, std::uint32_t vertex);
 Carried carried_probe(const Document& document, std::size_t probe);
-/// Returns the probe's current position, after the motion by the cage and by the probe's own pose.
+/// Returns the probe's current position. The cage and the probe's own pose have moved it.
 mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
 /// Returns the current position of a pin's vertex.

@@ -1,4 +1,4 @@
-// The part of a document that edits change, including its surfaces and named poses.
+// The part of a document that edits change: surfaces, pose, selection, settings and named poses.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +26,7 @@ namespace viete::document {
 struct NamedPose {
   std::string name;
   SharedPose pose;
-  double weight = 0;  ///< the pose's factor in the mix; may be negative or above 1
+  double weight = 0;  ///< the factor of the pose in the mix; may be negative or above 1
 
   friend bool operator==(const NamedPose&, const NamedPose&) = default;
 };
@@ -37,68 +37,68 @@ struct NamedShape {
 };
 
 /// The named poses, in the order of the user's list. The document's pose is `unmixed` plus the weighted
-/// poses. The sum is taken in log space, or linearly if the timeline is linear.
+/// poses. Adds them linearly if the timeline is linear, otherwise in log space.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
   SharedPose unmixed{};  ///< the pose without the mix; null if all weights are 0
-  SharedPose mixed{};    ///< the pose with the mix; differs from the document's pose after another edit
+  SharedPose mixed{};    ///< the pose with the mix; the document has another pose after other edits
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
 };
 
-/// Probe poses, and their factor in a weighted sum of logs. Missing probes are at rest.
+/// The poses of all probes, and their factor in a sum of logs. Missing probes are at rest.
 struct ProbeTerm {
   const std::vector<deform::ProbePose>* poses;
   double factor;
 };
 std::vector<deform::ProbePose> blended_probes(std::span<const ProbeTerm> terms);
 
-/// True if the pose is within the ranges of document/range.h, and every coordinate is at most `farthest`.
+/// True if the pose is in the ranges of document/range.h and no coordinate is larger than `farthest`.
 bool in_range(const WholePose& pose, double farthest = most_drawn);
-/// True if positions are exactly equal and whole turns are equal.
+/// True if the positions and the whole turns are equal.
 bool same_pose(const deform::Pose& a, const deform::Pose& b);
-/// True if cages, shapes and probes have the same pose. Missing probes are at rest.
+/// True if cage, shape and probes are equal. Missing probes are at rest.
 bool same_pose(const WholePose& a, const WholePose& b);
 
 /// A loaded or generated surface.
 struct OpenedSurface {
-  std::filesystem::path path;  ///< empty if the surface is not in a file
+  std::filesystem::path path;  ///< empty if the surface does not come from a file
   std::string format;
   std::shared_ptr<const mesh::Surface> surface;
-  std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has none
-  std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written back unchanged
+  std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has no attributes
+  std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written again unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use
+  mesh::Bounds bounds;  ///< the bounding box of the vertices of polygons
   std::vector<std::string> warnings;
-  std::uint64_t content = 0;  ///< mesh::content_key(), or 0 if it is not known
-  std::string made;           ///< a description of a surface that is not in a file: "cage.obj, edited"
+  std::uint64_t content = 0;  ///< the value of mesh::content_key(); 0 if not computed
+  std::string made;           ///< describes a surface without a file, such as "cage.obj, edited"
 };
 
-/// Returns the file name, or the description of a surface that is not in a file.
+/// Returns the file name or, without a file, the description.
 inline std::string name_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.filename().string();
 }
 
-/// Returns the path, or the description of a surface that is not in a file.
+/// Returns the path or, without a file, the description.
 inline std::string place_of(const OpenedSurface& opened) {
   return opened.path.empty() ? opened.made : opened.path.string();
 }
 
 OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// Copies share surfaces, named poses, keys and masks; only pose and selection are duplicated.
+/// Copies share surfaces, named poses, keys and masks. A copy duplicates only pose and selection.
 struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
   OpenedSurface cage_file;                   ///< its surface is null without a cage
   deform::Pose pose;
-  SharedShape shape;                      ///< the model before cage and probes deform it; null means at rest
-  std::optional<deform::Pose> kept_pose;  ///< the cage's pose during cage editing, see cage_editing.h
+  SharedShape shape;                      ///< the model's shape before cage and probes act; null at rest
+  std::optional<deform::Pose> kept_pose;  ///< during cage editing, the cage's pose; otherwise nullopt
   deform::Scheme scheme = deform::default_scheme();
-  deform::Mask mask;  ///< one value per model vertex; null if every vertex follows the cage
+  deform::Mask mask;  ///< one value per model vertex; if null, every vertex follows the cage
   deform::Probes probes;
   Selection selection;
   CageGroups groups;

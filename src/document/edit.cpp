@@ -11,14 +11,14 @@ namespace viete::document {
 
 namespace {
 
-// Settings that require a new binding. Binding can fail.
+// Settings that require a new binding. The new binding can fail.
 enum class Setting : std::size_t { blending, radius, iterations, holding };
 
 EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
 }
 
-// Changes a setting of the scheme. Consecutive changes of one setting are one edit.
+// Changes a setting of the deformer. Consecutive changes of one setting form one edit.
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
   deform::Scheme scheme = document.scheme;

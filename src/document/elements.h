@@ -1,5 +1,5 @@
-// Selectable elements: the vertices, edges and faces of a cage, and probes. Growing, hiding and saving
-// selections. Each change is an undoable edit.
+// The elements that the user can select: vertices, edges and faces of a cage, and probes. Grows, hides and
+// saves selections. Each change is an undoable edit.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,13 @@ std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Sel
 /// Returns the elements of `kind` whose vertices are all in the selection.
 Selection converted(const deform::Cage& cage, const Selection& selection, ElementKind kind);
 
-/// Returns all elements that edges connect with the selection, including the selection.
+/// Returns the selection, and all elements that edges connect with it.
 Selection linked(const deform::Cage& cage, const Selection& selection);
 
-/// Grows the selection by one ring: adds vertices connected by an edge, or edges and faces that share a
-/// vertex. Does not change selected probes.
+/// Grows the selection by one ring. Adds vertices that an edge connects with the selection, or edges and
+/// faces that share a vertex with it. Selected probes do not change.
 Selection grown(const deform::Cage& cage, const Selection& selection);
-/// Shrinks the selection by one ring. Elements at the boundary of an open cage stay selected.
+/// Shrinks the selection by one ring. At the boundary of an open cage, elements stay selected.
 Selection shrunk(const deform::Cage& cage, const Selection& selection);
 
 /// Returns "vertex", "edge", "face" or "probe".
@@ -49,31 +49,31 @@ std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind 
 Selection without_hidden(const Document& document, Selection selection);
 std::vector<std::uint32_t> without_hidden(const Document& document, std::vector<std::uint32_t> vertices);
 
-/// Hides and deselects the selected elements.
+/// Hides the selected elements and deselects them.
 void hide_selected(Document& document);
 void hide_others(Document& document);
 void show_all(Document& document);
 
 /// Saves the selection as "Set 1", or with the next free number. Requires selected cage elements.
 void save_set(Document& document);
-/// Replaces the selection by the set, or adds or removes the set. The selection gets the set's element kind.
+/// Replaces the selection by the set, or adds or removes the set. Changes the kind to that of the set.
 void select_set(Document& document, std::size_t set, SelectMode mode);
-/// Does nothing if the name is empty or already in use.
+/// Renames a set. If the name is empty or in use, does nothing.
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices; `origins`
-/// has the old vertices of each new vertex. A new vertex is hidden, or in a set, if all its old vertices are.
+/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. `origins`
+/// has the old vertices of each new vertex. If all of them are hidden or in a set, the new vertex is also.
 /// Removes empty sets.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
-/// Returns the names of the removed sets, as in: "Arm", "Leg". Empty if no set was removed.
+/// Returns the names of the removed sets, such as "Arm", "Leg". If no set was removed, returns an empty text.
 std::string lost_sets(const CageGroups& before, const CageGroups& after);
 
-/// Returns the cage vertices that a drag of the selection moves; empty if probes are selected.
+/// Returns the cage vertices that a drag of the selection moves. If probes are selected, returns no vertices.
 std::vector<std::uint32_t> moving_vertices(const Document& document);
 
-/// Selects the elements that are not hidden, as an undoable edit. Must not be called during a drag.
+/// Selects these elements without the hidden ones, as an undoable edit. Must not be called during a drag.
 void set_selection(Document& document, Selection selection);
 
 }  // namespace viete::document

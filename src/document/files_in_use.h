@@ -1,4 +1,4 @@
-// The files that a command or an open document uses. Different names of one file are recognized by the inode.
+// The files that a command or a document uses. A file is recognized by its inode, under any of its names.
 #pragma once
 
 #include <sys/types.h>
@@ -25,18 +25,18 @@ public:
   FilesInUse() = default;
   FilesInUse(std::initializer_list<std::filesystem::path> files);
 
-  /// `what` describes the file, as in "the model". Ignores an empty path.
+  /// Adds a file. `what` describes the file, such as "the model". If the path is empty, does nothing.
   void add(const std::filesystem::path& file, std::string_view what);
 
-  /// Returns the description of the file, or null if the file is not in use. The path may be a link. A file
-  /// that does not exist is compared by name.
+  /// Returns the description of the file. If the file is not in use, returns null. The path may be a link. If
+  /// the file does not exist, compares its name.
   const std::string* find(const std::filesystem::path& file) const;
 
 private:
   std::map<FileIdentity, std::string> files_;
 };
 
-/// Descriptions for FileInUse::what.
+/// The descriptions for FileInUse::what.
 inline constexpr std::string_view the_session = "the session", the_cage = "the cage", the_pose = "the pose",
                                   no_own = "", the_model = "the model", the_keys = "the keys",
                                   an_imported_pose = "an imported pose", a_shape = "a shape",

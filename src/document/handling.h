@@ -1,4 +1,4 @@
-// Settings for dragging the selection: pivot, axes, mirror and soft selection.
+// Settings for dragging the selection: pivot, axes, mirror, and soft selection.
 #pragma once
 
 #include <optional>
@@ -10,10 +10,10 @@ namespace viete::document {
 
 using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
-/// The center of rotation and scale.
+/// The center of rotations and scalings.
 enum class Pivot { median, active, joint, point };
 
-/// The axes of the gizmo, and of the keys X, Y and Z during a drag.
+/// The axes of the gizmo. During a drag, the keys X, Y and Z also use these axes.
 enum class Axes { world, view, selection };
 
 enum class MirrorPlane { none, x, y, z, fit };
@@ -21,7 +21,7 @@ enum class MirrorPlane { none, x, y, z, fit };
 /// The falloff of soft selection.
 enum class SoftCurve { smooth, sharp, linear, constant };
 
-/// The distance measure of soft selection.
+/// Measures distances along edges or in space, for soft selection.
 enum class SoftDistance { edges, space };
 
 std::span<const Choice> choices(Pivot);
@@ -47,7 +47,7 @@ struct Handling {
   Axes axes = Axes::world;
   MirrorPlane mirror = MirrorPlane::none;
   SoftSelection soft{};
-  double freedom = 0.5;  ///< for pins: 0 only blends the poses of the list, 1 deforms as rigidly as possible
+  double freedom = 0.5;  ///< for pins: 0 only blends poses of the list, 1 deforms as rigidly as possible
 
   friend bool operator==(const Handling&, const Handling&) = default;
 };

@@ -1,4 +1,4 @@
-// Undo and redo.
+// The history of a document: undo and redo.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace viete::document {
 
 enum class EditKind { other, selection, binding, amounts, mix, keys, play, probe_radius, cage };
 
-/// Consecutive edits with equal steps can merge into one edit.
+/// Identifies what an edit changes. If consecutive edits have equal steps, they can merge into one edit.
 struct EditStep {
   EditKind kind = EditKind::other;
   std::size_t of = 0;  ///< the index of the edited setting, pose or probe part
@@ -19,43 +19,43 @@ struct EditStep {
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
 
-/// The undo and redo lists. Each entry stores the complete state of the document before an edit. Above 256
-/// MB, the oldest entries are dropped, but changes of the selection are dropped before all other edits.
+/// The undo and redo lists. Each entry has the complete state of the document before an edit. If the entries
+/// need more than 256 MB, drops the oldest entries, but changes of the selection before all other edits.
 class History {
 public:
   /// Adds an edit. `before` is the state before the edit.
   void record(std::string label, DocumentState before, EditStep step = {});
 
-  /// Adds a change of the selection. Does not increase the revision: a selection need not be saved.
+  /// Adds a change of the selection. The revision stays, because a selection need not be saved.
   void record_selection(DocumentState before);
-  /// Replaces the selection stored with the last edit. Requires can_undo().
+  /// Replaces the selection in the state before the last edit. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
-  /// Increases the revision: the last edit now includes the latest change.
+  /// Increases the revision. Call this after a change that belongs to the last edit.
   void extend_last() { ++revision_; }
-  /// Removes the last edit and restores the redo list from before the edit. Returns the state before the
-  /// edit. Requires can_undo().
+  /// Removes the last edit, and restores the redo list from before it. Returns the state before the edit.
+  /// Requires can_undo().
   DocumentState drop_last();
-  /// Returns the number of recorded edits. drop_last() decreases this number.
+  /// Returns the number of recorded edits. drop_last() decreases it by one.
   unsigned long recorded() const { return recorded_; }
 
-  /// Call this after the file was overwritten with the cage `by`. Other cages from this file lose their path.
+  /// Call this after the file was overwritten with the cage `by`. Clears this path in other cages.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }
   bool can_redo() const { return !redo_.empty(); }
-  /// Returns the label of the edit that the next undo reverts; empty if there is no such edit.
+  /// Returns the label of the edit that the next undo reverts; empty without such an edit.
   std::string undo_label() const { return can_undo() ? undo_.back().label : ""; }
   std::string redo_label() const { return can_redo() ? redo_.back().label : ""; }
-  /// Returns the labels of the undo list, then of the redo list, in the order in which the edits were made.
+  /// Returns the labels of the undo list and of the redo list, in the order in which the edits were made.
   std::vector<std::string> labels() const;
   /// Returns the length of the undo list.
   std::size_t position() const { return undo_.size(); }
-  /// Returns the step of the last edit; nullopt without an edit or if the redo list is not empty.
+  /// Returns the step of the last edit. If there is no edit or the redo list is not empty, returns nullopt.
   std::optional<EditStep> last_step() const;
-  /// Returns the state that the next undo restores; null if there is no edit to undo.
+  /// Returns the state that the next undo restores; null without such a state.
   const DocumentState* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
-  /// Increases with each edit, undo and redo, but not with changes of the selection.
+  /// Changes with each edit, undo and redo. Changes of the selection do not increase it.
   unsigned long revision() const { return revision_; }
 
   /// Returns the state before the last edit, and stores `now` for redo. Requires can_undo().
@@ -74,11 +74,11 @@ private:
 
     EditKind kind() const { return step.kind; }
   };
-  /// Removes the last entry of `from` and returns its state. Stores `now` in `to`.
+  /// Moves one step: removes the last entry of `from`, stores `now` in `to`, and returns the removed state.
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
 
   std::vector<Entry> undo_, redo_;
-  std::vector<Entry> given_up_;  // the redo list before the last edit
+  std::vector<Entry> given_up_;  // the redo list that the last edit cleared
   unsigned long revision_ = 0, recorded_ = 0;
 };
 

@@ -11,7 +11,7 @@ namespace viete::document {
 
 namespace {
 
-constexpr double near_share = 0.02;  // relative to the diagonal; hand-made cages are not exactly symmetric
+constexpr double near_share = 0.02;  // relative to the diagonal; manual cages are not exactly symmetric
 
 Mirror paired(const deform::Cage& cage, const mesh::PointTree& tree, const cages::Plane& plane) {
   const auto& points = cage.surface.positions;

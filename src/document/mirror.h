@@ -1,4 +1,4 @@
-// The pairs of mirrored vertices of a symmetric cage, for edits that act on both sides.
+// The pairs of mirrored vertices of a symmetric cage. Mirrored edits change both vertices of a pair.
 #pragma once
 
 #include <array>
@@ -21,19 +21,19 @@ struct Mirror {
   static constexpr std::uint32_t none = 0xFFFFFFFF;
 
   cages::Plane plane;
-  std::vector<std::uint32_t> partners;  ///< of each vertex; a vertex on the plane is its own partner
+  std::vector<std::uint32_t> partners;  ///< one per vertex; a vertex on the plane is its own partner
 
   std::size_t unpaired() const;
   bool is_on_plane(std::uint32_t v) const { return partners[v] == v; }
   bool is_paired(std::uint32_t v) const { return partners[v] != none && partners[v] != v; }
 };
 
-/// Finds the mirror of the cage at rest; nullopt if no plane fits or `choice` is none. Two vertices are
-/// partners if each is the nearest vertex to the other's mirror image, within 2 % of the cage's diagonal. For
-/// x, y and z, the plane is at 0 or in the middle of the cage, wherever it pairs more vertices.
+/// Finds the mirror of the cage at rest. If `choice` is none or no plane fits, returns nullopt. Two vertices
+/// are partners if each is nearest to the mirror image of the other, within 2 % of the cage's diagonal. For
+/// x, y and z, tests the planes at 0 and in the middle of the cage, and takes the plane with more pairs.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
-/// Returns the corners of a rectangle in the mirror plane, slightly larger than the points projected onto it.
+/// Returns the corners of a rectangle in the mirror plane. It is slightly larger than the projected points.
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 struct MirrorCache {
@@ -41,12 +41,12 @@ struct MirrorCache {
   MirrorPlane choice = MirrorPlane::none;
   std::optional<Mirror> mirror;
 
-  /// Computes the mirror again if an argument changed. The cage may be null.
+  /// If an argument changed, computes the mirror again. The cage may be null.
   void follow(const std::shared_ptr<const deform::Cage>& now, MirrorPlane chosen);
   const Mirror* get() const { return mirror ? &*mirror : nullptr; }
 };
 
-/// Adds the mirror partners to the vertices and sorts the result. Adds nothing if `mirror` is null.
+/// Returns the vertices and their mirror partners, sorted. If `mirror` is null, adds no partners.
 std::vector<std::uint32_t> with_partners(std::vector<std::uint32_t> vertices, const Mirror* mirror);
 
 }  // namespace viete::document

@@ -15,7 +15,7 @@ namespace {
 constexpr int most_steps = 24;    // the largest number of steps after a drag
 constexpr double no_step = 1e-5;  // a shorter step ends the iteration
 
-// Returns the named poses that have a shape and leave the cage at rest.
+// Returns the named poses that have a shape and in which the cage is at rest.
 std::vector<SharedPose> examples_of(const Document& document) {
   std::vector<SharedPose> examples;
   for (const NamedPose& named : document.library.poses) {
@@ -96,7 +96,7 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
   begin_here(document, known);
 }
 
-// If the current shape is not a mix of the examples, adds the shape to them.
+// If the current shape is not a mix of the examples, uses the shape as another example.
 void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {
@@ -120,7 +120,7 @@ void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
     posing_->set_pins(std::move(pins));
     set_ = seen_.pins;
   }
-  // The larger the restraint, the less the weights change.
+  // A larger restraint makes the weights change less.
   const double length = posing_->step(seen_.targets, {.restraint = 1e-3 * std::pow(100, hand.freedom),
                                                       .freedom = vectors_.empty() ? 1 : hand.freedom});
   show(document);

@@ -1,4 +1,4 @@
-// Pin posing: deforms the model to follow dragged pins, using the shapes in the pose list as examples.
+// Pin posing: deforms the model so that it follows dragged pins. The shapes in the pose list are examples.
 #pragma once
 
 #include <memory>
@@ -12,16 +12,16 @@
 
 namespace viete::document {
 
-/// After pins were moved, solves for the model's shape and the weights of the example poses: one step per
-/// frame, until the shape converges. Does not change a pose that the timeline, the pose list or undo has set.
+/// After pins moved, solves for the model's shape and the weights of the example poses: one step per frame,
+/// until the shape converges. A pose from the timeline, the pose list or undo does not change.
 class PinPosing {
 public:
   struct Hand {
     double freedom;  ///< see Handling
     bool holds;      ///< true while the user drags
   };
-  /// Call this once per frame, before the model is deformed. Returns true if it made a step. If the pins
-  /// cannot be posed, moves them back to their vertices in the shape and throws base::Error.
+  /// Call this once per frame, before the model is deformed. Returns true after a step. If posing fails,
+  /// moves the pins back to their vertices in the shape and throws base::Error.
   bool follow(Document& document, VectorCache& vectors, const Hand& hand);
   /// True if another step is needed.
   bool is_due() const { return steps_left_ > 0; }

@@ -14,7 +14,7 @@ namespace viete::document {
 
 namespace {
 
-// Gives locked probes their current pose: the mix does not move them.
+// Keeps the current pose of locked probes, so that the mix does not move them.
 void keep_locked(const Document& document, WholePose& pose) {
   const auto& all = document.probes.all;
   pose.probes.resize(all.size());
@@ -22,7 +22,7 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// Returns the shape `from` plus `sign` times the library's mix.
+// Returns the shape `from` plus the mix of the library, multiplied by `sign`.
 SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
                          double sign) {
   std::vector<ShapeTerm> shapes;
@@ -45,7 +45,7 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
 }
 
-// Returns the pose `from` plus `sign` times the mix of the state's library.
+// Returns the pose `from` plus the mix of the state's library, multiplied by `sign`.
 WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
@@ -78,7 +78,7 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
-// If the mix consists of one pose of weight 1, returns this pose; otherwise null.
+// If one pose of weight 1 is the whole mix, returns this pose; otherwise null.
 const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
@@ -113,8 +113,8 @@ bool are_weights(const PoseLibrary& library) {
   });
 }
 
-// Calls `change` for a copy of the state, and applies the new mix. Returns false and changes nothing if a
-// weight or the new pose is out of range.
+// Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
+// range, changes nothing and returns false.
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
@@ -136,7 +136,7 @@ bool remix(Document& document, VectorCache& vectors, const std::string& label, C
   return true;
 }
 
-// Shortens the text to at most `most` bytes, without splitting a UTF-8 character.
+// Cuts the text to at most `most` bytes. Never splits a UTF-8 character.
 std::string cut(const std::string& text, std::size_t most) {
   if (text.size() <= most) return text;
   while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0) == 0x80) --most;
@@ -210,7 +210,7 @@ std::string free_name(const PoseLibrary& library, const std::string& wish) {
 
 namespace {
 
-// Renames the pose in the mixes of all keys; an empty name removes it.
+// Renames the pose in the mixes of all keys. If `to` is empty, removes the pose from the mixes.
 void rename_in_keys(Timeline& timeline, const std::string& name, const std::string& to) {
   for (PoseKey& key : timeline.keys) {
     for (MixedPose& mixed : key.mix)
@@ -335,7 +335,7 @@ bool set_straight(Document& document, VectorCache& vectors, bool straight) {
 
 namespace {
 
-// Calls `change` for each named pose and each key's pose.
+// Calls `change` for each named pose and for the pose of each key.
 template <class Change>
 void change_poses(Document& document, const Change& change) {
   const auto put = [&](SharedPose& pose) {
@@ -357,14 +357,14 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
 
 namespace {
 
-// Returns text such as "3 poses and 2 keys"; empty for no poses and no keys.
+// Returns text such as "3 poses and 2 keys". If both numbers are 0, returns an empty text.
 std::string counted_poses(std::size_t poses, std::size_t keys) {
   const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
   const std::string others = keys == 0 ? "" : base::counted(keys, "key");
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
 
-// Removes poses without a shape, and sets the cage's pose in the other poses. Returns the number removed.
+// Removes poses without a shape, and sets the cage's pose in others. Returns the number of removed poses.
 template <class Keyed>
 std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });

@@ -1,4 +1,4 @@
-// Edits of the named poses and of their mix. Edits are undoable.
+// Edits of the named poses and of the mix. All edits are undoable.
 #pragma once
 
 #include <functional>
@@ -11,62 +11,62 @@
 
 namespace viete::document {
 
-/// Return the current pose of shape, cage and probes. During cage editing, the cage's pose is kept_pose.
+/// Returns the current pose of shape, cage and probes. During cage editing, uses kept_pose for the cage.
 WholePose whole_pose(const Document& document);
 SharedPose shared_pose(const Document& document);
 
-// The next three functions record no edit.
+// The next three functions do not record an edit.
 
-/// Sets the pose of shape, cage and unlocked probes. Call end_mix() if the pose is not the mix.
+/// Sets the pose of shape, cage and unlocked probes. If the pose is not the mix, also call end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
-/// Moves all pins to their vertices in the shape.
+/// Moves each pin to the position of its vertex in the shape.
 void move_pins_to_shape(Document& document);
 /// Sets all weights to 0 and keeps the current pose.
 void end_mix(Document& document);
 
-/// Returns the pose without the mix; null if all weights are 0 or the pose was edited after mixing.
+/// Returns the pose without the mix. If all weights are 0, or the pose was edited later, returns null.
 SharedPose unmixed_pose(const Document& document);
 
-/// Returns the requested name, cut to PoseLibrary::longest_name. Adds a number if a pose has this name.
+/// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
 std::string free_name(const PoseLibrary& library, const std::string& wish);
 
-/// Adds the current pose to the list and returns its index. Throws base::Error if the list is full.
+/// Adds the current pose to the list, and returns its index. If the list is full, throws base::Error.
 std::size_t keep_pose(Document& document, const std::string& name);
-/// Adds poses to the list. Throws like keep_pose().
+/// Adds poses to the list. Throws errors of keep_pose().
 void add_poses(Document& document, std::vector<NamedPose> poses);
-/// Adds shapes of the model to the list, with the cage at rest. Throws like keep_pose().
+/// Adds poses with these shapes to the list. Their cage is at rest. Throws errors of keep_pose().
 void add_shapes(Document& document, std::vector<NamedShape> shapes);
 /// Replaces a named pose by the current pose.
 void update_pose(Document& document, std::size_t pose);
-/// Makes a named pose the current pose, and ends the mix.
+/// Makes a named pose the current pose. Sets all weights to 0.
 void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
-/// Moves a pose before the pose with index `to`. If `to` is the number of poses, moves the pose to the end.
+/// Moves a pose to the place before pose `to`. If `to` is the number of poses, moves the pose to the end.
 void move_pose(Document& document, std::size_t pose, std::size_t to);
 /// Removes a pose from the list and from the mix.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
-/// Sets a pose's weight in the mix, clamped to PoseLibrary::least_weight and largest_weight. Consecutive
-/// changes for one pose are one edit. Returns false and changes nothing if the mix would leave the drawable
-/// range (see in_range()). `played` has the weights of all poses, if the current pose comes from keys.
+/// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
+/// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
+/// false. If the current pose comes from keys, `played` has the weights of all poses.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
-/// Sets all weights to 0. Returns false like set_weight().
+/// Sets all weights to 0. Returns false under the conditions of set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
-/// Chooses how poses and keys are blended: linearly or in log space. Returns false like set_weight().
+/// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
 bool set_straight(Document& document, VectorCache& vectors, bool straight);
-/// Returns the mix, computed linearly or in log space. Returns null if the current pose is not a mix, or if
-/// the result would leave the drawable range.
+/// Returns the mix, computed linearly if `straight`, otherwise in log space. If the current pose is not a
+/// mix, or the result is out of the drawable range, returns null.
 SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straight);
 
-// The next four functions record no edit.
+// The next four functions do not record an edit.
 
-/// Replaces the cage's pose in all named poses and keys by carried(pose). Call this after editing the cage.
+/// Replaces the cage's pose in all named poses and keys by carried(pose). Call this after a cage edit.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
-/// Adapts the poses to a new cage: removes all poses without a shape, and puts the cage of the others at
-/// rest. Returns text such as "3 poses and 2 keys" for the removed poses; empty if no pose was removed.
+/// Adapts the poses to a new cage. Removes poses without a shape; in other poses, puts the cage at rest.
+/// Returns text such as "3 poses and 2 keys" for the removed poses; empty if no pose was removed.
 std::string drop_poses(Document& document, const deform::Cage& by);
-/// Copies shape, named poses and keys to another document of the same model, then calls drop_poses() on it.
+/// Copies shape, named poses and keys to another document of an equal model, and calls drop_poses() on it.
 std::string keep_shapes(Document& to, const Document& from);
 /// Removes a probe from all named poses and keys.
 void forget_probe(Document& document, std::size_t probe);

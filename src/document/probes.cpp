@@ -26,13 +26,13 @@ std::string label(const char* verb, const Document& document) {
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
 }
 
-// Records an edit, and returns the probes for the change.
+// Records an edit. Returns the probes, which the caller then changes.
 deform::Probes& edit(Document& document, const std::string& name) {
   record_edit(document, name);
   return document.changed_probes();
 }
 
-// Calls `change` for the selected unlocked probes.
+// Calls `change` for each selected probe that is not locked.
 template <class Change>
 void change_free(Document& document, const Change& change) {
   auto& all = document.changed_probes().all;
@@ -64,7 +64,7 @@ std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, 
   return nearest;
 }
 
-// Returns the rest position of a point near the displayed model, by its offset from the nearest vertex.
+// Returns the rest position of a point near the displayed model: uses the offset from the nearest vertex.
 mesh::Point at_rest(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   const std::uint32_t v = nearest_vertex(document, posed, at);

@@ -1,4 +1,4 @@
-// Edits of the probes and pins. Each change is undoable.
+// Edits of probes and pins. Each change is undoable.
 #pragma once
 
 #include "document/brush.h"
@@ -8,32 +8,32 @@ namespace viete::document {
 
 inline constexpr std::size_t most_probes = 256;
 
-/// Adds and selects a probe at the rest position of the point `at` on the displayed model. Its radii are a
-/// fifth of the model's diagonal. Returns false if the document already has most_probes.
+/// Adds and selects a probe. It is at the rest position of the point `at` on the displayed model, and its
+/// radii are a fifth of the model's diagonal. If the document already has most_probes, returns false.
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at);
 
-/// Adds and selects a pin at the displayed vertex nearest to `at`. If that vertex has a pin, selects this
-/// pin. Returns false if the document already has most_probes.
+/// Adds and selects a pin at the displayed vertex nearest to `at`. If the vertex already has a pin, selects
+/// it. If the document already has most_probes, returns false.
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at);
 bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The next functions act on the selected probes. Only set_locked() and mirror_probes() act on locked probes.
+// The next functions act on selected probes. Only set_locked() and mirror_probes() act on locked probes.
 
 void remove_probes(Document& document);
-/// Resets the probes' own motion.
+/// Resets the own motion of the probes.
 void rest_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);
-/// Adds copies, mirrored across the middle of the model along the axis, and selects the copies. Returns false
-/// and changes nothing if the document would have more than most_probes.
+/// Adds mirrored copies and selects them. The mirror plane is perpendicular to the axis, in the middle of the
+/// model. If the document would have more than most_probes, changes nothing and returns false.
 bool mirror_probes(Document& document, int axis);
 void set_locked(Document& document, bool locked);
 
-using Part = deform::Influence deform::Probe::*;  ///< rotation, stretch or translation
+using Part = deform::Influence deform::Probe::*;  ///< the rotation, the stretch or the translation
 void set_falloff(Document& document, Part part, deform::Falloff falloff);
-/// Consecutive changes for the same part and selection are one edit.
+/// Sets the radius of a part. Consecutive changes for one part and selection form one edit.
 void set_radius(Document& document, Part part, double radius);
 
 /// Sets how overlapping probes combine.
@@ -42,7 +42,7 @@ void set_mix(Document& document, deform::ProbeMix mix);
 /// Returns the axis (0 x, 1 y, 2 z) across which the model is most symmetric.
 int symmetry_axis(const Document& document);
 
-/// Return the smallest and the largest radius, in the file's units.
+/// Return the smallest and the largest allowed radius, in the file's units.
 double least_probe_radius(const Document& document);
 double largest_probe_radius(const Document& document);
 

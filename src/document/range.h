@@ -1,4 +1,4 @@
-// The ranges of values, for user input and for files.
+// The allowed ranges of values in user input and in files.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace viete::document {
 
-/// Limits for a pose.
+/// The limits of a pose.
 using deform::largest_turn;
 using mesh::largest_coordinate;
 
-/// The limit for drags and camera targets: a distance from the model's center, in view units.
+/// The limit for drags and camera targets: the distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
-/// True if each entry of the log of a probe's stretch is at most 16 (a stretch by nine million).
+/// True if each entry of the log of a probe's stretch is at most 16. e^16 is about nine million.
 inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
     if (!(std::abs(entry) <= 16)) return false;
@@ -25,13 +25,13 @@ inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   return true;
 }
 
-/// Sizes and coordinates that GPUs can draw, in the file's units. The range of float is about 1e-38 to 1e38.
+/// The sizes and coordinates that GPUs can draw, in the file's units. float is from about 1e-38 to 1e38.
 inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 
 /// The distance between the camera and its target, in view units.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
-/// The size of a window in logical pixels. The largest area limits the memory for pictures.
+/// The size of a window, in logical pixels. The largest area limits the memory that pictures need.
 inline constexpr double least_window_side = 16, most_window_side = 8192, most_window_area = 4096 * 4096;
 
 inline bool is_window(double width, double height) {

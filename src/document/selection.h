@@ -1,4 +1,4 @@
-// The selection of cage elements or probes; hidden vertices; and named sets of vertices.
+// The selection of cage elements or probes, the hidden vertices, and the named sets of vertices.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@ namespace viete::document {
 
 enum class SelectMode { replace, add, remove };
 
-/// Edges are indices of Cage::edges, faces are polygons of the cage.
+/// The kinds of elements. Edges are indices of Cage::edges, and faces are polygons of the cage.
 enum class ElementKind { vertex, edge, face, probe };
 
-/// A set of elements of one kind. For the vertices of the elements, see document/elements.h.
+/// A set of elements of one kind. document/elements.h has functions for the vertices of the elements.
 class Selection {
 public:
   Selection() = default;
@@ -24,12 +24,12 @@ public:
   }
 
   ElementKind kind() const { return kind_; }
-  /// Ascending and unique.
+  /// Returns the selected elements, ascending and unique.
   const std::vector<std::uint32_t>& indices() const { return indices_; }
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }
   bool contains(std::uint32_t index) const;
-  /// Returns the last element that was picked alone; nullopt if it is no longer selected.
+  /// Returns the element that the user last picked alone. If it is no longer selected, returns nullopt.
   std::optional<std::uint32_t> active() const;
 
   void clear() { indices_.clear(); }
@@ -38,7 +38,7 @@ public:
   /// `picked` must be ascending.
   void apply(std::span<const std::uint32_t> picked, SelectMode mode);
 
-  /// Ignores the active element.
+  /// True if kind and elements are equal. The active element may differ.
   friend bool operator==(const Selection& a, const Selection& b) {
     return a.kind_ == b.kind_ && a.indices_ == b.indices_;
   }
@@ -50,18 +50,18 @@ private:
   bool has_picked_ = false;
 };
 
-/// A saved selection: the elements of `kind` that have all their vertices in the set.
+/// A saved selection. Selects the elements of `kind` whose vertices are all in the set.
 struct NamedSet {
   std::string name;
-  ElementKind kind = ElementKind::vertex;  ///< never probe
+  ElementKind kind = ElementKind::vertex;  ///< must not be probe
   std::vector<std::uint32_t> vertices;     ///< ascending and unique
 
   friend bool operator==(const NamedSet&, const NamedSet&) = default;
 };
 
 struct CageGroups {
-  /// Hidden vertices, ascending and unique. They cannot be dragged. An element whose vertices are all hidden
-  /// is neither shown nor selectable.
+  /// The hidden vertices, ascending and unique. The user cannot drag them. If all vertices of an element are
+  /// hidden, the element is not shown and cannot be selected.
   std::vector<std::uint32_t> hidden;
   std::vector<NamedSet> sets;
 

@@ -1,4 +1,4 @@
-// Conversion between file coordinates (in double) and view coordinates (in float, near the origin).
+// Converts between file coordinates (in double) and view coordinates (in float, near the origin).
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace viete::document {
 
-/// view = (file - center) * scale. With view coordinates, models of any size and position draw equally well.
+/// view = (file - center) * scale. In view coordinates, float is precise enough for any size and position.
 struct Space {
   mesh::Point center{0, 0, 0};
   double scale = 1;
@@ -23,11 +23,11 @@ struct Space {
     return {center[0] + p.x / scale, center[1] + p.y / scale, center[2] + p.z / scale};
   }
 
-  /// Returns the model's diagonal in file coordinates; 2 for a single point.
+  /// Returns the model's diagonal in file coordinates. A single point has the diagonal 2.
   double diagonal() const { return 2 / scale; }
 };
 
-/// Returns the cell size of the ground grid: 1, 2 or 5 times a power of ten, about 1/20 of the diagonal.
+/// Returns the cell size of the ground grid, about 1/20 of the diagonal: 1, 2 or 5 times a power of ten.
 inline double grid_cell(double diagonal) {
   if (!(diagonal > 0) || !std::isfinite(diagonal)) return 1;
   const double wanted = diagonal / 20;
@@ -36,7 +36,7 @@ inline double grid_cell(double diagonal) {
   return decade * (mantissa < 1.5 ? 1 : mantissa < 3.5 ? 2 : mantissa < 7.5 ? 5 : 10);
 }
 
-/// Scales the diagonal of the box to 2. A box without size is not scaled.
+/// Returns the space in which the diagonal of the box is 2. If the box has no size, the scale is 1.
 inline Space space_for(const mesh::Bounds& box) {
   const double diagonal = box.diagonal();
   return {box.center(), diagonal > 0 ? 2.0 / diagonal : 1.0};

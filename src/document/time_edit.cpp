@@ -153,7 +153,7 @@ void set_play(Document& document, const Playing& play) {
   static_cast<Playing&>(t) = play;
   t.first = std::clamp(play.first, Timeline::least_frame, Timeline::largest_frame - 1);
   t.last = std::clamp(play.last, t.first + 1, Timeline::largest_frame);
-  // NaN clamps to the least rate.
+  // If the rate is NaN, uses the least rate.
   t.rate = std::min(std::max(Timeline::least_rate, play.rate), Timeline::largest_rate);
 }
 

@@ -1,4 +1,4 @@
-// Edits of the timeline. Each is undoable.
+// Edits of the timeline. Each edit is undoable.
 #pragma once
 
 #include <span>
@@ -8,28 +8,28 @@
 
 namespace viete::document {
 
-/// Returns the current frame, rounded.
+/// Returns the current frame, rounded to an integer.
 int current_frame(const Document& document);
 
-/// Stores the current pose as a key. An existing key keeps its easing. Extends the playback range to the
-/// frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of the
-/// pose list. Throws base::Error if the timeline is full or the frame is out of range.
+/// Stores the current pose as a key. If the frame has a key, keeps its easing. Extends the playback range to
+/// the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of
+/// the pose list. If the timeline is full or the frame is out of range, throws base::Error.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// Like set_key(), but extends the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Sets a camera key. Adds whole turns to the yaw, so that the yaw is nearest to the yaw of the previous key.
+/// Sets a camera key. Adds whole turns to the yaw until it is nearest to the previous key's yaw.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
-/// Replaces all camera keys by one full turn about the up axis, at constant speed over the playback range.
+/// Replaces all camera keys by a full turn about the up axis, at constant speed during the playback range.
 void set_turntable(Document& document, const CameraPose& camera);
-/// Removes the keys and camera keys of the frames. Ignores frames without keys.
+/// Removes the pose keys and camera keys of the frames. Ignores frames without a key.
 void remove_keys(Document& document, std::span<const int> frames);
-/// Moves the keys and camera keys of `frames` to the frames `to`, where they replace other keys. `before` is
-/// the timeline before the drag: consecutive moves of one drag are one edit.
+/// Moves the keys and camera keys of `frames` to the frames `to`, and replaces other keys there. `before` is
+/// the timeline before the drag. Consecutive moves of one drag form one edit.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);
 void put_timeline(Document& document, Timeline timeline, const std::string& label);
-/// Sets the playback settings, clamped to their ranges. Consecutive changes are one edit.
+/// Sets the playback settings, clamped to their ranges. Consecutive changes form one edit.
 void set_play(Document& document, const Playing& play);
 
 }  // namespace viete::document

@@ -13,7 +13,7 @@ struct Track {
   std::size_t count;
   const Timeline& timeline;
   bool of_cameras;
-  bool closed;  // the last key equals the first key, and the motion continues from there
+  bool closed;  // the last key equals the first key, and the motion continues with the first key
 
   double frame(std::size_t i) const {
     return of_cameras ? timeline.cameras[i].frame : timeline.keys[i].frame;
@@ -21,7 +21,7 @@ struct Track {
   Easing easing(std::size_t i) const { return of_cameras ? Easing::smooth : timeline.keys[i].easing; }
 };
 
-// The interval between two neighbouring keys.
+// The interval from a key to the next key.
 struct Piece {
   std::size_t from, to;
   double length;
@@ -39,13 +39,13 @@ std::optional<Piece> piece_before(const Track& track, std::size_t key) {
   return track.closed ? piece_after(track, track.count - 2) : std::nullopt;
 }
 
-// Adds `factor` times the mean slope of an interval, in units per frame.
+// Adds the mean slope of an interval times `factor`, in units per frame.
 void add_secant(std::vector<KeyShare>& shares, const Piece& piece, double factor) {
   shares.push_back({piece.to, factor / piece.length});
   shares.push_back({piece.from, -factor / piece.length});
 }
 
-// Adds `factor` times the slope of the spline at a key.
+// Adds the slope of the spline at a key, times `factor`.
 void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t key, double factor) {
   const auto before = piece_before(track, key), after = piece_after(track, key);
   if (!before || !after) return;
@@ -57,7 +57,7 @@ void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t ke
   add_secant(shares, *after, factor * before->length / whole);
 }
 
-// Adds up the factors of each key, and removes keys with factor 0.
+// Adds up the factors of each key. Removes keys with factor 0.
 void gather(std::vector<KeyShare>& shares) {
   std::vector<KeyShare> sum;
   for (const auto& [key, factor] : shares) {
@@ -105,7 +105,7 @@ Moment moment_on(const Track& track, double frame) {
   return {shares_in_piece(track, from, t), from};
 }
 
-// True if the timeline loops and its last pose is the first pose. Their whole turns may differ.
+// True if the timeline loops and its last pose equals its first pose. The whole turns may differ.
 bool is_closed(const Timeline& timeline) {
   const auto& keys = timeline.keys;
   if (timeline.repeat != Repeat::loop || keys.size() < 3) return false;
@@ -114,7 +114,7 @@ bool is_closed(const Timeline& timeline) {
                              same_shape(first.shape, last.shape));
 }
 
-// True if the first and the last camera are equal up to full turns. Without a loop, requires a full turn.
+// True if the last camera is the first camera after full turns. A loop also permits no turn.
 bool comes_back(const Timeline& timeline) {
   constexpr double whole_turn = 2 * std::numbers::pi;
   const auto& cameras = timeline.cameras;

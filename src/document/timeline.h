@@ -1,4 +1,4 @@
-// The timeline: keys, their easing, and the playback settings.
+// The timeline: keys, easing, and playback settings.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ inline bool same_shape(const SharedShape& a, const SharedShape& b) {
   return a == b || (a && b && *a == *b);
 }
 
-/// The complete pose of a document: cage, probes and the model's shape. Missing probes are at rest.
+/// The complete pose of a document: the cage, the probes and the model's shape. Missing probes are at rest.
 struct WholePose {
   deform::Pose cage;
   std::vector<deform::ProbePose> probes;
@@ -35,14 +35,14 @@ struct WholePose {
            same_shape(a.shape, b.shape);
   }
 };
-/// Never null.
+/// A shared pose. Never null.
 using SharedPose = std::shared_ptr<const WholePose>;
 
 /// The interpolation from a key to the next key.
 enum class Easing { smooth, linear, hold };
 std::span<const Choice> choices(Easing);
 
-/// The behaviour at the last frame.
+/// The behaviour after the last frame.
 enum class Repeat { once, loop, ping_pong };
 std::span<const Choice> choices(Repeat);
 
@@ -58,7 +58,7 @@ struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;  ///< from this key to the next key
-  std::vector<MixedPose> mix{};  ///< the named poses in the key's mix, without poses that were updated later
+  std::vector<MixedPose> mix{};    ///< the named poses in the mix, except poses that changed later
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -74,7 +74,7 @@ struct Playing {
   int first = 1, last = 60;  ///< the playback range; last > first
   double rate = 24;          ///< in frames per second
   Repeat repeat = Repeat::loop;
-  bool straight = false;  ///< blends vertex positions linearly instead of in log space
+  bool straight = false;  ///< true: blends vertex positions linearly; false: blends in log space
 
   friend bool operator==(const Playing&, const Playing&) = default;
 };
@@ -95,32 +95,32 @@ struct Timeline : Playing {
 /// Returns the key of the frame; null if the frame has no key.
 const PoseKey* key_at(const Timeline& timeline, int frame);
 
-/// A key and its factor in an interpolated pose.
+/// A key and its factor in the interpolated pose.
 struct KeyShare {
   std::size_t key;
   double factor;
 };
-/// The interpolation at a frame.
+/// The interpolation of the keys at a frame.
 struct Moment {
   std::vector<KeyShare> shares;  ///< at most four; the sum of the factors is 1
-  std::size_t from = 0;          ///< the key at or before the frame; before the first key, the first key
+  std::size_t from = 0;          ///< the key at or before the frame; if there is none, the first key
 };
 
 /// Returns the interpolation at any frame, also between whole frames. Requires a key. Before the first key,
-/// the first key's pose is used; after the last key, the last key's pose.
+/// uses the first key's pose. After the last key, uses the last key's pose.
 ///
 /// `smooth` is a cubic Hermite spline with the slopes of E. Catmull and R. Rom (A class of local
-/// interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). The slope is 0 next
-/// to a `hold` interval; next to a `linear` interval it is the slope of this interval. At the first and the
-/// last key the slope is 0, unless the timeline loops and both keys have the same pose.
+/// interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). If an interval next
+/// to the key is `hold`, the slope is 0. If it is `linear`, the slope is that of the interval. At the first
+/// and the last key, the slope is 0, unless the timeline loops and both keys have equal poses.
 Moment moment_at(const Timeline& timeline, double frame);
 
-/// Returns the frame after playing for `seconds`; nullopt at the end. Ping-pong can change the direction
-/// `backward`.
+/// Returns the frame after `seconds` of playing. At the end, returns nullopt. If the timeline repeats as
+/// ping-pong, `backward` is the direction and can change.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Returns the smoothly interpolated camera; nullopt without camera keys. The speed is 0 at the first and the
-/// last key, unless the camera continues smoothly there: after full turns, or in a loop.
+/// Returns the smoothly interpolated camera. If there are no camera keys, returns nullopt. At the first and
+/// the last key, the speed is 0, unless the camera continues smoothly: after full turns, or in a loop.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::document

@@ -27,22 +27,22 @@ struct ViewOptions {
   bool cage = true;
   bool grid = true;
   bool axes = true;                               ///< shows the axis widget
-  bool ghost = false;                             ///< faintly shows the cage at rest while the cage is posed
-  analysis::Field field = analysis::Field::none;  ///< colours the model by this map
-  bool select_visible = false;  ///< the mouse only selects elements that are not behind the model or the cage
-  bool same_path = false;       ///< computes the method `fast` in separate steps, in double, for fair timings
+  bool ghost = false;                             ///< while the cage is posed, shows the cage at rest faintly
+  analysis::Field field = analysis::Field::none;  ///< the map that colours the model
+  bool select_visible = false;  ///< the mouse only selects elements in front of the model and the cage
+  bool same_path = false;       ///< computes the method `fast` in separate steps in double, for fair timings
   bool panels = true;
   bool hints = true;  ///< false after the first drag
 
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
 
-/// The settings of an additional view. The first view uses the document's settings.
+/// The settings of an additional view. The first view has the document's settings.
 struct SideWay {
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   analysis::Field field = analysis::Field::none;
-  /// Blends poses and keys linearly if the document uses log space, and in log space otherwise.
+  /// If the document blends in log space, this view blends poses and keys linearly, and the reverse.
   bool other_blending = false;
 
   friend bool operator==(const SideWay&, const SideWay&) = default;

@@ -1,4 +1,4 @@
-// The axis widget at the top right of the view. A click on a ball sets a standard view; a drag orbits.
+// The axis widget at the top right of the view. A click on a ball sets a standard view; dragging orbits.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ struct AxisBall {
   int axis;  ///< 0 x, 1 y, 2 z
   bool positive;
   glm::vec2 at;    ///< in logical pixels
-  float nearness;  ///< from -1 (pointing away from the viewer) to 1 (pointing at the viewer)
+  float nearness;  ///< from -1 (points away from the viewer) to 1 (points at the viewer)
   float radius;
 
   document::StandardView view(document::UpAxis up) const;
@@ -26,14 +26,14 @@ struct AxisWidget {
   std::array<AxisBall, 6> balls;  ///< sorted from far to near
 
   bool contains(const glm::vec2& cursor) const { return glm::distance(cursor, center) <= axes_radius; }
-  /// Returns the front ball under the cursor, or null.
+  /// Returns the nearest ball under the cursor, or null if there is no ball.
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 
-/// Returns nullopt if the view is too small for the widget.
+/// Returns the widget. If the view is too small for it, returns nullopt.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
-/// Animates the camera to the side of the ball. If the camera is already there, uses the opposite side.
+/// Animates the camera to the side of the ball or, if the camera is already there, to the opposite side.
 void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

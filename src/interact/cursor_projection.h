@@ -1,4 +1,4 @@
-// Projects points to pixels, and the cursor to axes, rotations and planes.
+// Projects points to the screen, and the cursor to axes, rotations and planes.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ class Projector {
 public:
   Projector(const document::Space& space, const document::Camera& camera, const document::Viewport& viewport);
 
-  /// Returns x and y in logical pixels, and the depth. Returns nullopt for a point behind the camera.
+  /// Returns x and y in logical pixels, and the depth. If the point is behind the camera, returns nullopt.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
-  /// Clips the segment to the near plane and projects both ends; nullopt if no part of it is in front.
+  /// Clips the segment at the near plane, and projects both ends. If no part is in front, returns nullopt.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
 private:
@@ -30,7 +30,7 @@ private:
 };
 
 /// Projects a point to the window, and the cursor to axes and planes through the point. Points and lengths
-/// are in view units, cursors in logical pixels.
+/// are in view units, cursor positions in logical pixels.
 class CursorProjection {
 public:
   CursorProjection(const glm::dvec3& point, const document::Camera& camera,
@@ -38,38 +38,38 @@ public:
 
   bool in_front() const { return in_front_; }
   glm::dvec2 at() const { return at_; }
-  /// View units per logical pixel at the point.
+  /// Returns the number of view units per logical pixel at the point.
   double per_pixel() const { return per_pixel_; }
-  /// The direction from the point to the eye, of length 1.
+  /// Returns the direction from the point to the eye, with length 1.
   glm::dvec3 to_eye() const { return to_eye_; }
 
-  /// Returns the motion on screen, in pixels, per view unit of motion in this direction.
+  /// Returns the motion on screen, in pixels, for a motion of one view unit in this direction.
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
-  /// Returns the distance from the point to the position under the cursor on the axis. If the axis points at
-  /// the eye, returns 0. Near the vanishing point, returns at most 20 times the orthographic distance.
+  /// Returns the distance along the axis from the point to the cursor. If the axis points at the eye, returns
+  /// 0. Near the vanishing point, returns at most 20 times the distance in an orthographic view.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// Returns the angle of the cursor about the axis, in radians in (-pi, pi], relative to a fixed direction.
-  /// Returns nullopt if a ring around the axis is seen edge-on.
+  /// Returns the angle of the cursor about the axis, in (-pi, pi] radians, from a fixed direction. If a ring
+  /// around the axis is seen edge-on, returns nullopt.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. The ring is seen
-  /// edge-on and has a radius in pixels.
+  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. Use it for a ring that
+  /// is seen edge-on. `radius` is in pixels.
   double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
 
-  /// Returns the intersection of the ray with the plane through the point. Returns nullopt if the plane is
-  /// seen edge-on, or the cursor is above the plane's horizon.
+  /// Returns the intersection of the ray with the plane through the point. If the plane is seen edge-on, or
+  /// the cursor is above its horizon, returns nullopt.
   std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const document::Ray& ray) const;
 
 private:
   glm::dvec3 point_, right_, up_, forward_, to_eye_;
-  glm::dvec2 at_, slope_;  // the slope of the ray through the point is 0 in an orthographic view
+  glm::dvec2 at_, slope_;  // in an orthographic view, the slope of the ray through the point is 0
   double depth_, per_pixel_;
   bool orthographic_, in_front_;
 };
 
-/// Two orthonormal axes with cross(u, v) == axis, for a given axis of length 1.
+/// Two orthonormal axes u and v with cross(u, v) == axis. The given axis has length 1.
 struct PlaneAxes {
   glm::dvec3 u, v;
 };

@@ -14,7 +14,7 @@ using Kind = Constraint::Kind;
 
 constexpr float arm_begin = 16, plane_begin = 24, plane_end = 42;  // pixels from the center along the axes
 constexpr int ring_points = 96;
-constexpr float faintest = 0.25f;  // the lowest opacity at which a handle can be hit
+constexpr float faintest = 0.25f;  // handles with a lower opacity cannot be hit
 
 float smooth(float low, float high, double x) {
   const float t = std::clamp((static_cast<float>(x) - low) / (high - low), 0.0f, 1.0f);
@@ -53,7 +53,7 @@ Gizmo::Plane plane(const Layout& layout, int axis) {
 }
 
 std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
-  // If the ring faces the viewer, it has no far side.
+  // A ring that faces the viewer has no far side.
   const bool faces = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye())) > 0.94;
   std::vector<Gizmo::RingPoint> points;
   for (int i = 0; i < ring_points; ++i) {
@@ -75,7 +75,7 @@ bool inside(const std::array<glm::vec2, 4>& corners, const glm::vec2& p) {
   return positive == 0 || positive == 4;
 }
 
-// Returns the distance to the near side of the ring if `front`, otherwise to the far side.
+// Returns the distance of p to the near side of the ring if `front`, otherwise to the far side.
 float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec2& p, bool front = true) {
   float nearest = 1e9f;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -85,7 +85,7 @@ float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec
   return nearest;
 }
 
-// Returns the axis with the smallest distance, if the distance is within the tolerance.
+// Returns the axis with the smallest distance. If the distance is above the tolerance, returns no axis.
 template <class Distance>
 std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
   float nearest = tolerance;

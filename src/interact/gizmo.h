@@ -1,4 +1,4 @@
-// The gizmo at the selection's pivot: the handles on screen, and hit testing.
+// The gizmo at the selection's pivot: its handles on screen, and hit testing.
 #pragma once
 
 #include <array>
@@ -12,15 +12,15 @@
 
 namespace viete::interact {
 
-/// Sizes in logical pixels.
-inline constexpr float gizmo_radius = 84;      ///< radius of the rings, and distance to the arrow heads
-inline constexpr float gizmo_head = 14;        ///< length of an arrow head
-inline constexpr float gizmo_view_ring = 102;  ///< radius of the ring that rotates about the view direction
-inline constexpr float gizmo_center = 9;       ///< radius of the handle in the middle
-inline constexpr float gizmo_tolerance = 7;    ///< largest distance from the cursor to a handle
-inline constexpr float gizmo_reach = 14;       ///< largest distance if no small element is under the cursor
+/// The sizes of the gizmo, in logical pixels.
+inline constexpr float gizmo_radius = 84;  ///< the radius of the rings, and the distance to the arrow heads
+inline constexpr float gizmo_head = 14;    ///< the length of an arrow head
+inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring for the view direction
+inline constexpr float gizmo_center = 9;       ///< the radius of the handle in the middle
+inline constexpr float gizmo_tolerance = 7;    ///< the largest distance from the cursor to a handle
+inline constexpr float gizmo_reach = 14;       ///< the tolerance if no small element is under the cursor
 
-/// The handles in logical pixels. A handle that points at the viewer fades out and cannot be hit.
+/// The handles, in logical pixels. If a handle points at the viewer, it fades and cannot be hit.
 struct Gizmo {
   struct Arm {
     glm::vec2 base, tip, end;  ///< the shaft is from base to tip, the head from tip to end
@@ -37,21 +37,21 @@ struct Gizmo {
 
   Tool tool = Tool::move;
   glm::vec2 center{0, 0};
-  std::array<Arm, 3> arms;                      ///< for Move and Scale
-  std::array<Plane, 3> planes;                  ///< for Move and Scale; the index is the normal's axis
-  std::array<std::vector<RingPoint>, 3> rings;  ///< for Rotate; closed polylines
+  std::array<Arm, 3> arms;                      ///< used by Move and Scale
+  std::array<Plane, 3> planes;                  ///< used by Move and Scale; indexed by the normal's axis
+  std::array<std::vector<RingPoint>, 3> rings;  ///< used by Rotate; closed polylines
   std::array<int, 3> far_to_near{0, 1, 2};      ///< the order in which to draw the axes
 };
 
-/// `center` is in view units; `axes` has columns of length 1. Returns nullopt if the tool has no gizmo or the
-/// center is behind the camera.
+/// Makes the gizmo. `center` is in view units; the columns of `axes` have length 1. If the tool has no gizmo
+/// or the center is behind the camera, returns nullopt.
 std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::dmat3& axes,
                                 const document::Camera& camera, const document::Viewport& viewport);
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// Returns the handle under the cursor. With `reach`, uses the larger tolerance and also hits the far sides
-/// of rings. Use `reach` if no small element is under the cursor.
+/// Returns the handle under the cursor. If `reach`, uses the larger tolerance, and also hits the far sides of
+/// rings. Set `reach` if no small element is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 /// Returns a name such as "Move along X".

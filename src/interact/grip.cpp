@@ -18,9 +18,9 @@ namespace viete::interact {
 
 namespace {
 
-using Distances = std::vector<double>;  // from the selected vertices
+using Distances = std::vector<double>;  // one per vertex, from the selected vertices
 
-// Dijkstra's algorithm from all selected vertices, up to the radius.
+// Computes distances along edges, up to the radius, by Dijkstra's algorithm.
 Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
                      std::span<const std::uint32_t> selected, double radius) {
   Distances distances(positions.size(), std::numeric_limits<double>::infinity());
@@ -180,7 +180,7 @@ namespace {
 
 using Side = Gripped::Side;
 
-// Scales the angle, the factors and the displacement by `share`.
+// Multiplies the angle, the displacement and the change of the scale factors by `share`.
 Transform share_of(const Transform& t, double share) {
   if (share == 1) return t;
   Transform part = t;
@@ -190,7 +190,7 @@ Transform share_of(const Transform& t, double share) {
   return part;
 }
 
-// Adds mirror partners. A vertex that both sides would move follows the side with the larger share.
+// Adds mirror partners. If both sides would move a vertex, the side with the larger share moves it.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
   for (const Gripped& g : own) by_vertex[g.vertex] = g;
@@ -207,7 +207,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
   return all;
 }
 
-// Moves a point of the given side. On the plane, applies the mean of the motion and its mirror image.
+// Moves a point on a side. A point on the plane gets the mean of the motion and the mirrored motion.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);
@@ -255,7 +255,7 @@ namespace {
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
-  // The amount of taper is a factor: 1 changes nothing. For other shapes, 0 changes nothing.
+  // The amount without effect is 1 for taper, which is a factor, and 0 for other shapes.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }

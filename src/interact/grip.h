@@ -43,18 +43,18 @@ std::optional<glm::dvec3> center_of_active(const document::Document& document);
 /// Returns the falloff, from 1 at distance 0 to 0 at distance 1. The distance is relative to the radius.
 double soft_share(document::SoftCurve curve, double distance);
 
-/// A vertex moved by a drag.
+/// A vertex that a drag moves.
 struct Gripped {
-  /// The dragged side of the mirror, the other side, or the mirror plane. Vertices on the plane stay on it.
+  /// The dragged side of the mirror, the other side, or the plane. A vertex on the plane stays on the plane.
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;
-  double share = 1;  ///< the fraction of the motion, in (0, 1]
+  double share = 1;  ///< the vertex's fraction of the motion, in (0, 1]
   Side side = Side::own;
 };
 
-/// Returns the selected vertices and the vertices of the soft selection, ascending, with Side::own.
-/// `positions` is the posed cage; `radius` is in the file's units.
+/// Returns the selected vertices and the vertices of the soft selection, ascending, on Side::own. `positions`
+/// are the positions of the posed cage. The radius is in the file's units.
 std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Point> positions,
                               std::span<const std::uint32_t> selected, const document::SoftSelection& soft,
                               double radius);
@@ -62,21 +62,21 @@ std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Po
 struct Grip {
   Anchor anchor;
   cages::Plane plane;             ///< the mirror plane
-  std::vector<Gripped> vertices;  ///< ascending and unique; empty for probes
-  Shaping shaping{};              ///< if its shape is not `none`, replaces moving, rotating and scaling
+  std::vector<Gripped> vertices;  ///< ascending and unique; if probes are selected, empty
+  Shaping shaping{};              ///< if its shape is not `none`, it replaces move, rotate and scale
 };
 
 /// Returns the grip in the current pose. `mirror` may be null. Requires a selection.
 Grip grip_of(const document::Document& document, const document::Handling& handling,
              const document::Mirror* mirror, const document::Camera& camera);
-/// Returns only the vertices of the grip.
+/// Returns the vertices of the grip, without its other data.
 std::vector<Gripped> gripped(const document::Document& document, const document::SoftSelection& soft,
                              const document::Mirror* mirror);
 std::vector<std::uint32_t> vertices_of(const Grip& grip);
 
 /// Moves the grip's vertices from their positions in `from`. The center is the grip's anchor, not
-/// Transform::pivot. Unmoved positions are copied exactly. If the grip has a shape, only Transform::degrees
-/// or Transform::amount is used. `to` must have the size of `from`.
+/// Transform::pivot. Copies the positions of other vertices exactly. If the grip has a shape, uses only
+/// Transform::degrees or Transform::amount. `to` must have the size of `from`.
 void apply(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
            std::span<mesh::Point> to);
 

@@ -10,13 +10,13 @@ namespace viete::interact {
 
 namespace {
 
-// Moves the vertex v if it is not hidden.
+// Moves the vertex v unless it is hidden.
 void put_visible(document::Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
 }
 
-// Records an edit, and returns the positions before the edit.
+// Records an edit. Returns the positions before the edit.
 std::vector<mesh::Point> begin_edit(document::Document& document, const char* label) {
   record_edit(document, label);
   return document.changed_pose().positions;

@@ -1,4 +1,4 @@
-// Copying a pose between the sides of a symmetric cage.
+// Copies a pose between the sides of a symmetric cage.
 #pragma once
 
 #include "document/document.h"
@@ -6,16 +6,16 @@
 
 namespace viete::interact {
 
-/// Moves the mirror partners of leading_vertices() to the mirror images of these vertices. Projects vertices
-/// on the mirror plane onto the plane. Undoable.
+/// Moves the mirror partner of each vertex in leading_vertices() to the mirror image of the vertex. A vertex
+/// on the mirror plane moves to the nearest point of the plane. Undoable.
 void copy_to_other_side(document::Document& document, const document::Mirror& mirror);
 
-/// Swaps the poses of both sides, for the selected vertices and their partners. Without a selection, swaps
-/// all vertices. Undoable.
+/// Swaps the poses of both sides, for the selected vertices and their partners or, if no vertex is selected,
+/// for all vertices. Undoable.
 void swap_sides(document::Document& document, const document::Mirror& mirror);
 
-/// Moves each vertex to its position, and its mirror partner to the mirror image. A partner that is itself in
-/// `vertices` gets its own position. `mirror` may be null. Undoable.
+/// Moves each vertex to its position, and its mirror partner to the mirror image. If the partner is also in
+/// `vertices`, it moves to its own position. `mirror` may be null. Undoable.
 void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
                 std::span<const mesh::Point> positions, const document::Mirror* mirror);
 

@@ -1,4 +1,4 @@
-// Entering a number, with single keys during a drag or as text in a field.
+// Enters a number: by single keys during a drag, or as text in a field.
 #pragma once
 
 #include <optional>
@@ -7,18 +7,18 @@
 
 namespace viete::interact {
 
-/// Parses a number with a decimal point or comma; nullopt for other text and for numbers beyond double.
+/// Parses a number with a decimal point or comma. Returns nullopt for other text and for too large numbers.
 std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:
-  /// Accepts digits, a point or comma, and minus. Minus changes the sign at any time. Returns false if `c` is
-  /// another character.
+  /// Enters a digit, a point, a comma or a minus. A minus changes the sign, wherever it is typed. If `c` is
+  /// another character, returns false.
   bool type(char c);
   void backspace();
 
   bool empty() const { return digits_.empty() && !negative_; }
-  /// Returns nullopt before the first digit.
+  /// Returns the number, or nullopt if no digit was typed.
   std::optional<double> value() const;
   std::string text() const { return (negative_ ? "-" : "") + digits_; }
 

@@ -10,8 +10,8 @@ namespace viete::interact {
 
 namespace {
 
-constexpr float cell = 2;        // in logical pixels
-constexpr float behind = 0.01f;  // in view units
+constexpr float cell = 2;        // the size of a sample, in logical pixels
+constexpr float behind = 0.01f;  // the visible depth behind a surface, in view units
 
 }  // namespace
 
@@ -26,7 +26,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// Covers the samples whose centers are inside the triangle.
+// Marks the samples whose centers are inside the triangle as covered.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -51,7 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Compares with the deepest neighbouring sample: points at silhouettes and on steep faces are visible.
+// Compares with the farthest neighbouring sample: points at silhouettes and on steep faces are visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -75,7 +75,7 @@ constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Picks the front candidate. Ignores candidates more than 2 pixels farther than the nearest candidate.
+// Finds the nearest candidate. Among candidates up to 2 pixels farther, prefers the one in front.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
@@ -111,7 +111,7 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
   return nearest.best();
 }
 
-// Interpolates the depth linearly on screen. In perspective this is inexact, but it finds the front edge.
+// Interpolates the depth linearly on screen. This is not exact in perspective, but it finds the front edge.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
                               std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
                               const Flags& hidden) {
@@ -130,7 +130,7 @@ std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Po
 std::optional<Pick> pick_inside(const document::Document& document, const document::Camera& camera,
                                 const document::Ray& ray, const Flags& hidden) {
   const mesh::Surface& cage = document.cage->surface;
-  // An orthographic view includes points behind the eye.
+  // In an orthographic view, points behind the eye are visible.
   const double start = camera.pose().orthographic ? -std::numeric_limits<double>::max() : 0;
   double first = std::numeric_limits<double>::max();
   std::optional<Pick> best;
@@ -187,7 +187,7 @@ std::optional<Pick> pick_element(const document::Document& document, const docum
   return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
 }
 
-// The limit is eight vertices in a circle of four times the tolerance.
+// True if eight vertices are in a circle with a radius of four times the tolerance.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;
@@ -277,7 +277,7 @@ void draw_on(Lasso& lasso, const glm::vec2& to) {
   if (lasso.line.empty() || glm::distance(lasso.line.back(), to) >= step) lasso.line.push_back(to);
 }
 
-// Computes the winding number: counts the sides that cross the ray from the point to the right, with sign.
+// Computes the winding number: the signed count of the sides that cross a ray to the right.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point) {
   int turns = 0;
   for (std::size_t i = 0; i < line.size(); ++i) {

@@ -1,4 +1,4 @@
-// Picks the elements under the cursor or inside a rectangle, a lasso or a circle.
+// Finds the elements under the cursor, or inside a rectangle, a lasso or a circle.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,19 @@
 
 namespace viete::interact {
 
-/// A coarse depth buffer, with one sample per two logical pixels. Points are visible up to half a percent of
-/// the model's diagonal behind the nearest surface; otherwise the cage would hide its own elements.
+/// A coarse depth buffer with one sample per 2 x 2 logical pixels. A point is visible if it is at most 0.5 %
+/// of the model's diagonal behind the nearest surface. Otherwise, the cage would hide its own elements.
 class Sight {
 public:
   Sight(const document::Camera& camera, const document::Viewport& viewport);
 
-  /// Draws a triangle that hides elements behind it. The corners are results of a Projector.
+  /// Draws a triangle that can hide elements. The corners are results of a Projector.
   void hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c);
   /// True if the point is visible. `at` is the result of a Projector.
   bool sees(const glm::vec3& at) const;
 
 private:
-  float nearness(float depth) const;  // increases towards the eye, linear on screen
+  float nearness(float depth) const;  // linear on screen; increases towards the eye
 
   bool orthographic_;
   int columns_, rows_;
@@ -36,25 +36,25 @@ private:
 
 struct Pick {
   std::uint32_t index;
-  float depth;  ///< of the picked point in front of the camera, in view units
+  float depth;  ///< the depth of the picked point from the camera, in view units
 };
 
-/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. If other elements are at
-/// most 2 pixels farther from the cursor, picks the front element. If no face is under the cursor, picks a
-/// face at the nearest edge. With `sight`, picks visible elements only.
+/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. Among elements that are up
+/// to 2 pixels farther, prefers the front element. If no face is under the cursor, picks a face at the
+/// nearest edge. If `sight` is given, ignores hidden elements.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
-/// Picks an element of the selection's kind.
+/// Picks an element of the kind that is selected.
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
                                  const document::Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight = nullptr);
-/// True if the cage vertices around the cursor are so dense that the user cannot click between them.
+/// True if the cage vertices around the cursor are so close together that the user cannot click between them.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight = nullptr);
 
-/// Returns the elements of the selection's kind whose vertices are all inside the rectangle, ascending. With
-/// `sight`, only elements with a visible center are returned.
+/// Returns the elements of the selected kind that have all vertices inside the rectangle, ascending. If
+/// `sight` is given, returns only elements with a visible center.
 std::vector<std::uint32_t> pick_elements_in_box(const document::Document& document,
                                                 const document::Camera& camera,
                                                 const document::Viewport& viewport, const glm::vec2& corner,
@@ -65,7 +65,7 @@ std::vector<std::uint32_t> pick_elements_in_lasso(const document::Document& docu
                                                   const document::Viewport& viewport,
                                                   std::span<const glm::vec2> line,
                                                   const Sight* sight = nullptr);
-/// Returns the elements whose center is in the circle, and the element under the center of the circle.
+/// Returns the elements with their center in the circle, and the element under the circle's center.
 std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& document,
                                                    const document::Camera& camera,
                                                    const document::Viewport& viewport,
@@ -82,9 +82,9 @@ struct Lasso {
   document::SelectMode mode;
 };
 
-/// Adds the cursor position if it is at least 2 pixels from the last position.
+/// Adds the cursor position unless it is nearer than 2 pixels to the last position.
 void draw_on(Lasso& lasso, const glm::vec2& to);
-/// True if the closed polyline winds around the point. The polyline may intersect itself.
+/// True if the closed polyline winds around the point. The polyline may cross itself.
 bool encloses(std::span<const glm::vec2> line, const glm::vec2& point);
 
 }  // namespace viete::interact

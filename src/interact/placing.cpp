@@ -19,7 +19,7 @@ namespace viete::interact {
 namespace {
 
 constexpr double turn_rounding = 1e-6;
-constexpr double largest_step = 30;  // in degrees; small enough to count turns reliably
+constexpr double largest_step = 30;  // in degrees; small enough to count whole turns reliably
 
 struct Motion {
   document::Document& document;
@@ -32,7 +32,7 @@ struct Motion {
     apply(transform, grip, before.positions, document.changed_pose().positions);
   }
 
-  // Rotates in small steps, and updates the turns of the pose.
+  // Rotates in small steps, and updates the turns of the pose after each step.
   void follow(double from, double to) {
     const int steps = static_cast<int>(std::ceil(std::abs(to - from) / largest_step));
     deform::CageState cage(document.cage, deform::Elements::face, deform::Blend::srl);
@@ -43,7 +43,7 @@ struct Motion {
     }
   }
 
-  // Follows one whole turn, and multiplies the change of the turns by the number of whole turns.
+  // Follows one whole turn, and multiplies its change of the turns by `count`.
   void follow_whole(double from, int count) {
     if (count == 0) return;
     auto& turns = document.pose.turns;
@@ -56,7 +56,7 @@ struct Motion {
   }
 };
 
-// Returns the rotation axis of each part of the cage; 0 for parts that do not rotate rigidly.
+// Returns the rotation axis of each part of the cage. If a part does not rotate rigidly, its axis is 0.
 std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
   const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * document::reflected_direction(grip.plane, own),
                                                 none{};
@@ -77,7 +77,7 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   return of_part;
 }
 
-// Returns the angle of a rotation about a unit axis, in radians in [-pi, pi].
+// Returns the angle of a rotation about an axis of length 1, in radians in [-pi, pi].
 double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
   const double half = mesh::norm(rotation) / 2;
   return half == 0 ? 0
@@ -91,7 +91,7 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
   return state.report().turns;
 }
 
-// Returns the number of whole turns about the axis; nullopt if `turn` has whole turns about another axis.
+// Returns the number of whole turns about the axis. If `turn` has whole turns about another axis, nullopt.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
@@ -149,7 +149,7 @@ bool place(document::Document& document, const document::DocumentState& snapshot
   return false;
 }
 
-// Each part has whole turns about one axis only. Whole turns about a new axis replace earlier whole turns.
+// A part has whole turns about one axis only. Whole turns about another axis replace them.
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;

@@ -1,4 +1,4 @@
-// Applies a transform to the grip, and counts whole turns of the cage's parts.
+// Transforms the grip, and counts whole turns of the cage's parts.
 #pragma once
 
 #include <string>
@@ -10,27 +10,27 @@
 namespace viete::interact {
 
 /// Transforms the vertices of the grip, or the selected probes, from their pose in `before`. `degrees_seen`
-/// is the rotation in the current pose: if the new rotation differs much, applies it in small steps to count
-/// whole turns. |degrees| must be at most most_degrees. If the result is out of range (document/range.h),
-/// restores the pose of `before` and returns false.
+/// is the rotation of the current pose. If the new rotation differs much from it, rotates in small steps to
+/// count whole turns. |degrees| must be at most most_degrees. If the result is out of range
+/// (document/range.h), restores the pose of `before` and returns false.
 bool place(document::Document& document, const document::DocumentState& before, const Grip& grip,
            const Transform& transform, double degrees_seen);
 
 /// Call this after a rotation from the pose in `before`. Sets the exact whole turns of each part of the cage
-/// that was rotated rigidly.
+/// that rotated rigidly.
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& transform);
 
-/// Transforms the selection as an undoable edit. Requires a selection. Returns false and changes nothing if
-/// the result is out of range.
+/// Transforms the selection as an undoable edit. Requires a selection. If the result is out of range, changes
+/// nothing and returns false.
 bool transform_selection(document::Document& document, Tool tool, const Grip& grip,
                          const Transform& transform);
 
 /// Returns the name of the edit in the history, such as "rotate 3 faces".
 std::string edit_label(Tool tool, const document::Selection& selection);
 
-/// Transforms the selected probes from their pose in `before`. Returns false and changes nothing if the
-/// result is out of range.
+/// Transforms the selected probes from their pose in `before`. If the result is out of range, changes nothing
+/// and returns false.
 bool place_probes(document::Document& document, const document::DocumentState& before,
                   const Transform& transform);
 

@@ -1,4 +1,4 @@
-// Bends, twists and tapers the selection between two ends, or smooths and relaxes the selection.
+// Bends, twists and tapers the selection between two ends. Smooths and relaxes the selection.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,11 +10,11 @@ namespace viete::interact {
 
 /// Finds both ends in the current pose. The fixed end is the pivot or, if `at_median`, the joint with the
 /// rest of the cage. The moving end is the active element or, without an active element, the far end of the
-/// selection. Bending is in the view plane. If both ends coincide, the result has Shape::none.
+/// selection. Bends in the view plane. If the ends coincide, returns Shape::none.
 Shaping shaping_of(const document::Document& document, Shape shape, const Grip& grip, bool at_median,
                    const document::Camera& camera);
 
-/// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to from - to.
+/// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to to - from.
 std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
 
 }  // namespace viete::interact

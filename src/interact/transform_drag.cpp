@@ -20,12 +20,12 @@ constexpr double slow_lag = 0.9;           // the fraction of the movement that 
 constexpr double turn_snap = 15;           // in degrees
 constexpr double scale_snaps = 10;         // steps per unit of the factor
 constexpr double move_snaps = 10;          // steps per grid cell
-constexpr double even_scale_pixels = 120;  // the movement for a factor of 2
+constexpr double even_scale_pixels = 120;  // the mouse movement that scales by 2
 constexpr double shortest_grip = 40;       // in pixels; limits the speed of scaling close to the pivot
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degrees_of_radian = 57.29577951308232;
 
-// Divides by an integer, so that the result is exactly the typed decimal number.
+// Divides by an integer, so that the result is exactly the decimal number that a user would type.
 double snapped(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
@@ -37,7 +37,7 @@ std::string print(const char* format, double value) {
   return zero && text[0] == '-' ? text + 1 : text;
 }
 
-// Writes a length with a precision of a hundredth of the grid cell.
+// Returns a length as text, with a precision of a hundredth of the grid cell.
 std::string length_text(double value, double cell) {
   const double decimals = 2 - std::floor(std::log10(cell));
   if (!(decimals >= 0 && decimals <= 9)) return print("%.3g", value);
@@ -117,7 +117,7 @@ bool TransformDrag::type(char c) {
   if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
   if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
-  // Rotating in a plane is rotating about its normal.
+  // Rotates about the normal of a plane instead of in the plane.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
   constrain(fitting == constraint_ ? Constraint{} : fitting);
   return true;
@@ -128,7 +128,7 @@ void TransformDrag::constrain(const Constraint& constraint) {
   turned_ = turn_lag_ = 0;
 }
 
-// If the axis is already set, bends in the view plane again.
+// If the axis is already set, changes back to bending in the view plane.
 void TransformDrag::bend_about(int axis) {
   const Constraint wanted{Kind::axis, axis};
   const bool again = wanted == constraint_;
@@ -144,7 +144,7 @@ glm::dvec3 TransformDrag::direction() const {
   return grip_.anchor.axes[constraint_.axis];
 }
 
-// Rounds the component along each axis.
+// Rounds the displacement along each axis.
 glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   const double per_unit = move_snaps / document::grid_cell(space_.diagonal());
   glm::dvec3 parts = glm::transpose(grip_.anchor.axes) * shift;
@@ -152,7 +152,7 @@ glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   return grip_.anchor.axes * parts;
 }
 
-// Moving right increases the amount.
+// Returns the amount for a horizontal motion. A motion to the right increases the amount.
 double TransformDrag::amount_by_way(double pixels) const {
   switch (grip_.shaping.shape) {
     case Shape::bend:
@@ -216,7 +216,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document
   return moved / space_.scale;
 }
 
-// The cursor's angle is ambiguous by whole turns: uses the angle nearest to the previous angle.
+// The cursor's angle can differ by whole turns. Uses the value that is nearest to the previous angle.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
@@ -231,8 +231,8 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   return turned_ - turn_lag_;
 }
 
-// A factor along an axis grows in the axis direction on screen, a factor in a plane grows away from the
-// pivot, and a uniform factor grows to the right and up.
+// Along an axis, the factor grows in the axis direction on screen. In a plane, it grows away from the pivot.
+// A uniform factor grows to the right and up.
 glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;
@@ -255,7 +255,7 @@ glm::dvec3 TransformDrag::factors(double value) const {
   return factors;
 }
 
-// Without an axis, a typed number is the distance in the direction of the mouse movement.
+// If there is no axis, moves by the typed distance in the direction of the mouse movement.
 Transform TransformDrag::typed(double value) const {
   Transform t = still();
   if (is_angle(grip_.shaping.shape)) {
@@ -282,7 +282,7 @@ void TransformDrag::soften(document::Document& document, const document::SoftSel
   grip_.vertices = gripped(document, soft, mirror);
   vertices_ = vertices_of(grip_);
   ++softened_;
-  transform_.degrees = 0;  // the document now has the pose at the press
+  transform_.degrees = 0;  // the document has the pose at the press again
 }
 
 void TransformDrag::commit(document::Document& document) const {
@@ -329,7 +329,7 @@ std::string TransformDrag::amounts() const {
   return text;
 }
 
-// Returns text such as "X " for an axis or "XZ " for a plane; empty without a constraint.
+// Returns text such as "X " for an axis or "XZ " for a plane. Without a constraint, returns an empty text.
 std::string TransformDrag::axis_names() const {
   std::string names;
   for (int i = 0; i < 3; ++i) {

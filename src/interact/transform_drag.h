@@ -1,4 +1,4 @@
-// Moves, rotates or scales the selection with the mouse or with typed numbers.
+// Moves, rotates or scales the selection, by the mouse or by typed numbers.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -18,15 +18,15 @@ namespace viete::interact {
 
 struct DragInput {
   glm::vec2 cursor;   ///< in logical pixels
-  bool snap = false;  ///< rounds to 15 degrees, to a scale of 0.1, or to a tenth of the grid cell
-  bool slow = false;  ///< moves at a tenth of the speed
+  bool snap = false;  ///< rounds to 15 degrees, to a factor of 0.1, or to a tenth of a grid cell
+  bool slow = false;  ///< follows the mouse at a tenth of the speed
 };
 
-/// One drag, from press to release. Each update starts from the positions at the press: errors do not add up.
-/// Circling the pivot twice rotates by 720 degrees. A typed number replaces the mouse movement.
+/// One drag, from press to release. Each update starts from the positions at the press, so that errors do not
+/// add up. If the cursor circles the pivot twice, rotates by 720 degrees. A typed number replaces the mouse.
 class TransformDrag {
 public:
-  /// Requires a selection. A move without a constraint keeps the point at `depth` (in view units) under the
+  /// Requires a selection. If a move has no constraint, the point at `depth` (in view units) stays under the
   /// cursor.
   TransformDrag(const document::Document& document, Grip grip, Tool tool, Constraint constraint, double depth,
                 const glm::vec2& cursor, const document::Camera& camera);
@@ -34,21 +34,21 @@ public:
   void update(document::Document& document, const DragInput& input, const document::Camera& camera,
               const document::Viewport& viewport);
 
-  /// x, y and z constrain the drag to an axis; pressing the key again removes the constraint. X, Y and Z
-  /// constrain to the plane perpendicular to the axis. A bend has a bending axis instead; other shapes have
-  /// no axis. Digits, point and minus enter the amount. Returns false if the character has no effect.
+  /// Handles a typed character. x, y and z set an axis as constraint; if it is already set, they remove it.
+  /// X, Y and Z set the plane perpendicular to the axis. For a bend, they set the bending axis; other shapes
+  /// have no axis. Digits, point and minus enter the amount. If the character has no effect, returns false.
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// Changes the soft selection. Takes effect at the next update.
+  /// Changes the soft selection. The next update uses it.
   void soften(document::Document& document, const document::SoftSelection& soft,
               const document::Mirror* mirror);
-  /// Returns the number of calls of soften(); each call can change vertices().
+  /// Returns the number of calls of soften(). Each call can change vertices().
   int softened() const { return softened_; }
 
-  /// Records the drag as one undoable edit, if the selection moved.
+  /// If the selection moved, records the drag as one undoable edit.
   void commit(document::Document& document) const;
-  /// Restores exactly the pose at the press.
+  /// Restores the exact pose at the press.
   void cancel(document::Document& document) const;
 
   Tool tool() const { return tool_; }
@@ -89,10 +89,10 @@ private:
   Tool tool_;
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last bending axis, if it was parallel to the line between the ends
+  std::optional<int> along_way_;  // the last bending axis, if it was parallel to to - from
   glm::dvec3 pivot_, view_axis_;  // the view axis points to the eye
   double depth_;
-  glm::dvec2 press_, cursor_, lag_{0, 0};  // slow mode subtracts the lag from the cursor
+  glm::dvec2 press_, cursor_, lag_{0, 0};  // slow mode subtracts the lag from the cursor position
   double turned_ = 0, turn_lag_ = 0;       // the cursor's angle around the pivot since the press, in radians
   glm::dvec3 pulled_{0, 0, 0};             // the displacement by the mouse
   NumberEntry entry_;

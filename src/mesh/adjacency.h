@@ -14,7 +14,7 @@
 
 namespace viete::mesh {
 
-/// One list per index i: the items from items[starts[i]] up to, but without, items[starts[i + 1]].
+/// One list of items per index i, from items[starts[i]] up to, but without, items[starts[i + 1]].
 struct Adjacency {
   std::vector<std::uint32_t> starts, items;
 
@@ -23,8 +23,8 @@ struct Adjacency {
   }
 };
 
-/// for_each(add) must call add(i, item) for each item. It is called twice, and must use the same order both
-/// times. Each list keeps this order. At most 2^32 - 1 items.
+/// Makes the lists. for_each(add) must call add(i, item) for each item. make_adjacency() calls for_each()
+/// twice; the order of the items must be equal in both calls. There must be at most 2^32 - 1 items.
 template <class ForEach>
 Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   Adjacency lists;
@@ -37,8 +37,8 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   return lists;
 }
 
-/// As make_adjacency() for large arrays, on all processors: for_each(t, add) is called for each t < elements,
-/// and the items of each i are sorted.
+/// Like make_adjacency(), but runs on all processors and sorts each list. Calls for_each(t, add) for each
+/// number t below `elements`.
 template <class ForEach>
 Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
   Adjacency lists;
@@ -62,7 +62,7 @@ Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEac
   return lists;
 }
 
-/// The neighbours of each node of a graph, in the order of its edges.
+/// Returns the neighbours of each node of a graph, in the order of the edges.
 inline Adjacency adjacency(std::size_t nodes, std::span<const Edge> edges) {
   return make_adjacency(nodes, [&](const auto& add) {
     for (const auto& [a, b] : edges) add(a, b), add(b, a);

@@ -1,4 +1,4 @@
-// Defects beyond the summary: duplicate and non-manifold vertices, thin triangles, self-intersections.
+// Finds duplicate vertices, non-manifold vertices, thin triangles and self-intersections.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,21 @@
 
 namespace viete::mesh {
 
-/// Used vertices at exactly the same position as a vertex with a lower number, ascending. O(n).
+/// Returns the used vertices with exactly the position of another used vertex of lower index. Sorted. O(n).
 std::vector<std::uint32_t> duplicate_vertices(const Surface& surface);
 
-/// Vertices with several triangle fans that share no edge there, ascending. A manifold has none, although a
-/// surface with such vertices can have two triangles at every edge. Nearly linear.
+/// Returns the vertices at which several groups of triangles meet without a shared edge. A manifold has no
+/// such vertex. Sorted. Nearly linear time.
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 
-/// Triangles with area (see has_area()) whose least height is below `ratio` of their longest edge, ascending.
-/// Any length scale from 1e-100 to 1e100. O(n).
+/// Returns the triangles whose smallest height is less than `ratio` times their longest edge. Ignores
+/// triangles without area (see has_area()). Sorted. Lengths must be from 1e-100 to 1e100. O(n).
 std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio);
 
-/// The triangles that cross another one or overlap it in the same plane; ascending. Touching does not count:
-/// neither neighbours at their common edge or vertex (shared by number or by position), nor parts in contact.
-/// Skips triangles without area. Exact: no tolerance. Any length scale from 1e-100 to 1e100. O(n log n +
-/// pairs of boxes that meet). progress may be null; throws base::Cancelled.
+/// Returns the triangles that cross another triangle, or overlap a triangle in the same plane. Ignores
+/// triangles that only touch, and triangles without area. Exact. Sorted. Lengths must be from 1e-100 to
+/// 1e100. The time is O(n log n) plus the number of pairs of overlapping boxes. `progress` may be null.
+/// Throws base::Cancelled.
 std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface,
                                                        base::Progress* progress = nullptr);
 

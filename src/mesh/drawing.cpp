@@ -12,7 +12,7 @@ namespace viete::mesh {
 
 namespace {
 
-// In float, relative to the first point: the precision of a shade of grey is enough.
+// Converts a difference of points to float: the precision of a shade of grey is enough.
 Vec3f rounded(const Point& a) {
   return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
 }
@@ -25,7 +25,7 @@ float mean_around(const Adjacency& around, std::size_t v, Get get) {
   return count > 0 ? sum / count : sum;
 }
 
-/// Mean sine of the angle by which the neighbours rise over the tangent plane: > 0 in a hollow.
+/// Returns the mean sine of the angles between the tangent plane and the neighbours; positive in a hollow.
 float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::size_t v, const Vec3f& normal) {
   return mean_around(around, v, [&](std::uint32_t other) {
     const Vec3f edge = points[other] - points[v];
@@ -57,7 +57,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
   for (int level = 0; level < levels; ++level) {
     for (int step = 0; step < 1 << level; ++step) {
       std::swap(hollow, scratch);
-      for_vertices([&](std::size_t v) {  // averages with the neighbours
+      for_vertices([&](std::size_t v) {  // computes the mean with the neighbours
         const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
         hollow[v] = around.of(v).empty() ? scratch[v] : 0.5F * scratch[v] + 0.5F * mean;
       });

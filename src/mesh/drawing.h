@@ -10,10 +10,10 @@
 
 namespace viete::mesh {
 
-/// One value per vertex, 0 (deep crease) to 1 (flat, or a ridge): mean height of the neighbours over the
-/// tangent plane, relative to their distance, gathered over `levels` growing neighbourhoods by smoothing.
-/// Linear time, on all processors. normals: unit, one per position. around: see vertex_triangles(); a vertex
-/// counts the next corner of each triangle as a neighbour. Unused vertices get 1.
+/// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). The value is the mean height
+/// of the neighbours over the tangent plane, relative to their distance, smoothed at `levels` scales and
+/// summed. `normals` has one unit vector per position. An unused vertex gets 1. `around` is the result of
+/// vertex_triangles(); the next corner in each of these triangles is a neighbour. Linear time.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, Adjacency around, int levels = 4);
 

@@ -17,7 +17,7 @@ EdgePaths::EdgePaths(const Surface& surface) : positions_(surface.positions) {
   for (std::uint32_t v = 0; v < positions_.size(); ++v) parts_.push_back(sets.find(v));
 }
 
-// Uses A* search; the heuristic is the straight distance to b.
+// Uses A* search. The heuristic is the straight distance to b.
 bool EdgePaths::joined(std::uint32_t a, std::uint32_t b, double longest) const {
   struct Reached {
     double least, length;

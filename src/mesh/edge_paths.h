@@ -9,15 +9,15 @@
 
 namespace viete::mesh {
 
-/// The surface must outlive the object. Immutable and thread-safe.
+/// Answers queries about one surface. The surface must outlive the object. Immutable and thread-safe.
 class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
 
-  /// Returns the number of the vertex's component. Vertices that are connected by edges have the same number.
+  /// Returns the number of the vertex's component. If edges connect two vertices, they are in one component.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
   std::span<const std::uint32_t> parts() const { return parts_; }
-  /// True if a path along edges connects a and b and is at most `longest` long.
+  /// True if a path along edges connects a and b and its length is at most `longest`.
   bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
 
 private:

@@ -9,14 +9,14 @@ namespace viete::mesh {
 
 namespace {
 
-// A side of a face, stored in the list of its lower vertex.
+// A side of a face. It is in the list of its lower vertex.
 struct Side {
   std::uint32_t high, face;
   bool forward;
 };
 
-// Sorts sides by the lower vertex, the higher vertex and the face. Calls visit(low, sides) for each edge.
-// for_each(add) must call add(from, to, face) for each side, with ascending faces.
+// Calls visit(low, sides) for each edge. Sorts the sides by lower vertex, higher vertex and face.
+// for_each(add) must call add(from, to, face) for each side, in ascending order of the faces.
 template <class ForEach, class Visit>
 void visit_edges(std::size_t vertices, const ForEach& for_each, const Visit& visit) {
   std::vector<std::uint32_t> starts(vertices + 1, 0);

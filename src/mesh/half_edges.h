@@ -11,18 +11,18 @@
 
 namespace viete::mesh {
 
-using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices, the lower index first
+using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices; the lower index is first
 
-/// One side of a triangle.
+/// A side of a triangle.
 struct HalfEdge {
   std::uint32_t triangle;
-  bool forward;  ///< true if the triangle's orientation runs from the lower vertex to the higher vertex
+  bool forward;  ///< true if the triangle uses the edge from the lower to the higher vertex
 };
 
-/// The edges of any triangles. An edge may have any number of triangles, in any orientation.
+/// The edges of triangles. An edge can have any number of triangles, in any orientation.
 struct HalfEdges {
   std::vector<Edge> edges;            ///< sorted and unique
-  std::vector<std::uint32_t> starts;  ///< edge e has the sides from starts[e] up to starts[e + 1]
+  std::vector<std::uint32_t> starts;  ///< edge e has the sides from starts[e] up to starts[e + 1] - 1
   std::vector<HalfEdge> sides;        ///< sorted by edge, then by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {
@@ -30,7 +30,7 @@ struct HalfEdges {
   }
 };
 
-/// Ignores triangles that repeat a corner.
+/// Returns the edges of the triangles. Ignores triangles that repeat a corner.
 HalfEdges half_edges(std::size_t vertices, std::span<const Triangle> triangles);
 
 /// Returns the edges of a surface's polygons, sorted and unique. Ignores edges from a vertex to itself.

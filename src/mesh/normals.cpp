@@ -13,7 +13,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Divides by the largest component first if squares would leave the range of double.
+// Returns the vector with length 1. If squares would leave the range of double, scales the vector first.
 Point unit(Point sum) {
   double squared = squared_norm(sum);
   if (!(squared > 1e-280 && squared < 1e280)) {
@@ -26,10 +26,10 @@ Point unit(Point sum) {
   return {sum[0] / length, sum[1] / length, sum[2] / length};
 }
 
-// Two edges of a triangle, their unit normal, and the dual basis of the edges in its plane.
+// Two edges of a triangle, the unit normal, and the dual basis of the edges in the triangle's plane.
 struct TriangleAxes {
   Point edge[2], normal, dual[2];
-  double area = 0;  // twice the triangle's
+  double area = 0;  // twice the area of the triangle
 
   TriangleAxes(std::span<const Point> p, const Triangle& t) : edge{p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]} {
     const Point n = cross(edge[0], edge[1]);
@@ -41,7 +41,7 @@ struct TriangleAxes {
   }
 };
 
-// The triangle's affine map; the normal scales by the root of the area factor.
+// The affine map of a triangle. The map scales along the normal by the square root of the area's scale.
 struct TriangleMap {
   TriangleAxes from, to;
   double thickness = 1;
@@ -53,7 +53,7 @@ struct TriangleMap {
 
   bool usable() const { return from.area > 0 && to.area > 0 && std::isfinite(to.area); }
 
-  // Cofactors of the map, times the area at rest.
+  // Applies the cofactor matrix of the map, times the area at rest.
   Point of_normal(const Point& n) const {
     const Point in_plane = dot(n, from.edge[0]) * to.dual[0] + dot(n, from.edge[1]) * to.dual[1];
     return to.area * (dot(n, from.normal) * to.normal + thickness * in_plane);
@@ -69,7 +69,7 @@ bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const P
   return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
 }
 
-// The smallest rotation that takes one direction to the other; identity if they are opposite.
+// Rotates n by the smallest rotation from one direction to another. If they are opposite, returns n.
 Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   const Vec3 a = unit(from), b = unit(to), axis = cross(a, b);
   const double cosine = dot(a, b);
@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// Rotates vectors that no triangle with area uses: as the nearest triangle with area or, in a model without
-// any, as triangles of the nearest points.
+// Rotates vectors without a triangle that has area. Such a vector rotates with the nearest triangle or, if no
+// triangle of the model has area, with triangles between the nearest points.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {
@@ -115,7 +115,7 @@ public:
   }
 
 private:
-  // The nearest six vertices at other positions, or fewer if there are fewer; nearest first.
+  // Returns the nearest vertices at other positions, at most six, sorted by distance.
   std::vector<std::uint32_t> neighbours(std::uint32_t vertex) const {
     constexpr std::size_t enough = 6;
     const Point& p = rest_[vertex];
@@ -139,7 +139,7 @@ private:
   double diagonal_ = 0;
 };
 
-// of_vertex: the vertex of each vector; used for vectors without a corner.
+// `of_vertex` has the vertex of each vector. It is used for vectors that no corner uses.
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
@@ -196,7 +196,7 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
     for (const std::uint32_t i : around.of(v)) {
       const Triangle& t = triangles[i];
       const Point &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
-      sum = sum + cross(b - a, c - a);  // twice the area in length: weights the mean by area
+      sum = sum + cross(b - a, c - a);  // weights by area: the length is twice the area
     }
     normals[v] = unit(sum);
   }

@@ -1,4 +1,4 @@
-// Vertex normals from triangles, and deformation of normals and tangents read from a file.
+// Computes vertex normals from triangles, and deforms normals and tangents from a file.
 #pragma once
 
 #include <cmath>
@@ -12,39 +12,38 @@
 
 namespace viete::mesh {
 
-/// The triangles around each vertex, ascending. Computed once per surface; lets normals be gathered per
-/// vertex, in parallel and in a fixed order.
+/// Returns the triangles around each vertex, ascending. Call it once per surface. With the lists, several
+/// threads can compute vertex normals, and the result does not depend on the threads.
 Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles);
 
-/// Unit normals of vertices [begin, end): the area-weighted mean of the triangles around. Vertices without
-/// area around them get (0, 0, 1). Any length scale from 1e-70 to 1e70. normals.size() == positions.size().
+/// Sets normals[v] for begin <= v < end to the mean normal of the triangles around v, weighted by area, with
+/// length 1. If these triangles have no area, sets (0, 0, 1). Lengths must be from 1e-70 to 1e70.
 void vertex_normals(std::span<const Point> positions, std::span<const Triangle> triangles,
                     const Adjacency& around, std::size_t begin, std::size_t end, std::span<Point> normals);
 
-/// Normals of a file after its vertices moved from `rest` to `positions`: each triangle moves by an affine
-/// map, which acts on normals by its cofactors; a normal is the mean over its corners, weighted by deformed
-/// area. corner_normal: for each of rest.corners an index into normals, or `none`. Split normals stay split.
-/// Undefined directions get the surface's normal. Results are unit vectors; normals around which nothing
-/// moved keep their bits.
-///
-/// A normal that only points, lines or degenerate faces use rotates with the nearest triangle; in a model
-/// without triangles, with triangles of the six nearest points. vertex_of_normal: the vertex of each normal;
-/// used only for normals without a corner.
+/// Returns the normals after the vertices moved from `rest` to `positions`, with length 1. `corner_normal`
+/// has an index into `normals`, or `none`, for each of rest.corners. Each triangle moves by an affine map,
+/// and the cofactors of the map transform the normals. A normal becomes the mean over its corners, weighted
+/// by the deformed area. If a normal is not finite, uses the normal of the triangle instead. If no triangle
+/// of a normal moved, returns the normal unchanged.
+/// If no triangle with area uses a normal, the normal rotates with the nearest triangle. If the model has no
+/// triangle with area, it rotates with triangles between the nearest six points. `vertex_of_normal` has the
+/// vertex of each normal; it is used only for normals that no corner uses.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,
                                    std::span<const std::uint32_t> vertex_of_normal = {});
 
-/// The numbers 0, 1, 2, ... of all vertices: vertex_of_normal for a file with one normal per vertex.
+/// Returns 0, 1, 2, ... for all vertices. Use it as vertex_of_normal if a file has one normal per vertex.
 std::vector<std::uint32_t> every_vertex(const Surface& surface);
 
-/// As deformed_normals(), for tangents, which move with the surface.
+/// Like deformed_normals(), for tangents. Tangents move with the surface.
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent,
                                     std::span<const std::uint32_t> vertex_of_tangent = {});
 
-/// False if a component is not finite.
+/// True if all components are finite.
 inline bool is_direction(const Vec3& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
@@ -54,8 +53,8 @@ inline bool changed(const Vec3& before, const Vec3& now) {
   return before != now && is_direction(now);
 }
 
-/// Scales changed vectors to their former lengths: deformed_normals() and deformed_tangents() give unit
-/// vectors. Vectors of unit length up to rounding of the file's digits become exactly unit.
+/// Scales changed vectors of unit length to their lengths in `before`. If a length in `before` differs from 1
+/// by at most 0.01, the vector keeps unit length.
 void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now);
 
 }  // namespace viete::mesh

@@ -6,7 +6,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Based on the finaliser of splitmix64 (Steele et al. 2014).
+// A hash function, based on the finaliser of splitmix64 (Steele et al. 2014).
 std::uint64_t hash(const Point& p) {
   std::uint64_t h = 0;
   for (const double x : p) {

@@ -1,4 +1,4 @@
-// Finds equal points with a hash table.
+// Finds equal points by a hash table.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace viete::mesh {
 
-/// A hash table of points. The caller stores the points in an array.
+/// A hash table of points. The caller owns the array of the points.
 class PointIndex {
 public:
-  /// Returns the index of p in the array. If the array does not contain p, returns positions.size(); then the
-  /// caller must append p. Compares bits: -0 and 0 are different.
+  /// Returns the index of p in `positions`. If p is new, returns positions.size(); then the caller must
+  /// append p to the array. Compares bits, so -0 and 0 differ.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
 
 private:
   void grow(const std::vector<Point>& positions);
   std::size_t slot_of(const Point& p, const std::vector<Point>& positions) const;
 
-  std::vector<std::uint32_t> slots_;  // the index + 1, or 0 if the slot is free; the size is a power of two
+  std::vector<std::uint32_t> slots_;  // index + 1, or 0 for a free slot; the size is a power of two
   std::size_t used_ = 0;
 };
 
-/// Returns, for each vertex, the lowest vertex at exactly the same position.
+/// Returns one index per vertex: the lowest vertex at exactly the same position.
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
 
 }  // namespace viete::mesh

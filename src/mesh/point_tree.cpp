@@ -11,7 +11,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::size_t points_per_leaf = 8;
-constexpr double rounding = 1e-12;  // a bound of the relative rounding error of radius and distance
+constexpr double rounding = 1e-12;  // the largest relative rounding error of radius and distance
 
 std::size_t middle_of(std::size_t begin, std::size_t end) {
   return begin + (end - begin) / 2;
@@ -24,7 +24,7 @@ int longest_side(const Bounds& box) {
 
 }  // namespace
 
-// Returns a lower bound of the distance to any point in the ball.
+// Returns a lower bound of the distances to the points in the ball.
 double PointTree::least(double to_center, const Ball& ball) {
   return std::max(0.0, to_center * (1 - rounding) - ball.radius * (1 + rounding));
 }

@@ -1,4 +1,4 @@
-// Finds the nearest point to a point, an edge or a triangle.
+// Finds the point nearest to a point, an edge or a triangle.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace viete::mesh {
 /// A kd tree of points. The positions must outlive the tree. Thread-safe.
 class PointTree {
 public:
-  /// `some` has the indices of the points for the tree, and must not be empty.
+  /// Makes a tree of the points with the indices `some`. `some` must not be empty.
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
-  /// Returns the index of the point nearest to the triangle. If several points are nearest, returns the
-  /// lowest index. Corners may repeat, for an edge or a point; see closest_on_triangle().
+  /// Returns the index of the point nearest to the triangle. If several points are equally near, returns the
+  /// lowest index. For an edge or a point, repeat corners; see closest_on_triangle().
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
-  /// Calls visit(i) for every point within the radius around p, in any order.
+  /// Calls visit(i) for every point i whose distance to p is at most the radius, in any order.
   void for_within(const Point& p, double radius, const std::function<void(std::uint32_t)>& visit) const;
 
 private:

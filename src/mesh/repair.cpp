@@ -19,7 +19,7 @@ struct Neighbour {
   bool agrees;
 };
 
-// Returns the neighbours of each triangle across edges of exactly two triangles.
+// Returns the neighbours of each triangle. Neighbours share an edge that has exactly two triangles.
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
@@ -54,14 +54,14 @@ public:
     return turn;
   }
 
-  // The next two functions are valid after turned(): the components, and true if all of them are orientable.
+  // The next functions are valid after turned(): the components, and whether all components are orientable.
   const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
   bool agree() const { return agree_; }
 
 private:
   static constexpr std::uint8_t unseen = 2;
 
-  // Visits the component of the seed. Returns false if the component is not orientable.
+  // Visits the component that contains the seed. If the component is not orientable, returns false.
   bool reach(std::uint32_t seed) {
     bool agree = true;
     part_.assign(1, seed);
@@ -80,14 +80,14 @@ private:
   }
 
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> side_;  // 0 if the triangle has the orientation of its component's seed, else 1
+  std::vector<std::uint8_t> side_;  // 0 if the triangle has the orientation of the component's seed, else 1
   std::vector<std::uint32_t> part_;
   std::vector<std::vector<std::uint32_t>> parts_;
   bool agree_ = true;
 };
 
-// Returns the corners, beginning with the lowest corner, in the lexicographically lower direction. The second
-// value is true if this is the polygon's own direction.
+// Returns the corners beginning with the lowest corner, in the direction that is lexicographically lower. The
+// second value is true if the polygon has this direction.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));
@@ -97,7 +97,7 @@ std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_
   return {ahead ? std::move(forward) : std::move(backward), ahead};
 }
 
-// Marks each polygon that coincides with an earlier polygon of opposite orientation.
+// Marks each polygon whose corners are those of an earlier polygon, in the opposite orientation.
 std::vector<std::uint8_t> backs(const Surface& joined) {
   std::map<std::vector<std::uint32_t>, bool> seen;
   std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
@@ -121,7 +121,7 @@ Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) 
   return part;
 }
 
-// True if every edge is used equally often in both directions. Ignores boundary edges unless `open_too`.
+// True if all edges are used equally often in both directions. Unless `open_too`, ignores boundary edges.
 bool balanced(const Surface& surface, bool open_too) {
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
@@ -132,8 +132,8 @@ bool balanced(const Surface& surface, bool open_too) {
   return true;
 }
 
-// Orients a closed component outward if an even number of other components contain it, otherwise inward. Does
-// nothing if all components have the reverse orientation.
+// Orients closed components. If an even number of other components contain a component, orients it outward,
+// otherwise inward. If all components have the reverse orientation, does nothing.
 void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
   struct Part {
     Surface surface;

@@ -13,8 +13,8 @@ namespace viete::mesh {
 
 namespace {
 
-// For each vertex the higher vertices of its edges, once per side of a triangle that runs upwards or
-// downwards.
+// For each vertex a, lists the vertices b > a of its edges: once per triangle with the side from a to b if
+// `upwards`, otherwise once per triangle with the side from b to a.
 Adjacency sides(const Surface& surface, bool upwards) {
   const auto& triangles = surface.triangles;
   return sorted_adjacency(surface.positions.size(), triangles.size(), [&](std::uint32_t t, const auto& add) {
@@ -25,7 +25,7 @@ Adjacency sides(const Surface& surface, bool upwards) {
   });
 }
 
-// Adds what blocks of vertices or triangles have found.
+// Joins the results for two blocks of vertices or triangles.
 Summary joined(Summary a, const Summary& b) {
   const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
   a.edges += b.edges, a.area += b.area, a.volume += b.volume;
@@ -74,8 +74,8 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
-// Computes lengths relative to the box, so that squares stay in range. The volume sums tetrahedra from the
-// box's centre, which keeps precision far from the origin.
+// Divides lengths by the box's diagonal to keep squares in range. Sums the volumes of tetrahedra with a
+// corner at the box's center; this is precise also far from the origin.
 void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();
@@ -115,7 +115,7 @@ std::optional<Topology> topology(const Surface& surface, const Summary& summary)
     return std::nullopt;
   Topology topology;
   UnionFind rims(surface.positions.size());
-  for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closes a loop
+  for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closed a loop
   topology.euler = std::ssize(surface.positions) - std::ssize(summary.unused_vertices) -
                    static_cast<std::ptrdiff_t>(summary.edges) + std::ssize(surface.triangles);
   const auto rest = static_cast<std::ptrdiff_t>(2 * summary.parts - topology.holes) - topology.euler;

@@ -1,4 +1,4 @@
-// Summary of a surface: counts, boundary, non-manifold and misoriented edges, area and volume.
+// Summarizes a surface: counts; boundary, non-manifold and misoriented edges; area and volume.
 #pragma once
 
 #include <cstddef>
@@ -10,35 +10,35 @@
 
 namespace viete::mesh {
 
-/// Edges are triangle edges. A triangle with a repeated corner has none.
+/// The edges are triangle edges. Triangles with a repeated corner have no edges.
 struct Summary {
   std::size_t vertices = 0, polygons = 0, triangles = 0, edges = 0;
-  std::size_t parts = 0;                ///< components by shared vertices; unused vertices do not count
+  std::size_t parts = 0;                ///< components connected by shared vertices, without unused vertices
   std::vector<Edge> boundary_edges;     ///< edges with one triangle
-  std::vector<Edge> nonmanifold_edges;  ///< edges with three or more
-  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in the same direction
+  std::vector<Edge> nonmanifold_edges;  ///< edges with three or more triangles
+  std::vector<Edge> misoriented_edges;  ///< edges that two triangles use in one direction
   std::vector<std::uint32_t> unused_vertices;
-  std::vector<std::uint32_t> degenerate_triangles;  ///< a repeated corner, or not has_area()
+  std::vector<std::uint32_t> degenerate_triangles;  ///< without area (see has_area()) or repeating a corner
   double area = 0;
-  double volume = 0;  ///< signed, positive when oriented outward; meaningful when closed
+  double volume = 0;  ///< positive if oriented outward; meaningful only for a closed surface
 
   bool closed() const { return boundary_edges.empty() && triangles > 0; }
   bool manifold() const { return nonmanifold_edges.empty(); }
   bool oriented() const { return misoriented_edges.empty(); }
 };
 
-/// Linear time. Lists are ascending. Any length scale from 1e-100 to 1e100.
+/// Lists are sorted. Linear time. Lengths must be from 1e-100 to 1e100.
 Summary summarize(const Surface& surface);
 
-/// Topology of a manifold.
+/// The topology of a manifold.
 struct Topology {
   std::size_t holes = 0;     ///< boundary loops
-  std::ptrdiff_t euler = 0;  ///< V - E + F, without unused vertices
-  std::size_t genus = 0;     ///< handles of all components: euler = 2 components - 2 genus - holes
+  std::ptrdiff_t euler = 0;  ///< vertices - edges + triangles, without unused vertices
+  std::size_t genus = 0;     ///< total number of handles: euler = 2 components - 2 genus - holes
 };
 
-/// Empty unless the surface is an oriented manifold: no edge with three triangles or with two of opposite
-/// orientation, no triangle with repeated corners, no vertex with several fans. summary: of this surface.
+/// Returns nullopt if the surface is not an oriented manifold or a triangle repeats a corner. `summary` must
+/// be the summary of this surface.
 std::optional<Topology> topology(const Surface& surface, const Summary& summary);
 
 }  // namespace viete::mesh

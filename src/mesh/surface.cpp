@@ -63,7 +63,7 @@ Bounds used_bounds(const Surface& surface) {
 
 namespace {
 
-// The area centroid. Lengths are scaled by `unit` because coordinates may be as large as largest_coordinate.
+// Returns the area centroid. Scales lengths by `unit`, because coordinates can be up to largest_coordinate.
 Point area_center(const Surface& surface, const Point& origin, double unit) {
   Vec3 sum{0, 0, 0};
   double total = 0;

@@ -1,4 +1,4 @@
-// A polygon surface as flat arrays, filled by every reader.
+// The polygon surface: flat arrays that every reader fills.
 #pragma once
 
 #include <algorithm>
@@ -16,28 +16,28 @@ namespace viete::mesh {
 using Point = Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// Limit of coordinates; files beyond it are rejected, so that volumes stay finite.
+/// The largest absolute value of a coordinate. Larger values are rejected, so that volumes stay finite.
 inline constexpr double largest_coordinate = 1e100;
 
-/// Index value for "no element".
+/// The index that means "no element".
 inline constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
-/// Positions in the file's order and full precision, polygons as in the file, and their triangulation.
-/// Invariants (guaranteed by readers): indices < positions.size(); positions finite; triangles in polygon
-/// order as made by triangulate(), n - 2 for a polygon with n corners.
+/// A polygon surface. Positions and polygons have the order of the file; positions have full precision.
+/// Readers guarantee: Indices are less than positions.size(). Positions are finite. Triangles are results of
+/// triangulate(), in polygon order; a polygon with n corners has n - 2 triangles.
 struct Surface {
   std::vector<Point> positions;
-  std::vector<std::uint32_t> corners;  ///< vertices, polygon by polygon, counter-clockwise from outside
-  std::vector<std::uint32_t> polygon_starts;  ///< polygon p has corners [starts[p], starts[p + 1])
+  std::vector<std::uint32_t> corners;  ///< vertices of each polygon, counter-clockwise as seen from outside
+  std::vector<std::uint32_t> polygon_starts;  ///< the first corner of each polygon, then corners.size()
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> triangle_polygon;  ///< the polygon of each triangle
-  /// Triangles of polygons that are not a fan about their first corner, as indices into corners.
+  /// The triangles of polygons that are not a fan around their first corner. Contains indices into `corners`.
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
 };
 
-/// Calls use(triangle, corners) for each triangle in order; corners are indices into Surface::corners.
+/// Calls use(triangle, corners) for each triangle in order. `corners` has indices into Surface::corners.
 template <class Use>
 void for_each_triangle(const Surface& s, const Use& use) {
   std::size_t t = 0, own = 0;
@@ -49,16 +49,16 @@ void for_each_triangle(const Surface& s, const Use& use) {
   }
 }
 
-/// The part of `clipped` that belongs to the polygon; empty for a fan.
+/// Returns the polygon's triangles in `clipped`; empty if the polygon is a fan.
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon);
 
 /// True if the polygons are equal, or if the triangles are equal and only the polygons differ.
 bool same_faces(const Surface& a, const Surface& b);
 
-/// A surface of triangles only (polygons = triangles).
+/// Makes a surface of triangles. Each triangle is a polygon.
 Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);
 
-/// Axis-aligned bounding box. No points give the box (0,0,0)-(0,0,0).
+/// An axis-aligned bounding box. If there are no points, both corners are 0.
 struct Bounds {
   Point low{0, 0, 0}, high{0, 0, 0};
 
@@ -83,18 +83,17 @@ inline void extend(Bounds& box, const Point& p) {
 }
 
 Bounds bounds(std::span<const Point> positions);
-/// The box of the listed positions.
+/// Returns the box of the listed positions.
 Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some);
 
-/// The box of all vertices used by a polygon; of all vertices if there are no polygons.
+/// Returns the box of the vertices that polygons use or, if there are no polygons, of all vertices.
 Bounds used_bounds(const Surface& surface);
 
-/// Twice the largest distance of those vertices from the area centroid (from their mean without area): a size
-/// that does not depend on the rotation of the surface. For a box it is the diagonal.
+/// Returns twice the largest distance from the area centroid (or, without area, from the mean) to a vertex in
+/// used_bounds(). For a box, this is the diagonal. A rotation does not change the size.
 double used_size(const Surface& surface);
 
-/// base::Checksum of the values and order of positions and triangles. Depends on the machine's byte order.
-/// Memory-bound.
+/// Returns a base::Checksum of positions and triangles in their order. Depends on the processor's byte order.
 std::uint64_t content_key(const Surface& surface);
 
 }  // namespace viete::mesh

@@ -15,7 +15,7 @@ Closest at(const Vec3& ap, const Vec3& ab, const Vec3& ac, double s, double t) {
   return {squared_norm(ap - (s * ab + t * ac)), {1 - s - t, s, t}};
 }
 
-// Returns the parameter, from 0 to 1, of the point closest to p on the segment from 0 to d.
+// Returns the parameter, in [0, 1], of the point nearest to p on the segment from 0 to d.
 double along(const Vec3& p, const Vec3& d) {
   const double length2 = squared_norm(d);
   return length2 > 0 ? std::clamp(dot(p, d) / length2, 0.0, 1.0) : 0.0;
@@ -42,7 +42,7 @@ bool has_area(const Point& a, const Point& b, const Point& c) {
   constexpr double least = 1e-12;
   const Vec3 u = b - a, v = c - a;
   const double longest = std::max({largest_abs(u), largest_abs(v), largest_abs(c - b)});
-  const double scale = 1 / longest;  // keeps the products in range
+  const double scale = 1 / longest;  // keeps the products in the range of double
   return longest > 0 && std::isfinite(scale) && norm(cross(scale * u, scale * v)) > least;
 }
 
@@ -81,7 +81,7 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// An exact sum, stored as non-overlapping parts of ascending size (the expansions of Shewchuk 1997).
+// An exact sum. Its parts do not overlap and ascend in size (expansions: Shewchuk 1997).
 class ExactSum {
 public:
   void add(double x) {
@@ -117,12 +117,12 @@ public:
   int sign() const { return size_ == 0 ? 0 : mesh::sign(parts_[size_ - 1]); }
 
 private:
-  std::array<double, 128> parts_;  // a determinant needs at most 96
+  std::array<double, 128> parts_;  // a determinant needs at most 96 parts
   std::size_t size_ = 0;
 };
 
-// Returns the sign of det(u, v, w), whose entries were rounded once. If the rounding error could change the
-// sign, computes it with exact().
+// Returns the sign of det(u, v, w). The entries of u, v and w were rounded once. If the rounding errors could
+// change the sign, calls exact() instead.
 template <class Exact>
 int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;
@@ -177,7 +177,7 @@ Point2 without(const Point& p, int axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-// Returns an axis along which the projection of the triangle has area, or -1.
+// Returns an axis along which the projection of the triangle has area. Without such an axis, returns -1.
 int visible_axis(const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis)) != 0) return axis;
@@ -185,7 +185,7 @@ int visible_axis(const Corners& t) {
   return -1;
 }
 
-// True if the line through an edge of s separates both triangles, in the projection along the axis.
+// True if, in the projection along the axis, the line through an edge of s separates the triangles.
 bool edge_separates(const Corners& s, const Corners& t, int axis) {
   for (int i = 0; i < 3; ++i) {
     const Point2 a = without(s[i], axis), b = without(s[(i + 1) % 3], axis);
@@ -196,12 +196,12 @@ bool edge_separates(const Corners& s, const Corners& t, int axis) {
   return false;
 }
 
-// True if no two signs are opposite.
+// True if the signs do not contain both 1 and -1.
 bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// True if an edge of s passes through t. `sides` has the side of t's plane for each corner of s.
+// True if an edge of s passes through t. `sides` has one sign per corner of s: its side of t's plane.
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;
@@ -226,8 +226,8 @@ bool some_edge_crosses(const Corners& s, const Corners& t) {
   return false;
 }
 
-// Returns the squared distance of two segments, from p to p + d and from q to q + e. Source: C. Ericson,
-// Real-Time Collision Detection (2005), 5.1.9.
+// Returns the squared distance between two segments: from p to p + d, and from q to q + e. Source: C.
+// Ericson, Real-Time Collision Detection (2005), 5.1.9.
 double squared_distance(const Point& p, const Vec3& d, const Point& q, const Vec3& e) {
   const Vec3 r = p - q;
   const double a = squared_norm(d), b = dot(d, e), c = dot(d, r), g = squared_norm(e), f = dot(e, r);

@@ -1,4 +1,4 @@
-// Tests and measures of triangles and points: orientation, area, distance, intersection.
+// Tests and measures triangles and points: orientation, area, distance, intersection.
 #pragma once
 
 #include <array>
@@ -17,32 +17,32 @@ inline bool repeats_corner(const Triangle& t) {
 /// Returns the triangles that do not repeat a corner.
 std::vector<Triangle> proper_triangles(const Surface& surface);
 
-/// False if the triangle is a line or a point within rounding: twice the area is at most 1e-12 times the
-/// square of the largest coordinate of the sides. Valid for lengths from 1e-300 to 1e300.
+/// False if the triangle is a line or a point, except for rounding: if twice its area is at most 1e-12 times
+/// the square of the largest coordinate of its sides. Lengths must be from 1e-300 to 1e300.
 bool has_area(const Point& a, const Point& b, const Point& c);
 
 struct Closest {
   double squared_distance;
-  Vec3 barycentric;  ///< the weights of a, b and c for the closest point; in [0, 1], with sum 1
+  Vec3 barycentric;  ///< the weights of a, b and c for the closest point: in [0, 1], with sum 1
 };
 
-/// Returns the point of the triangle closest to p. A triangle without area is treated as its longest edge, or
-/// as a point. Lengths from 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
+/// Returns the point of the triangle closest to p. Treats a triangle without area as its longest edge, or as
+/// a point. Lengths from 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
-/// Returns half the solid angle of the triangle, seen from 0 (van Oosterom and Strackee 1983, eq. 8).
+/// Returns half the solid angle of the triangle as seen from 0 (van Oosterom and Strackee 1983, eq. 8).
 double half_solid_angle(const Point& a, const Point& b, const Point& c);
 
 using Point2 = std::array<double, 2>;
 
-// The signs below are exact. Absolute values of coordinates must be 0 or from 1e-70 to 1e70. Source: Shewchuk
-// 1997, Adaptive precision floating-point arithmetic and fast robust geometric predicates.
+// The next functions return exact signs. Absolute values of coordinates must be 0 or from 1e-70 to 1e70.
+// Source: Shewchuk 1997, Adaptive precision floating-point arithmetic and fast robust geometric predicates.
 
-/// Returns the sign of det(b - a, c - a, d - a): 1 if a, b, c are counter-clockwise as seen from d, and 0 if
-/// all four points are in a plane.
+/// Returns the sign of det(b - a, c - a, d - a). The sign is 1 if a, b, c are counter-clockwise as seen from
+/// d, and 0 if all four points are in a plane.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise around the normal.
+/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise about the normal.
 int orientation_along(const Vec3& normal, const Point& a, const Point& b, const Point& c);
 
 /// Returns the sign of det(b - a, c - a): 1 if a, b, c are counter-clockwise, and 0 if they are collinear.
@@ -54,22 +54,22 @@ inline Corners corners_of(std::span<const Point> positions, const Triangle& t) {
   return {positions[t[0]], positions[t[1]], positions[t[2]]};
 }
 
-/// True if the corners are not collinear. Exact.
+/// True if the corners are not on a line. Exact.
 bool has_plane(const Corners& t);
 
-/// True if the triangles intersect or, in the same plane, overlap. False if they only touch. Exact. Both
-/// triangles must have a plane.
+/// True if the triangles intersect, or overlap in one plane. False if they only touch. Both triangles must
+/// have a plane. Exact.
 bool intersect(const Corners& s, const Corners& t);
 
-/// True if the segment from p to q passes through the triangle. False if an end is on the triangle's plane.
+/// True if the segment from p to q passes through the triangle. False if p or q is on the triangle's plane.
 bool crosses(const Point& p, const Point& q, const Corners& t);
 
-/// Like intersect(), but also for triangles without a plane. Such a triangle is treated as its edges; the
-/// result is false if both triangles have no plane.
+/// Like intersect(), but accepts triangles without a plane, and treats them as their edges. If both triangles
+/// have no plane, returns false.
 bool cut(const Corners& s, const Corners& t);
 
-/// Returns the squared distance; 0 if the triangles intersect. A triangle without area is treated as its
-/// longest edge, or as a point. Valid for lengths from 1e-75 to 1e75.
+/// Returns the squared distance; 0 if the triangles intersect. Treats a triangle without area as its longest
+/// edge, or as a point. Lengths must be from 1e-75 to 1e75.
 double squared_distance(const Corners& s, const Corners& t);
 
 }  // namespace viete::mesh

@@ -12,7 +12,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
-constexpr double far_away = 2;  // from this distance in radii, a dipole replaces a node (Barill 2018, 3.3)
+constexpr double far_away = 2;  // from this distance, in radii, a dipole replaces a node (Barill 2018, 3.3)
 
 double squared_distance(const Point& p, const Bounds& box) {
   double sum = 0;
@@ -23,7 +23,7 @@ double squared_distance(const Point& p, const Bounds& box) {
   return sum;
 }
 
-// First tests the centroid of the other triangle, because it often decides the result.
+// Tests the centroid of the other triangle first, because this test often decides.
 bool are_near(const Corners& t, const Corners& other, double distance) {
   if (distance <= 0) return cut(t, other);
   const Point middle = (1.0 / 3) * (other[0] + other[1] + other[2]);
@@ -59,7 +59,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   make_dipoles();
 }
 
-// Halves the triangles along the longest side of the bounding box of their centres.
+// Divides the triangles into two halves along the longest side of the box of their centers.
 std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
                                   base::Progress* progress) {
   const auto self = static_cast<std::uint32_t>(nodes_.size());
@@ -93,7 +93,7 @@ void TriangleTree::group_nodes() {
   }
 }
 
-// Children have higher indices than their parent, so they are ready first.
+// Computes the dipoles of children before those of their parent. A child has a higher index than its parent.
 void TriangleTree::make_dipoles() {
   dipoles_.resize(nodes_.size());
   std::vector<double> weights(nodes_.size(), 0);
@@ -197,7 +197,7 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
   const Vec3 u = t[1] - t[0], v = t[2] - t[0], across = cross(u, v);
   const double reach = distance * norm(across);
   const double rounding = 1e-14 * std::sqrt(squared_norm(u) * squared_norm(v));  // the error of `across`
-  // True if the box is on one side of the plane of t, and farther away than `distance`.
+  // True if the box is on one side of the plane of t, and farther from this plane than `distance`.
   const auto beside = [&](const Bounds& other) {
     const Vec3 middle = 0.5 * (other.low + other.high) - t[0], half = 0.5 * (other.high - other.low);
     double spread = reach;
@@ -214,7 +214,7 @@ bool TriangleTree::is_near(const Corners& t, double distance) const {
     if (gap > radius + distance) return Step::past;
     return gap + radius < distance ? Step::found : Step::into;
   };
-  // True if the triangle is on one side of the plane of t, and farther away than `distance`.
+  // True if the triangle is on one side of the plane of t, and farther from this plane than `distance`.
   const auto is_beside = [&](const Corners& other) {
     int sides = 0;
     for (const Point& p : other) {

@@ -1,4 +1,4 @@
-// A tree of bounding boxes for fast queries of triangles: nearest triangle, distance tests, winding numbers.
+// A tree of bounding boxes for triangles: finds the nearest triangle, near triangles and winding numbers.
 #pragma once
 
 #include <cstdint>
@@ -12,12 +12,12 @@
 
 namespace viete::mesh {
 
-/// A tree of any triangles. A triangle without area is treated as its longest edge, or as a point. Copies the
-/// corners. Thread-safe. Valid for lengths from 1e-75 to 1e75.
+/// A tree of triangles. Treats a triangle without area as its longest edge, or as a point. Copies the
+/// corners. Thread-safe. Lengths must be from 1e-75 to 1e75.
 class TriangleTree {
 public:
-  /// Requires at least one triangle. `groups` is empty or has one number per position; a triangle is in the
-  /// group of its first corner. `progress` may be null. Throws base::Cancelled.
+  /// Requires a triangle. `groups` is empty or has one number per position. A triangle belongs to the group
+  /// of its first corner. `progress` may be null. Throws base::Cancelled.
   TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
                base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
@@ -26,15 +26,15 @@ public:
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  /// Returns the triangle nearest to p, or Nearest() if all squared distances are at least `below`.
+  /// Returns the triangle nearest to p. If all squared distances are at least `below`, returns Nearest().
   Nearest nearest(const Point& p, double below = std::numeric_limits<double>::infinity()) const;
 
   struct NearestOfGroup {
     std::uint32_t group, triangle;
     double squared_distance;
   };
-  /// Returns the nearest triangle of each group within the radius around p, except of `but_group`. The order
-  /// is arbitrary. The tree must have groups.
+  /// Returns the nearest triangle of each group within the radius around p, in any order. Ignores the group
+  /// `but_group`. The tree must have groups.
   std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
 
   /// Calls visit(triangle) for each triangle whose bounding box overlaps `box`.
@@ -47,23 +47,23 @@ public:
          });
   }
 
-  /// True if a triangle of the tree intersects t or is nearer to t than `distance`. The intersection test is
-  /// exact. t must have a plane.
+  /// True if a triangle of the tree intersects t, or if its distance to t is less than `distance`. The test
+  /// for intersection is exact. t must have a plane.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// Returns the generalised winding number around p, with an error of a few hundredths. Sources: Jacobson et
-  /// al. 2013, Robust inside-outside segmentation using generalized winding numbers; Barill et al. 2018, Fast
-  /// winding numbers for soups and clouds (distant triangles are combined to a dipole).
+  /// Returns the generalised winding number around p, with an error of a few hundredths. Combines distant
+  /// triangles to dipoles. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using
+  /// generalized winding numbers; Barill et al. 2018, Fast winding numbers for soups and clouds.
   double winding_number(const Point& p) const;
 
 private:
   static constexpr auto no_group = std::numeric_limits<std::uint32_t>::max();
-  // The triangles of a node are order_[begin] up to, but without, order_[end]. The first child is the next
-  // node, the second child is `second`; 0 in a leaf.
+  // The triangles of a node are from order_[begin] up to, but without, order_[end]. The first child is the
+  // next node; the second child is `second`. In a leaf, `second` is 0.
   struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
-    std::uint32_t group = no_group;  // the group of all its triangles, or no_group
+    std::uint32_t group = no_group;  // the group of all triangles in the node, or no_group
   };
   struct Dipole {
     Point center{};
@@ -75,14 +75,14 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // Searches the tree. enter(node) decides whether to pass a node, to enter it, or to return true. In entered
-  // leaves, calls visit(index in order_) for each triangle, and returns true if visit() does.
+  // Searches the tree. enter(node) decides: pass the node, enter it, or return true. In a leaf that was
+  // entered, calls visit(index in order_) for each triangle. If visit() returns true, returns true.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 
   std::vector<std::uint32_t> order_;
-  std::vector<Corners> corners_;       // in the order of order_
-  std::vector<std::uint32_t> groups_;  // in the order of order_; empty without groups
+  std::vector<Corners> corners_;       // one per entry of order_
+  std::vector<std::uint32_t> groups_;  // one per entry of order_; empty without groups
   std::vector<Node> nodes_;
   std::vector<Dipole> dipoles_;  // one per node
 };

@@ -14,11 +14,11 @@ namespace viete::mesh {
 
 namespace {
 
-// Threshold where rounding decides: twice a triangle's area relative to the square of its longer spoke, or
-// twice a polygon's area relative to the square of its extent.
+// Smaller values may be rounding errors. The value of a fan triangle is twice its area, divided by the square
+// of its longer spoke. The value of a polygon is twice its area, divided by the square of its extent.
 constexpr double flat_fan = 1e-12;
 
-// Triangles about a polygon's first corner, in units of its extent.
+// The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.
 class Fan {
 public:
   explicit Fan(std::span<const Point> corners) : corners_(corners) {
@@ -28,7 +28,7 @@ public:
     for (std::size_t i = 2; i < corners.size(); ++i) normal_ = normal_ + cross(spoke(i - 1), spoke(i));
   }
 
-  // Its length is twice the polygon's area.
+  // Returns the polygon's normal. Its length is twice the area.
   const Vec3& normal() const { return normal_; }
 
   bool covers() const {
@@ -50,7 +50,7 @@ private:
   Vec3 normal_{0, 0, 0};
 };
 
-// Scales the points exactly, so that products of three coordinates are in range.
+// Scales the points by a power of two, without rounding, so that products of three coordinates are in range.
 std::vector<Point> in_range(std::span<const Point> corners) {
   double largest = 0;
   for (const Point& p : corners) largest = std::max(largest, largest_abs(p));
@@ -60,7 +60,7 @@ std::vector<Point> in_range(std::span<const Point> corners) {
   return points;
 }
 
-// Projects the points onto a plane across the normal, up to rounding.
+// Projects the points onto a plane perpendicular to the normal, with rounding errors.
 std::vector<Point2> places_across(const Vec3& normal, std::span<const Point> points) {
   Vec3 axis{0, 0, 0};
   std::size_t least = 0;
@@ -107,7 +107,7 @@ public:
     });
   }
 
-  // True if is_one(i) is true for any i in the cells that the box meets.
+  // True if is_one(i) is true for a point i in one of the cells that overlap the box.
   template <class IsOne>
   bool any(const Box2& box, const IsOne& is_one) const {
     for (std::size_t y = cell(box.low, 1); y <= cell(box.high, 1); ++y) {
@@ -127,16 +127,16 @@ private:
   }
 
   Box2 box_;
-  double side_;  // in cells
+  double side_;  // the number of cells along each axis
   Adjacency lists_;
 };
 
-// Kinds of ears in order of preference: without any corner on or in them; with corners only on their
-// boundary; without area.
+// The kinds of ears, in order of preference. `clear`: no other corner is in the ear or on its boundary.
+// `touched`: other corners are only on the boundary. `flat`: the ear has no area.
 enum class Ears { clear, touched, flat };
 
-// Clips corners off a ring until it is empty. With exact signs a simple ring always has an ear of one of
-// these kinds: a nearby simple ring is triangulated by an outer triangle.
+// Removes ears from a ring until the ring is empty. If the ring is simple, an ear of one of these kinds
+// always exists, because the signs are exact.
 class EarClipper {
 public:
   EarClipper(std::span<const Point> corners, const Vec3& normal)
@@ -176,20 +176,20 @@ public:
   }
 
 private:
-  // A corner with its ring neighbours, sorted by cut length, then by distance from the first corner.
+  // A corner and its neighbours in the ring, sorted by `length`, then by the distance from the first corner.
   struct Ear {
     long length;
     std::uint32_t way, corner, previous, next;
     auto operator<=>(const Ear&) const = default;
   };
-  // For self-crossing rings: tries per corner before the rest becomes a fan.
+  // After this number of tests per corner, the rest of a self-crossing ring becomes a fan.
   static constexpr std::size_t patience_ = 16;
 
   int turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
     return orientation_along(normal_, points_[a], points_[b], points_[c]);
   }
 
-  // Rounds cut lengths, so that rounding errors do not decide between nearly equal cuts.
+  // Rounds the length of a cut, so that rounding errors do not decide between nearly equal lengths.
   long length_of_cut(std::uint32_t a, std::uint32_t b) const {
     return std::lround(64 * std::log2(std::max(squared_distance(places_[a], places_[b]) / size_, 0x1p-200)));
   }
@@ -227,7 +227,7 @@ private:
     });
   }
 
-  // True if a reflex corner lies in the ear or on it, or if a side of the ring enters the ear there.
+  // True if a reflex corner is in the ear or on it, or if a side of the ring enters the ear at the corner.
   bool spoils(std::uint32_t corner, const Triangle& ear, Ears kind) const {
     std::array<int, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -235,7 +235,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // A notch that touches the ear's tip may fill the whole ear; if not, clipping the ear later is better.
+    // A notch that touches the ear's tip may fill the whole ear. Otherwise, clipping the ear later is better.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }
@@ -274,8 +274,8 @@ private:
   std::vector<Point> points_;
   std::vector<Point2> places_;
   Cells cells_;
-  std::vector<std::uint32_t> previous_, next_;  // ring neighbours; of a clipped corner itself
-  std::vector<int> turns_;                      // turn direction at each corner; 1 if clipped
+  std::vector<std::uint32_t> previous_, next_;  // neighbours in the ring; i itself for a clipped corner i
+  std::vector<int> turns_;                      // the turn direction at each corner; 1 for a clipped corner
   std::size_t left_, looked_at_ = 0;
   std::uint32_t first_ = 0;
   double size_ = 0, slack_ = 0;

@@ -1,4 +1,4 @@
-// Triangulation of polygons.
+// Triangulates polygons.
 #pragma once
 
 #include <span>
@@ -8,19 +8,18 @@
 
 namespace viete::mesh {
 
-/// True if the fan about the first corner covers the polygon: seen along its normal (Newell's: the sum of the
-/// fan's normals), no fan triangle with area is reversed. True for convex polygons and those without area.
+/// True if the fan around the first corner covers the polygon: if no fan triangle is reversed relative to the
+/// sum of the fan's normals. Always true for convex polygons and for polygons without area.
 bool is_fan(std::span<const Point> corners);
 
-/// n - 2 triangles as indices into corners, each ascending. Uses the fan if it covers the polygon, otherwise
-/// ear clipping with exact signs along the normal, shortest cuts first. Handles every simple polygon, nearly
-/// planar ones, and polygons that touch themselves (bridges to holes, repeated corners); makes triangles
-/// without area only where unavoidable. Scaling or mirroring about the first corner does not change the
-/// result. Self-crossing polygons get n - 2 too. O(n log n), except for ears that span many corners.
+/// Returns n - 2 triangles, as ascending indices into `corners`. If the fan covers the polygon, returns the
+/// fan. Otherwise clips ears with exact tests, beginning with the shortest cut. The polygon may be nearly
+/// planar, and may touch itself, for example at a bridge to a hole. Makes triangles without area only if
+/// necessary. Self-crossing polygons also get n - 2 triangles. Scaling or mirroring about the first corner
+/// does not change the result. O(n log n), except if ears span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
-/// Triangulates all polygons at their current positions. Fills every triangle member of Surface from corners
-/// and polygon_starts.
+/// Triangulates all polygons at their current positions. Sets all members of Surface for triangles.
 void triangulate(Surface& surface);
 
 }  // namespace viete::mesh

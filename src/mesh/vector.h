@@ -1,4 +1,4 @@
-// The vector functions of base, for this namespace.
+// Makes the vector functions of base available in this namespace.
 #pragma once
 
 #include "base/vector.h"

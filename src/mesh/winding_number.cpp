@@ -13,7 +13,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Transforms the surface to a diagonal of 1, so that products are in range.
+// Transforms the surface to a diagonal of 1. This keeps products in the range of double.
 struct ToUnit {
   Point center;
   double scale;
@@ -52,7 +52,7 @@ std::vector<std::uint32_t> points_outside(const Surface& cage, std::span<const P
   for (const Point& p : cage.positions) corners.push_back(unit(p));
   const TriangleTree tree(corners, cage.triangles);
   const auto is_outside = [&](const Point& at) {
-    constexpr double doubt = 0.25;  // more than the error of the tree's winding number
+    constexpr double doubt = 0.25;  // larger than the error of the tree's winding number
     const Point p = unit(at);
     double number = std::abs(tree.winding_number(p));
     if (std::abs(number - 0.5) < doubt) number = std::abs(winding_number(corners, cage.triangles, p));

@@ -13,7 +13,7 @@ const void* buffer_offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
 
-/// A clip rectangle within the framebuffer, in device pixels, with the origin at the bottom left.
+/// A clip rectangle inside the framebuffer, in device pixels. The origin is at the bottom left.
 struct Scissor {
   int x, y, width, height;
 };
@@ -29,7 +29,7 @@ Scissor scissor(const ImDrawCmd& command, const ImDrawData& data) {
           static_cast<int>(bottom - top)};
 }
 
-// Compares bytes; T must be a type that ImGui fills with zeros, so that padding bytes are equal.
+// Compares bytes. ImGui must fill objects of type T with zeros before use, so that padding bytes are equal.
 template <class T>
 bool same(const ImVector<T>& a, const ImVector<T>& b) {
   return a.Size == b.Size &&
@@ -90,7 +90,7 @@ void ImGuiRenderer::remember(const ImDrawData& data) {
 void ImGuiRenderer::draw(const ImDrawData& data) {
   remember(data);
   const float width = data.DisplaySize.x, height = data.DisplaySize.y;
-  if (width <= 0 || height <= 0) return;  // a minimised window
+  if (width <= 0 || height <= 0) return;  // the window is minimised
   gl_.Viewport(0, 0, static_cast<GLsizei>(width * data.FramebufferScale.x + 0.5F),
                static_cast<GLsizei>(height * data.FramebufferScale.y + 0.5F));
   gl_.Disable(GL_DEPTH_TEST);

@@ -1,4 +1,4 @@
-// Draws Dear ImGui's lists with OpenGL 3.3. The renderer of the ImGui package does not work with OSMesa.
+// Draws the lists of Dear ImGui with OpenGL 3.3. The renderer in the ImGui package does not work with OSMesa.
 #pragma once
 
 #include <imgui.h>
@@ -10,18 +10,18 @@
 
 namespace viete::platform {
 
-/// Uses the ImGui context that is current at construction. Works with ImGui 1.86 to 1.92. Add fonts before
-/// upload_fonts(). The texture id in a draw command is a GL texture name: (ImTextureID)(intptr_t)texture.
+/// Uses the ImGui context that was current at construction. Works with ImGui 1.86 to 1.92. Add fonts before
+/// upload_fonts(). The texture id in a draw command is a GL texture name: (ImTextureID)(intptr_t)name.
 class ImGuiRenderer {
 public:
   explicit ImGuiRenderer(const render::Gl& gl);
 
-  /// Builds and uploads the font atlas. Call again after font changes.
+  /// Builds and uploads the font atlas. Call it again after a change of the fonts.
   void upload_fonts();
-  /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. data: the result of
-  /// ImGui::GetDrawData() after ImGui::Render(). Leaves blending and scissor off.
+  /// Draws into the bound framebuffer. Its size must be DisplaySize * FramebufferScale. `data` is the result
+  /// of ImGui::GetDrawData() after ImGui::Render(). Turns blending and scissor off at the end.
   void draw(const ImDrawData& data);
-  /// True if the last draw() had the same data and therefore gave the same picture.
+  /// True if the last draw() had equal data. The picture is then the same.
   bool has_drawn(const ImDrawData& data) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   render::Buffer vertices_, indices_;
   render::Texture font_;
   std::vector<Drawn> drawn_;
-  ImVec2 size_{0, 0}, scale_{0, 0};  // of the last draw()
+  ImVec2 size_{0, 0}, scale_{0, 0};  // the sizes in the last draw()
 };
 
 }  // namespace viete::platform

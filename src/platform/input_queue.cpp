@@ -16,7 +16,7 @@ using Kind = InputEvent::Kind;
 
 enum Modifier { shift, ctrl, alt, no_modifier };
 
-// GLFW's codes of the left and right modifier keys are consecutive.
+// Returns the modifier of a key. GLFW's codes of the left and right modifier keys are consecutive.
 Modifier modifier_of(const InputEvent& e) {
   constexpr int left_shift = 340, right_alt = 346;
   if (e.kind != Kind::key || e.code < left_shift || e.code > right_alt) return no_modifier;
@@ -27,7 +27,7 @@ bool is_modifier(const InputEvent& e) {
   return modifier_of(e) != no_modifier;
 }
 
-// True for the codes of keys that type a character, including the number pad.
+// True if the key types a character. Includes the number pad.
 bool writes(int code) {
   return (code >= 32 && code < 256) || (code >= 320 && code <= 334);
 }
@@ -74,7 +74,7 @@ void feed(ImGuiIO& io, const InputEvent& e, InputQueue::KeyTable imgui_key) {
 void InputQueue::configure() {
   ImGuiIO& io = ImGui::GetIO();
 #if IMGUI_VERSION_NUM >= 18700
-  io.ConfigInputTrickleEventQueue = false;  // this queue does it
+  io.ConfigInputTrickleEventQueue = false;  // this queue replaces ImGui's queue
 #else
   const struct {
     ImGuiKey key;
@@ -94,7 +94,7 @@ void InputQueue::configure() {
 #endif
 }
 
-// True for a key that types a character into a text field: ImGui gets the character instead of the key.
+// True if the key types a character into a text field. ImGui then gets the character instead of the key.
 bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   if (event.kind != Kind::key || is_modifier(event)) return false;
   if (!event.down) return std::erase(written_, event.code) > 0;
@@ -103,9 +103,9 @@ bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   return true;
 }
 
-// Passes on many events in one frame, but not two changes of one key or button, a move after a button, a
-// modifier change after a key or button, a second key or, in a text field, text after a key. ImGui reads its
-// input once per frame and would lose short presses, positions, modifiers and the order of keys.
+// Passes on many events per frame, but not two changes of one key or button, a move after a button, a
+// modifier change after a key or button, a second key or, in a text field, text after a key: ImGui reads its
+// input once per frame, and would lose short presses, positions, modifiers and the order of keys.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   const bool typing = io.WantTextInput;

@@ -1,4 +1,4 @@
-// Passes the events of a window or script to ImGui in order.
+// Passes the events of a window or a script to ImGui, in their order.
 #pragma once
 
 #include <deque>
@@ -12,11 +12,11 @@ namespace viete::platform {
 struct InputEvent {
   enum class Kind { move, button, wheel, key, text, leave };
   Kind kind = Kind::move;
-  glm::vec2 position{0, 0};  ///< for move, in logical pixels
-  int code = 0;              ///< for button: 0 left, 1 right, 2 middle; for key: the key code of GLFW
+  glm::vec2 position{0, 0};  ///< for moves; in logical pixels
+  int code = 0;              ///< for buttons: 0 left, 1 right, 2 middle; for keys: the key code of GLFW
   bool down = false;
   float wheel = 0;
-  std::string text{};  ///< UTF-8
+  std::string text{};  ///< the typed text, in UTF-8
 
   static InputEvent move(glm::vec2 to) { return {.kind = Kind::move, .position = to}; }
   static InputEvent button(int code, bool down) { return {.kind = Kind::button, .code = code, .down = down}; }
@@ -26,28 +26,28 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// ImGui may lose an event if two events change the same button in one frame, for example a fast click. The
-/// second event therefore waits for the next frame.
+/// Delays events for ImGui. If two events change one button in one frame, as in a fast click, ImGui may lose
+/// an event. The second event therefore waits for the next frame.
 class InputQueue {
 public:
-  /// Returns ImGui's key for a key code (before ImGui 1.87 the code itself), or 0 for an unused key.
+  /// Returns ImGui's key for a key code; before ImGui 1.87, the code. For an unused key, returns 0.
   using KeyTable = int (*)(int code);
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Configures the input of ImGui. Call once per ImGui context.
+  /// Configures the input of ImGui. Call it once per ImGui context.
   static void configure();
-  /// Passes the events of a frame to ImGuiIO. Call before ImGui::NewFrame().
+  /// Passes the events of a frame to ImGuiIO. Call it before ImGui::NewFrame().
   void feed_frame();
 
 private:
   bool is_only_written(const InputEvent& event, bool typing);
 
   KeyTable imgui_key_;
-  bool commands_ = false;     // Ctrl or Alt is pressed
-  std::vector<int> written_;  // pressed keys that typed a character and were not passed on
+  bool commands_ = false;     // true while Ctrl or Alt is pressed
+  std::vector<int> written_;  // pressed keys whose character was passed on instead of the key
   std::deque<InputEvent> events_;
 };
 

@@ -22,8 +22,8 @@ namespace {
 
 using base::Error;
 
-/// A library that stays loaded until the process ends, because drivers crash when unloaded. RTLD_LOCAL keeps
-/// its GL functions separate from other GL libraries.
+/// A library that stays loaded until the process ends, because drivers crash when they are unloaded.
+/// RTLD_LOCAL separates its GL functions from those of other libraries.
 class Library {
 public:
   Library(std::initializer_list<const char*> names) {
@@ -50,9 +50,9 @@ private:
   void* handle_ = nullptr;
 };
 
-// The functions of GL/osmesa.h, declared here so that building does not need this header.
+// Functions of GL/osmesa.h. They are declared here so that the build does not need this header.
 struct OsmesaApi {
-  // RGBA, 24 bits of depth, core profile, version 3.3.
+  // Requests RGBA, 24 bits of depth, the core profile and version 3.3.
   static constexpr int attributes[] = {0x22, GL_RGBA, 0x30, 24, 0x33, 0x34, 0x36, 3, 0x37, 3, 0};
 
   Library library{"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
@@ -78,7 +78,7 @@ public:
   render::Proc get_proc_address(const char* name) const override { return api_.get_proc_address(name); }
 
 private:
-  static constexpr int side = 16;  // OSMesa requires a buffer, which is not used
+  static constexpr int side = 16;  // OSMesa requires a buffer, but this program does not use it
 
   OsmesaApi api_;
   std::array<std::uint8_t, 4 * side * side> buffer_{};
@@ -96,7 +96,7 @@ struct EglApi {
   decltype(&eglMakeCurrent) make_current = library.find("eglMakeCurrent");
 };
 
-// A context without a surface. Does not terminate the display, which all contexts of the process share.
+// A context without a surface. Never terminates the display, because all contexts of the process share it.
 class EglContext final : public OffscreenContext {
 public:
   EglContext() {
@@ -125,7 +125,7 @@ private:
     std::array<EGLDeviceEXT, 64> devices{};
     EGLint count = 0;
     for (const char* software : {"1", "0"}) {
-      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads it while initialising a display
+      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads this when it initialises a display
       if (open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)) return;
       if (query) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
       for (EGLint i = 0; i < count; ++i)
@@ -170,7 +170,7 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 }  // namespace
 
 void spare_rasteriser_threads() {
-  constexpr int other_threads = 2;  // of the driver
+  constexpr int other_threads = 2;  // the driver's other threads
   const int wanted = static_cast<int>(std::thread::hardware_concurrency()) + other_threads;
   if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }

@@ -1,4 +1,4 @@
-// An OpenGL context without a window, by OSMesa or EGL; both libraries are loaded at run time.
+// An OpenGL context without a window, from OSMesa or EGL. Both libraries are loaded at run time.
 #pragma once
 
 #include <memory>
@@ -7,32 +7,32 @@
 
 namespace viete::platform {
 
-/// A context, which is current in the thread that created it. It has no default framebuffer: draw into a
-/// render::Framebuffer. Each thread may have only one context. The thread of a GLFW window must not create
-/// another, because Mesa would replace the current context.
+/// A context that is current in the thread that created it. It has no default framebuffer: draw into a
+/// render::Framebuffer. A thread may have only one context. The thread of a GLFW window must not create a
+/// context, because Mesa would replace the window's context.
 class OffscreenContext {
 public:
   enum class Kind { any, osmesa, egl };
 
-  /// any: tries OSMesa, then EGL with Mesa's CPU rasteriser, then EGL with any driver. CPU rasterisers give
-  /// the same pictures on every machine. EGL sets LIBGL_ALWAYS_SOFTWARE for the process. Throws base::Error
-  /// with the reason of each failed attempt.
+  /// Kind::any first tries OSMesa, then EGL with Mesa's CPU rasteriser, then EGL with any driver. CPU
+  /// rasterisers give equal pictures on all machines. EGL sets LIBGL_ALWAYS_SOFTWARE for the process. If all
+  /// attempts fail, throws base::Error with the reasons.
   static std::unique_ptr<OffscreenContext> create(Kind kind = Kind::any);
 
   virtual ~OffscreenContext() = default;
   OffscreenContext(const OffscreenContext&) = delete;
   OffscreenContext& operator=(const OffscreenContext&) = delete;
 
-  /// For render::load_gl().
+  /// Returns a GL function by name, for render::load_gl().
   virtual render::Proc get_proc_address(const char* name) const = 0;
 
 protected:
   OffscreenContext() = default;
 };
 
-/// Call before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to create
-/// its threads. If that would happen, this function disables them: it sets LP_NUM_THREADS=0 unless already
-/// set.
+/// Call this before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to
+/// create its threads. If this would happen, turns the threads off by LP_NUM_THREADS=0, unless this variable
+/// is set.
 void spare_rasteriser_threads();
 
 }  // namespace viete::platform

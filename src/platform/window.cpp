@@ -23,7 +23,7 @@ std::string last_glfw_error() {
   return reason;
 }
 
-// The code of the letter printed on the key. GLFW names keys by their position on a US keyboard.
+// Returns the code of the letter on the key. GLFW names keys by their position on a US keyboard.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);
@@ -31,8 +31,8 @@ int labelled(int key, int scancode) {
   return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
 
-// Checked before GLFW is initialised. Otherwise the Wayland library might print an error, or open a window on
-// any display that it finds in the runtime folder.
+// True if a display is named. Call this before GLFW is initialised. Otherwise, the Wayland library could
+// print an error, or open a window on any display that it finds in the runtime folder.
 bool display_is_named() {
   const auto given = [](const char* variable) {
     const char* value = std::getenv(variable);
@@ -52,7 +52,7 @@ void take_end_signal(int number) {
   end_signal = 1;
 }
 
-// Signals that are already ignored, for example by nohup, stay ignored.
+// If a signal is already ignored, for example by nohup, it stays ignored.
 void listen_to_end_signals() {
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
@@ -82,7 +82,7 @@ float content_scale(GLFWwindow* window) {
   return scale;
 }
 
-// The size of the screen without desktop bars and window frame, or `otherwise` if it is unknown.
+// Returns the screen's size without desktop bars and window frame. If it is unknown, returns `otherwise`.
 glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (!screen) return otherwise;
@@ -93,7 +93,7 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Sets the size of the window, limited to the screen, and a minimum size for the panels.
+// Sets the window's size, limited to the screen. Also sets a minimum size that the panels need.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
@@ -118,7 +118,7 @@ Area area_of(GLFWmonitor* screen) {
   return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
 }
 
-// The screen that shows most of the window, or the first screen if positions are unknown. May be null.
+// Returns the screen that shows most of the window; the first screen if positions are unknown. Can be null.
 GLFWmonitor* screen_of(const Area& window) {
   int count = 0;
   GLFWmonitor** const screens = glfwGetMonitors(&count);
@@ -179,7 +179,7 @@ glm::ivec2 Window::size() const {
   return glm::max(glm::ivec2(1), glm::ivec2(glm::vec2(device_size()) / scale_));
 }
 
-// Logical pixels per window unit. A unit is a device pixel on X11 and a logical pixel on Wayland.
+// Returns logical pixels per window unit. A unit is a device pixel on X11, and a logical pixel on Wayland.
 float Window::logical_per_unit() const {
   int units = 0;
   glfwGetWindowSize(handle_, &units, nullptr);

@@ -1,4 +1,4 @@
-// A GLFW window with an OpenGL context, which receives events and shows pictures.
+// A GLFW window with an OpenGL context. The window receives events and shows pictures.
 #pragma once
 
 #include <filesystem>
@@ -17,7 +17,7 @@ struct GLFWwindow;
 
 namespace viete::platform {
 
-/// Functions that poll_events() and wait_for_events() call.
+/// The functions that poll_events() and wait_for_events() call.
 struct WindowEvents {
   std::function<void(InputEvent)> input;
   std::function<void(std::vector<std::filesystem::path>)> dropped;  ///< files dropped on the window
@@ -25,12 +25,12 @@ struct WindowEvents {
 };
 
 /// Create at most one window, in the main thread. Its context is current in this thread. After listen(), the
-/// signals SIGTERM, SIGINT and SIGHUP act as the close button.
+/// signals SIGTERM, SIGINT and SIGHUP have the effect of the close button.
 class Window {
 public:
-  /// size: in logical pixels; it is reduced to the size of the screen. scale: device pixels per logical
-  /// pixel; 0 selects the display's scale. Returns null if there is no display or no OpenGL 3.3, and sets
-  /// `reason`.
+  /// `size` is in logical pixels; a window larger than the screen is reduced. `scale` is device pixels per
+  /// logical pixel; 0 selects the display's scale. If there is no display or no OpenGL 3.3, returns null and
+  /// sets `reason`.
   static std::unique_ptr<Window> open(glm::ivec2 size, float scale, std::string& reason);
   ~Window();
   Window(const Window&) = delete;
@@ -38,7 +38,7 @@ public:
 
   const render::Gl& gl() const { return *gl_; }
   float scale() const { return scale_; }
-  /// In logical pixels, at least 1 x 1.
+  /// Returns the size in logical pixels, at least 1 x 1.
   glm::ivec2 size() const;
 
   void listen(WindowEvents events);
@@ -46,11 +46,11 @@ public:
   void share_clipboard();
   void poll_events();
   void wait_for_events(double seconds);
-  /// True once per click on the close button or signal.
+  /// True once for each signal or click on the close button.
   bool asked_to_close();
 
   void set_title(const std::string& title);
-  /// true: fills the screen that shows most of the window. false: restores the previous place and size.
+  /// If `full`, fills the screen with most of the window. Otherwise restores the previous place and size.
   void set_full_screen(bool full);
   bool full_screen() const;
   void present(render::Framebuffer& framebuffer);
@@ -68,7 +68,7 @@ private:
   struct Place {
     glm::ivec2 corner, size;
   };
-  std::optional<Place> windowed_;  ///< place to restore after full screen
+  std::optional<Place> windowed_;  ///< the place to restore after full screen
 };
 
 }  // namespace viete::platform

@@ -7,8 +7,8 @@
 
 namespace viete::render {
 
-/// Draws a vertical gradient over the whole target, with dithering against visible steps. Draw it first: it
-/// ignores depth.
+/// Draws a vertical gradient over the whole target. Dithering hides the steps between colours. Does not use
+/// the depth: draw the backdrop first.
 class Backdrop {
 public:
   explicit Backdrop(const Gl& gl);
@@ -20,18 +20,18 @@ private:
   VertexArray vertex_array_;
 };
 
-/// Place and cell size of the ground grid, in world units. Lines are aligned to the world origin.
+/// The position and cell size of the ground grid, in world units. Grid lines are aligned to the world origin.
 struct GridStyle {
-  Point center{0, 0, 0};  ///< a ground point below the model, where the grid is strongest
-  double cell = 1;        ///< distance of fine lines; every tenth line is stronger
-  double radius = 10;     ///< distance from center at which the grid becomes invisible
+  Point center{0, 0, 0};  ///< a point on the ground below the model; the grid is strongest here
+  double cell = 1;        ///< the distance between fine lines; every tenth line is stronger
+  double radius = 10;     ///< the distance from `center` at which the grid becomes invisible
   int up = 1;             ///< the up axis: 0 x, 1 y, 2 z
 
   friend bool operator==(const GridStyle&, const GridStyle&) = default;
 };
 
-/// Draws a plane of fine lines of constant width, which fade with the distance and at flat viewing angles.
-/// Draw it after the surface: it tests the depth but does not write it.
+/// Draws fine lines of constant width on the ground. Lines fade with the distance and at flat viewing angles.
+/// Draw the grid after the surface: it is hidden by the surface, but does not write depth.
 class Grid {
 public:
   explicit Grid(const Gl& gl);

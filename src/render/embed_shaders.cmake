@@ -1,4 +1,4 @@
-# cmake -DOUTPUT=x.cpp -DSHADERS="a.vert;b.frag" -P embed_shaders.cmake: writes shader files as a C++ string table.
+# cmake -DOUTPUT=x.cpp -DSHADERS="a.vert;b.frag" -P embed_shaders.cmake: writes the shaders to a C++ file as strings.
 set(rows "")
 foreach(path IN LISTS SHADERS)
   get_filename_component(name "${path}" NAME)

@@ -57,7 +57,7 @@ void Framebuffer::begin(glm::ivec2 size, int samples) {
 
 void Framebuffer::allocate(glm::ivec2 size, int samples) {
   require_supported(gl_, size);
-  size_ = {0, 0};  // if an error follows, the next begin() tries again
+  size_ = {0, 0};  // if an error follows, the next begin() allocates again
   samples_ = samples;
   set_texture(gl_, 0, color_, size.x, size.y, {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE}, nullptr);
   gl_.BindRenderbuffer(GL_RENDERBUFFER, depth_.id());

@@ -1,4 +1,4 @@
-// A drawing target with optional multisampling, whose picture can be read or copied to the window.
+// A drawing target with optional multisampling. Its picture can be read, or copied to the window.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -8,28 +8,28 @@
 
 namespace viete::render {
 
-/// All drawing goes to such a target, so that a window, OSMesa and EGL give the same picture. Memory is only
-/// reallocated if size or samples change. Colours are RGBA8 as displayed; depth has 24 bits.
+/// The target of all drawing, so that windows, OSMesa and EGL give equal pictures. Reallocates memory only if
+/// the size or the number of samples changes. Colours are RGBA8 as displayed; depth has 24 bits.
 class Framebuffer {
 public:
   explicit Framebuffer(const Gl& gl);
 
-  /// Binds the target and clears it to opaque black and depth 1. size: in device pixels, increased to at
-  /// least 1 x 1. samples: limited to GL_MAX_SAMPLES; no multisampling below 2. Throws base::Error if the
-  /// driver rejects the size.
+  /// Binds the target, and clears it to opaque black and depth 1. `size` is in device pixels; each side is at
+  /// least 1. `samples` is limited to GL_MAX_SAMPLES; below 2, there is no multisampling. Throws base::Error
+  /// if the driver rejects the size.
   void begin(glm::ivec2 size, int samples);
-  /// Averages the samples of each pixel and binds the resulting picture for more drawing.
+  /// Averages the samples of each pixel. Binds the resolved picture, so that more can be drawn into it.
   void resolve();
-  /// Binds the target and fills it with another resolved picture, stretched to the size.
+  /// Binds the target. Fills it with the resolved picture of another target, stretched to the size.
   void begin_with(const Framebuffer& picture, glm::ivec2 size);
-  /// Copies the resolved picture to the window and leaves the window's framebuffer bound.
+  /// Copies the resolved picture to the window, and leaves the window's framebuffer bound.
   void blit_to_window(glm::ivec2 window_size);
-  /// Returns the resolved picture, top row first. opaque: sets alpha to 255; otherwise keeps the drawn alpha,
-  /// by which the colours are multiplied.
+  /// Returns the resolved picture, top row first. If `opaque`, sets alpha to 255. Otherwise keeps the alpha;
+  /// the colours are premultiplied by alpha.
   Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }
-  int samples() const { return samples_; }  ///< 0 without multisampling
+  int samples() const { return samples_; }  ///< 0 if there is no multisampling
 
 private:
   void fit(glm::ivec2 size, int samples);

@@ -1,4 +1,4 @@
-// OpenGL 3.3 core functions, looked up at run time, and classes that own GL objects.
+// The functions of OpenGL 3.3 core, loaded at run time, and classes that own GL objects.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace viete::render {
 
-/// The functions that the program uses. A direct call of glFoo instead of gl.Foo intentionally does not link.
+/// The functions that the program uses. If code calls glFoo instead of gl.Foo, linking intentionally fails.
 // clang-format off
 #define VIETE_GL_FUNCTIONS(X) \
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \
@@ -36,11 +36,11 @@ namespace viete::render {
 // clang-format on
 
 using Proc = void (*)();
-/// Returns a function by its full name ("glClear") or null. Needs a current context.
+/// Returns a GL function by its full name ("glClear"), or null. Requires a current context.
 using GetProc = std::function<Proc(const char*)>;
 
-/// The functions of one context. Drawing objects keep a reference. Use them only in the thread where this
-/// context is current.
+/// The functions of one context. Drawing objects keep a reference to them. Call them only in the thread in
+/// which the context is current.
 struct Gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
   VIETE_GL_FUNCTIONS(X)
@@ -48,25 +48,25 @@ struct Gl {
   std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
-  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: limits 3 x triangles and 2 x vertices of a surface
-  /// True for a CPU rasteriser (llvmpipe, softpipe, swrast), too slow for multisampling in a window.
+  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE; limits 3 * triangles and 2 * vertices
+  /// True for a CPU rasteriser (llvmpipe, softpipe, swrast). Multisampling in a window would be too slow.
   bool software = false;
 };
 
-/// Loads the functions of the current context. Throws base::Error if one is missing or OpenGL is below 3.3.
+/// Loads the functions of the current context. Throws base::Error without OpenGL 3.3 or if one is missing.
 Gl load_gl(const GetProc& get);
 
-/// Throws base::Error if GL has recorded an error since the last check. where: the place in the message.
+/// Throws base::Error if GL recorded an error after the last check. The message contains the place `where`.
 void check_gl(const Gl& gl, const char* where);
 
-/// Calls check_gl(), but only in debug builds, because it waits for the GPU.
+/// Calls check_gl() in debug builds only, because check_gl() waits for the GPU.
 inline void debug_check_gl([[maybe_unused]] const Gl& gl, [[maybe_unused]] const char* where) {
 #ifndef NDEBUG
   check_gl(gl, where);
 #endif
 }
 
-/// A GL object created by `create(1, &id)` and deleted by `destroy(1, &id)`. The Gl must outlive it.
+/// Owns a GL object. Calls create(1, &id) and later destroy(1, &id). The Gl must outlive the object.
 template <auto create, auto destroy>
 class Object {
 public:
@@ -90,12 +90,12 @@ private:
 
 using VertexArray = Object<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>;
 using Texture = Object<&Gl::GenTextures, &Gl::DeleteTextures>;
-/// The formats of a texture and of the data to upload.
+/// The formats of a texture, and of the data to upload.
 struct TexelFormat {
-  GLint stored;        ///< of the texture: GL_RGBA8, ...
-  GLenum given, type;  ///< of the data: GL_RGBA, ... and GL_UNSIGNED_BYTE, ...
+  GLint stored;        ///< the texture's format, such as GL_RGBA8
+  GLenum given, type;  ///< the data's format, such as GL_RGBA and GL_UNSIGNED_BYTE
 };
-/// Sets and binds a texture with one level, linear filtering and clamped edges. data may be null.
+/// Sets and binds a texture with one level, linear filtering and clamped edges. `data` may be null.
 void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
                  const TexelFormat& format, const void* data);
 void bind_texture(const Gl& gl, int unit, const Texture& texture);
@@ -103,17 +103,17 @@ void bind_texture(const Gl& gl, int unit, const Texture& texture);
 using Renderbuffer = Object<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
 using FramebufferObject = Object<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 
-/// A buffer that reuses its storage if the size is unchanged.
+/// A GL buffer. If the size does not change, the buffer keeps its storage.
 class Buffer {
 public:
   explicit Buffer(const Gl& gl) : gl_(&gl), object_(gl) {}
 
   GLuint id() const { return object_.id(); }
   std::size_t bytes() const { return bytes_; }
-  /// Replaces the content. usage: GL_STATIC_DRAW for topology, GL_STREAM_DRAW for data of each frame.
+  /// Replaces the content. Use GL_STATIC_DRAW for topology and GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
-  /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 bytes of new
-  /// content. Call unmap() after writing.
+  /// Discards the content without waiting for the GPU, and returns memory for new content. `bytes` must be
+  /// positive. Call unmap() after writing.
   void* map(std::size_t bytes);
   void unmap();
 
@@ -123,10 +123,10 @@ private:
   std::size_t bytes_ = 0;
 };
 
-/// A buffer that shaders read as an array of texels by texelFetch() on a samplerBuffer.
+/// A buffer that shaders read as an array of texels, with texelFetch() on a samplerBuffer.
 class BufferTexture {
 public:
-  /// format: GL_RGBA32F, GL_R32UI, ...
+  /// `format` is the format of a texel, such as GL_RGBA32F or GL_R32UI.
   BufferTexture(const Gl& gl, GLenum format) : buffer(gl), gl_(&gl), texture_(gl), format_(format) {}
 
   void bind(int unit) const;

@@ -10,7 +10,7 @@ namespace viete::render {
 
 namespace {
 
-// The linear light of each 8-bit sRGB value.
+// Returns the linear light for each 8-bit sRGB value.
 const std::array<float, 256>& light_of_bytes() {
   static const auto table = [] {
     std::array<float, 256> light;
@@ -28,7 +28,7 @@ std::uint8_t byte_of_light(float light) {
   return static_cast<std::uint8_t>(std::lround(255 * x));
 }
 
-// Averages blocks of 2 x 2 pixels in linear light. An odd last row or column is dropped.
+// Averages blocks of 2 x 2 pixels in linear light. Ignores an odd last row or column.
 Image halved(const Image& image) {
   Image half;
   half.width = std::max(1, image.width / 2);

@@ -1,4 +1,4 @@
-// Pictures in memory. Reads and writes picture files.
+// Pictures in memory; reading and writing picture files.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ namespace viete::render {
 using Rgba8 = std::array<std::uint8_t, 4>;
 using Image = base::Picture;
 
-/// Divides colours by alpha. Drawing gives colours multiplied by alpha; files store colours without it.
+/// Divides the colours by alpha. Drawing premultiplies colours by alpha, but files need plain colours.
 void divide_by_opacity(Image& image);
 
-/// Replaces the file atomically. Throws base::Error.
+/// Writes the image and replaces an existing file atomically. Throws base::Error.
 void write_png(const std::filesystem::path& path, const Image& image);
 
-/// Decodes PNG, JPEG, BMP or TGA, and halves the picture until no side is longer than `longest`. Throws
-/// base::Error with `place` for invalid data, sides above 16384 or more than 64 million pixels.
+/// Decodes PNG, JPEG, BMP or TGA. Halves the picture until each side is at most `longest`. Throws base::Error
+/// with `place` if the data is invalid, a side is above 16384, or there are more than 64 million pixels.
 Image decode_image(const std::string& place, std::string_view bytes, int longest);
 
 }  // namespace viete::render

@@ -105,8 +105,8 @@ void LineLayer::draw(const View& view, const LineStyle& style) const {
   gl_.BindVertexArray(vertex_array_.id());
   const auto draw_all = [&] { gl_.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(6 * segment_count_)); };
   const auto set_opacity = [&](float opacity) { program_.set("opacity", opacity); };
-  constexpr float halo_width = 1.0F;  // logical pixels on each side
-  // Halos are drawn first, so that they do not cover lines.
+  constexpr float halo_width = 1.0F;  // in logical pixels, on each side
+  // Draws the halos first, so that they do not cover lines.
   if (style.halo.a > 0) {
     program_.set("width", (style.width + 2 * halo_width) * view.scale);
     program_.set("halo", style.halo);
@@ -156,7 +156,7 @@ void FaceLayer::draw(const View& view, const FaceStyle& style) const {
     gl_.DrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * triangle_count_), GL_UNSIGNED_INT, nullptr);
   };
   if (style.opacity > 0 || style.rim > 0) draw_triangles();
-  if (style.occlude) {  // with an offset in depth, so that faces do not hide their own edges
+  if (style.occlude) {  // offsets the depth, so that faces do not hide their own edges
     gl_.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     gl_.DepthMask(GL_TRUE);
     gl_.Enable(GL_POLYGON_OFFSET_FILL);

@@ -1,4 +1,4 @@
-// Draws points, lines and translucent faces over the scene; points and lines have a constant size on screen.
+// Draws points, lines and translucent faces over the scene. Points and lines have a constant size on screen.
 #pragma once
 
 #include <array>
@@ -11,20 +11,20 @@
 
 namespace viete::render {
 
-/// Appearance of one point.
+/// The appearance of one point.
 struct Disc {
   glm::vec4 color{1, 1, 1, 1};  ///< as displayed, with opacity
-  float radius = 3.0F;          ///< logical pixels, without the outline; 0 draws nothing
+  float radius = 3.0F;          ///< in logical pixels, without the outline; 0 draws nothing
   bool ring = false;            ///< draws a thin ring around the disc, for the hovered point
 
   friend bool operator==(const Disc&, const Disc&) = default;
 };
 
 struct DiscStyle {
-  glm::vec3 outline{0, 0, 0};  ///< colour of the thin edge (theme.outline)
-  glm::vec3 ring{1, 1, 1};     ///< colour of rings (theme.hover)
-  /// Opacity factor of hidden discs; rings keep their opacity. A point less than 2.5 radii behind a face
-  /// counts as visible, so that inclined faces around the point do not cut its disc.
+  glm::vec3 outline{0, 0, 0};  ///< the colour of the thin edge (theme.outline)
+  glm::vec3 ring{1, 1, 1};     ///< the colour of rings (theme.hover)
+  /// The opacity factor of hidden discs; rings keep their opacity. A point is hidden only if it is at least
+  /// 2.5 radii behind a face. Otherwise, inclined faces around the point would cut its disc.
   float hidden_opacity = 0.3F;
 };
 
@@ -33,7 +33,7 @@ class DiscLayer {
 public:
   explicit DiscLayer(const Gl& gl);
 
-  /// Sets the appearance of each point. Later points cover earlier points.
+  /// Sets the appearance of each point. A later point covers earlier points.
   void set_discs(std::span<const Disc> discs);
   /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
@@ -51,28 +51,28 @@ private:
 using Segment = std::array<std::uint32_t, 2>;
 
 struct LineStyle {
-  float width = 1.5F;            ///< logical pixels
-  float opacity = 1;             ///< of visible parts
-  float hidden_opacity = 0.25F;  ///< hidden parts have the opacity `opacity` times this factor
-  glm::vec4 halo{0};             ///< colour and opacity of a thin edge around visible parts
+  float width = 1.5F;            ///< in logical pixels
+  float opacity = 1;             ///< the opacity of visible parts
+  float hidden_opacity = 0.25F;  ///< multiplies `opacity` for hidden parts
+  glm::vec4 halo{0};             ///< the colour and opacity of a thin edge around visible parts
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
+/// Draws lines. Copies all spans. Throws base::Error for wrong sizes or point indices. Not thread-safe.
 class LineLayer {
 public:
   explicit LineLayer(const Gl& gl);
 
-  /// Sets the segments as pairs of point indices. Discards positions and makes all lines white.
+  /// Sets the segments, as pairs of point indices. Discards the positions, and makes all lines white.
   void set_segments(std::span<const Segment> segments, std::size_t point_count);
   /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
-  /// Sets a colour for each segment, as displayed, with opacity.
+  /// Sets the colour of each segment, as displayed, with opacity.
   void set_colors(std::span<const glm::vec4> colors);
-  /// Sets a colour for each end of each segment. Colours are interpolated between the ends.
+  /// Sets the colours of both ends of each segment. Colours are interpolated between the ends.
   void set_end_colors(std::span<const glm::vec4> colors);
   void set_color(const glm::vec4& color);
 
-  /// Draws nothing before set_positions().
+  /// If no positions are set, draws nothing.
   void draw(const View& view, const LineStyle& style) const;
 
 private:
@@ -87,21 +87,21 @@ private:
 
 struct FaceStyle {
   glm::vec3 color{1, 1, 1};  ///< as displayed
-  float opacity = 0.05F;     ///< of faces seen from the front
-  float rim = 0.10F;         ///< additional opacity of faces seen from the side
-  bool occlude = true;       ///< writes depth, so that lines and discs behind faces are drawn as hidden
+  float opacity = 0.05F;     ///< the opacity of faces seen from the front
+  float rim = 0.10F;         ///< the additional opacity of faces seen from the side
+  bool occlude = true;       ///< writes depth; lines and discs behind the faces get their hidden opacity
 };
 
-/// Not thread-safe. Copies all spans. Throws base::Error for wrong sizes or point indices.
+/// Draws faces. Copies all spans. Throws base::Error for wrong sizes or point indices. Not thread-safe.
 class FaceLayer {
 public:
   explicit FaceLayer(const Gl& gl);
 
-  /// Sets the triangles and discards positions.
+  /// Sets the triangles, and discards the positions.
   void set_triangles(std::span<const Triangle> triangles, std::size_t point_count);
   /// Sets the position of each point; fast enough for every frame.
   void set_positions(std::span<const Point> positions);
-  /// Draws nothing before set_positions().
+  /// If no positions are set, draws nothing.
   void draw(const View& view, const FaceStyle& style) const;
 
 private:

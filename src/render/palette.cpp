@@ -16,7 +16,7 @@ float to_display(float c) {
   return c <= 0.0031308F ? 12.92F * c : 1.055F * std::pow(c, 1 / 2.4F) - 0.055F;
 }
 
-// The two matrices of Oklab, see blend_palette(). GLM stores columns, so the published rows are transposed.
+// The matrices of Oklab (see blend_palette()). GLM stores columns, so the published rows are transposed.
 const glm::mat3 cone_from_rgb = glm::transpose(glm::mat3(0.4122214708F, 0.5363325363F, 0.0514459929F,  //
                                                          0.2119034982F, 0.6806995451F, 0.1073969566F,  //
                                                          0.0883024619F, 0.2817188376F, 0.6299787005F));

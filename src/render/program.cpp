@@ -11,7 +11,7 @@ namespace viete::render {
 
 namespace {
 
-/// A shader object, deleted at the end of the scope. A linked program no longer needs it.
+/// A shader object, deleted at the end of the scope. A program does not need its shaders after linking.
 struct Shader {
   Shader(const Gl& api, GLenum kind) : gl(api), id(api.CreateShader(kind)) {}
   Shader(const Shader&) = delete;
@@ -22,7 +22,7 @@ struct Shader {
   GLuint id;
 };
 
-/// The text of a shader with `defines` after the version line. Compiler messages keep the line numbers.
+/// Inserts `defines` after the version line of a shader. Line numbers in compiler messages stay correct.
 std::string with_defines(const std::string& file, const std::string& defines) {
   std::string text(shader_text(file));
   const std::size_t version = text.find("#version");

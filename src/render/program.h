@@ -1,4 +1,4 @@
-// Compiles the shaders in shaders/, which are embedded in the program.
+// Compiles the shaders of the folder shaders/. The program contains their text.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -10,18 +10,17 @@
 
 namespace viete::render {
 
-/// The source of an embedded shader by file name ("surface.vert"). Throws base::Error if it does not exist.
+/// Returns the source of an embedded shader, such as "surface.vert". Throws base::Error for an unknown name.
 std::string_view shader_text(std::string_view file);
 
-/// A linked program of a vertex and a fragment shader. Call use() before set(). set() ignores variables that
-/// the compiler removed.
+/// A program linked from a vertex shader and a fragment shader. Call use() before set(). If the compiler
+/// removed a variable, set() ignores it.
 class Program {
 public:
-  /// Compiles shaders/NAME.vert and shaders/NAME.frag, where NAME is `name`, with `defines` ("#define A\n")
-  /// after the version line. Throws base::Error with the compiler's message ("surface.frag: 0:12(3): error:
-  /// ...").
+  /// Compiles shaders/NAME.vert and shaders/NAME.frag for NAME `name`, with `defines` ("#define A\n") after
+  /// the version line. Throws base::Error with the compiler's message ("surface.frag: 0:12(3): ...").
   Program(const Gl& gl, const std::string& name, const std::string& defines = "");
-  /// Compiles these sources; `name` is for messages.
+  /// Compiles these sources. `name` is used in messages.
   Program(const Gl& gl, const std::string& name, std::string_view vertex, std::string_view fragment);
   Program(Program&& other) noexcept;
   Program& operator=(Program&&) = delete;

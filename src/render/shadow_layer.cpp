@@ -11,10 +11,10 @@ namespace viete::render {
 namespace {
 
 constexpr std::size_t place_count = 24000;
-constexpr int cells_per_size = 96, most_cells = 252;        // multiple of GroundShadow::square
-constexpr int near_radius = 1, far_radius = 4, passes = 3;  // blur radii and passes, in cells
-constexpr int margin = passes * far_radius + 1;             // reach of the blurs
-// Heights (relative to the size) at which points above lose most of their effect, and the darkness depth.
+constexpr int cells_per_size = 96, most_cells = 252;        // most_cells: a multiple of GroundShadow::square
+constexpr int near_radius = 1, far_radius = 4, passes = 3;  // blur radii in cells, and the number of passes
+constexpr int margin = passes * far_radius + 1;             // the largest effect of the blurs, in cells
+// At these heights or this depth, relative to the model's size, a point has lost most of its darkness.
 constexpr float near_height = 0.03F, far_height = 0.32F, depth = 0.02F;
 constexpr float near_darkness = 0.8F, far_darkness = 0.75F;
 
@@ -24,8 +24,8 @@ double area(const Point& a, const Point& b, const Point& c) {
   return std::isfinite(twice) ? 0.5 * twice : 0;
 }
 
-// The i-th point of a low-discrepancy sequence in a triangle (M. Roberts, 2018, "The unreasonable
-// effectiveness of quasirandom sequences").
+// Returns the barycentric coordinates of point i of a low-discrepancy sequence in a triangle. Source: M.
+// Roberts, 2018, "The unreasonable effectiveness of quasirandom sequences".
 std::array<float, 3> shares(std::size_t i) {
   double a = std::fmod(0.7548776662466927 * static_cast<double>(i) + 0.5, 1.0);
   double b = std::fmod(0.5698402909980532 * static_cast<double>(i) + 0.5, 1.0);
@@ -33,7 +33,7 @@ std::array<float, 3> shares(std::size_t i) {
   return {static_cast<float>(1 - a - b), static_cast<float>(a), static_cast<float>(b)};
 }
 
-// Cell values and operations on them.
+// A grid of values that can be blurred.
 class Cells {
 public:
   Cells(int width, int height)
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  // Replaces each value by the mean of its neighbourhood; 0 beyond the ends.
+  // Replaces each value of a line by the mean of its neighbourhood. Values beyond the ends count as 0.
   void average(float* line, int count, int stride, int radius) {
     line_.assign(static_cast<std::size_t>(count + 2 * radius + 1), 0);
     for (int i = 0; i < count; ++i) line_[i + radius] = line[static_cast<std::ptrdiff_t>(i) * stride];
@@ -68,7 +68,7 @@ private:
   std::vector<float> values_, line_;
 };
 
-// False if floats cannot resolve cells at that distance, or if the point is not finite.
+// False if the point is not finite, or if float is too coarse for cells at the distance of the point.
 bool has_cell(const glm::vec3& point, float cell) {
   return glm::all(glm::lessThan(glm::abs(glm::vec2(point)), glm::vec2(0x1p22F * cell)));
 }
@@ -91,7 +91,7 @@ int whole_squares(float cells) {
   return (static_cast<int>(cells) + side - 1) / side * side;
 }
 
-// Filtering spreads a cell's darkness half a cell into its neighbours.
+// Finds the squares with shadow. Filtering spreads the darkness of a cell half a cell into its neighbours.
 void find_squares(GroundShadow& shadow) {
   constexpr int side = GroundShadow::square, least = 2;
   const auto is_dark = [&](int column, int row) {
@@ -134,7 +134,7 @@ std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles,
   return points;
 }
 
-// Cells lie on a fixed grid, so that shadows of moving models do not shimmer.
+// Aligns the cells to a fixed grid. Otherwise, the shadow of a moving model would shimmer.
 GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
   GroundShadow shadow;
   shadow.cell = size / cells_per_size;
@@ -171,7 +171,7 @@ GroundShadow ground_shadow(std::span<const glm::vec3> points, float size) {
 
 namespace {
 
-// 1 as seen from above, 0 from below; fades near the edge-on view.
+// Returns 1 if the ground is seen from above, 0 from below, and a value between if it is nearly edge-on.
 float from_above(const View& view, const ShadowStyle& style) {
   const glm::dvec4 center = view.view * glm::dvec4(style.center[0], style.center[1], style.center[2], 1);
   const glm::dvec3 up(glm::normalize(glm::dvec3(view.view[style.up])));
@@ -219,7 +219,7 @@ void ShadowLayer::set_positions(std::span<const Point> positions) {
   set_points([&](std::uint32_t v) { return relative(positions[v], origin); }, origin);
 }
 
-// In units of the model's size, so that very large and very small models stay within the range of float.
+// Computes in units of the model's size, so that very large and very small models are in the range of float.
 void ShadowLayer::cast(const ShadowStyle& style) {
   const int across = (style.up + 1) % 3, along = (style.up + 2) % 3;
   const auto per_size = static_cast<float>(1 / style.size);

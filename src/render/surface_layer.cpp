@@ -13,9 +13,9 @@ namespace viete::render {
 
 namespace {
 
-// Uploads mipmaps, filtered in linear light. Software rasterisers skip the finest filter, which is too slow.
+// Uploads the image, and mipmaps in linear light. Software rasterisers are too slow for anisotropic filters.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
-  constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // an extension everywhere, core in 4.6
+  constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // from an extension; part of OpenGL 4.6
   bind_texture(gl, 4, texture);
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   gl.TexImage2D(GL_TEXTURE_2D, 0, GL_SRGB8_ALPHA8, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,

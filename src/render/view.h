@@ -28,34 +28,33 @@
 
 namespace viete::render {
 
-/// A point or direction in world space.
+/// A point or a direction in world space.
 using Point = base::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The matrices have double precision to avoid jitter far from the origin.
+/// The matrices and size of a view. The matrices are in double to avoid jitter far from the origin.
 struct View {
-  glm::dmat4 view{1};  ///< from world to eye space, right-handed, looking along -z
-  glm::dmat4 projection{
-      1};                 ///< from eye to clip space with depth -1 to 1, as glm::perspective and glm::ortho
-  glm::ivec2 size{1, 1};  ///< in device pixels
-  float scale = 1;        ///< device pixels per logical pixel
+  glm::dmat4 view{1};        ///< from world to eye space, right-handed, looking along -z
+  glm::dmat4 projection{1};  ///< from eye to clip space (depth -1 to 1), like glm::perspective
+  glm::ivec2 size{1, 1};     ///< in device pixels
+  float scale = 1;           ///< device pixels per logical pixel
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// The matrix to eye space for vertices stored relative to `origin`.
+/// Returns the matrix to eye space for vertices that are stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);
 
 /// Returns (factor x, factor y, offset x, offset y). The view ray of a device pixel, counted from the bottom
 /// left, is (factor * pixel + offset, -1) in eye space; in an orthographic view it is (0, 0, -1).
 glm::vec4 eye_ray(const View& view);
 
-/// A colour from 0xRRGGBB, components 0 to 1 as displayed (sRGB).
+/// Returns the colour 0xRRGGBB with components from 0 to 1, as displayed (sRGB).
 constexpr glm::vec3 rgb(std::uint32_t hex) {
   return {static_cast<float>(hex >> 16 & 255) / 255.0F, static_cast<float>(hex >> 8 & 255) / 255.0F,
           static_cast<float>(hex & 255) / 255.0F};
 }
 
-/// Colours as displayed (sRGB, 0 to 1).
+/// Colours, as displayed (sRGB, from 0 to 1).
 struct Theme {
   glm::vec3 background_top, background_bottom;
   glm::vec3 grid;
@@ -65,11 +64,11 @@ struct Theme {
   glm::vec3 cage;       ///< unselected cage edges and vertices
   glm::vec3 selection;  ///< selected elements
   glm::vec3 hover;      ///< the ring around the hovered point
-  glm::vec3 finding;    ///< problems found by checks
-  glm::vec3 outline;    ///< thin edge around discs
-  glm::vec4 halo;       ///< thin edge around lines, with opacity
-  glm::vec4 shadow;     ///< ground shadow, with its largest opacity
-  float exposure;       ///< brightness of the lights; 1 is normal
+  glm::vec3 finding;    ///< problems that checks found
+  glm::vec3 outline;    ///< the thin edge around discs
+  glm::vec4 halo;       ///< the thin edge around lines, with opacity
+  glm::vec4 shadow;     ///< the ground shadow, with its largest opacity
+  float exposure;       ///< the brightness of the lights; 1 is normal
 };
 
 Theme dark_theme();
@@ -81,16 +80,17 @@ inline Theme theme(bool dark) {
 /// Converts an sRGB component to linear light, both in [0, 1].
 float linear_light(float display);
 
-// Colour maps of `count` >= 2 colours as displayed. Colour-blind people can distinguish the colours.
+// The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: from blue to grey to yellow with increasing lightness, bright enough to show shading.
+/// For positive values: the colours are from blue to grey to yellow. The lightness increases, and shading
+/// stays visible.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: from blue to light grey to orange.
+/// For signed values: the colours are from blue to light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
-/// Interpolates between the colours `keys` (at least 2, as displayed) in Oklab. Source: B. Ottosson, 2020, "A
-/// perceptual color space for image processing".
+/// Interpolates between the colours `keys` in Oklab. Requires at least 2 keys, as displayed. Source: B.
+/// Ottosson, 2020, "A perceptual color space for image processing".
 std::vector<glm::vec3> blend_palette(const std::vector<glm::vec3>& keys, int count);
 
 }  // namespace viete::render

@@ -22,7 +22,7 @@ using QuestionKind = workspace::Question::Kind;
 
 namespace {
 
-// A FileDesk without the viewer, with files of cubes and a state folder.
+// A FileDesk without a viewer. It has files of cubes and a folder for its state.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -79,7 +79,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
   d.frame();
   d.answer(workspace::Answer::proceed);
   d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // but no model is open
+  d.workspace.requests.save_model = d.files / "out.obj";  // no model is open, so nothing is saved
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
@@ -223,7 +223,7 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
 
 namespace {
 
-// Renames the recovery file of the desk, so that it belongs to an ended program.
+// Renames the desk's recovery file, as if it belonged to a program that has ended.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();

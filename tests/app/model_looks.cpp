@@ -10,7 +10,7 @@ using namespace viete;
 
 namespace {
 
-// Two quads in the plane z = 0; if `bend` is not 0, the second quad is bent up at x = 1.
+// Two quads in the plane z = 0. If `bend` is not 0, the second quad is bent up at x = 1.
 struct BentStrip {
   explicit BentStrip(double bend) {
     surface.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, bend}, {0, 1, 0}, {1, 1, 0}, {2, 1, bend}};

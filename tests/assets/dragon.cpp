@@ -1,4 +1,4 @@
-// The bundled dragon: what it promises, and that the program in this repository makes it.
+// Tests the bundled dragon: its documented properties, and that the program can make it again.
 #include <doctest/doctest.h>
 
 #include <filesystem>

@@ -151,7 +151,7 @@ TEST_CASE("stale_parts_of_a_folder_are_removed_and_active_ones_kept") {
     test::put_file(folder / name, "x");
   test::put_file(folder / ("a." + base::process_name() + "-0.part"), "x");
   const int handle = open((folder / "locked.999999999-1-0.part").c_str(), O_RDONLY);
-  REQUIRE(flock(handle, LOCK_EX) == 0);  // as a program in another container would do
+  REQUIRE(flock(handle, LOCK_EX) == 0);  // simulates a program in another container
   base::remove_stale_parts(folder.path());
   CHECK(folder.entries() == 4);
   CHECK_FALSE(fs::exists(folder / "a.999999999-1-0.part"));

@@ -58,7 +58,7 @@ TEST_CASE("an_abandoned_child_is_killed_with_its_own_children") {
     while (number.empty() || number.back() != '\n') number = test::file_bytes(file);
   }
   number.pop_back();
-  const auto runs = [&] {  // false for zombies
+  const auto runs = [&] {  // a zombie does not count as running
     const std::string state = test::file_bytes("/proc/" + number + "/stat");
     const auto name_end = state.rfind(')');
     return name_end != std::string::npos && state[name_end + 2] != 'Z' && state[name_end + 2] != 'X';

@@ -38,14 +38,14 @@ TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
   const std::string jpeg = "\xff\xd8\xff\xc0\0\x0b\x08\xff\xdc\xff\xdc\1\1\x11\0"s;
   CHECK(refusal(jpeg).find("65500 x 65500 pixels") != std::string::npos);
   CHECK(refusal(png("\0\0\0\2\0\0\0\2"s)).find("damaged") != std::string::npos);
-  // Damaged Huffman tables (16 counts of 255 codes each) at several positions in the file.
+  // Tests damaged Huffman tables (16 counts of 255 codes each) at several positions in the file.
   const std::string head = "\xff\xd8"s, counts = "\xff\xc4\x00\x13\x10"s + std::string(16, '\xff');
   const std::string start = "\xff\xc0\0\x0b\x08\0\1\0\1\1\1\x11\0"s, other = "\xff\xfe\0\4ab"s;
   for (const std::string& bad :
        {head + counts, head + other + counts + start, head + start + counts,
         head + start + "\xff\xda\0\x08\1\1\0\0\x3f\0junk"s + counts, "\xff" + head + counts})
     CHECK(refusal(bad).find("damaged") != std::string::npos);
-  // In a comment, the same bytes are not tables.
+  // In a comment of the file, these bytes are not tables.
   std::string good = test::file_bytes(test::source_dir() / "tests/fuzz/corpus/image/plain.jpg");
   CHECK(refusal(good) == "");
   good.insert(2, "\xff\xfe\0\x17"s + counts);

@@ -82,7 +82,7 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
   CHECK(all.threads() == 8);
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these need more address space
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // the sanitizers need more address space
 TEST_CASE("pool_leaves_address_space_to_its_caller") {
   const pid_t child = fork();
   if (child == 0) {

@@ -35,7 +35,7 @@ TEST_CASE("a_star_cage_has_the_requested_faces_and_encloses_the_model") {
   }
 }
 
-// An independent implementation checks the distances of the reference for binding.
+// Checks the distances that the reference for binding computes, by an independent implementation.
 TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   const auto model = test::sphere(2);
   const auto cage = deform::make_cage(test::moved(test::cube(), 1.7));
@@ -78,7 +78,7 @@ using bench::RestModel;
 
 namespace {
 
-// Returns the unit square, cut along the diagonal from (1, 0) to (0, 1).
+// Returns the unit square, divided along the diagonal from (1, 0) to (0, 1).
 mesh::Surface square() {
   return mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}});
 }
@@ -86,7 +86,7 @@ mesh::Surface square() {
 // Returns the square with its corner (1, 1) rotated about the diagonal.
 std::vector<mesh::Point> folded(double angle) {
   auto positions = square().positions;
-  const double out = std::cos(angle) / 2;  // from the middle of the diagonal
+  const double out = std::cos(angle) / 2;  // the distance from the middle of the diagonal
   positions[3] = {0.5 + out, 0.5 + out, std::sin(angle) / std::sqrt(2)};
   return positions;
 }
@@ -118,7 +118,7 @@ TEST_CASE("the_energy_is_that_of_the_jacobians_weighted_by_area") {
   CHECK(model.distortion(mapped(model, shear)).energy == doctest::Approx(2));
   CHECK(std::isnan(model.volume(model.positions())));
   CHECK_FALSE(model.encloses());
-  // The triangles have the areas 1/2 and 3/2 and no common corner. The second triangle is stretched.
+  // The triangles have areas 1/2 and 3/2, and no common corner. The second triangle is stretched.
   const RestModel two(mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 5}, {1, 0, 5}, {0, 3, 5}},
                                            {{0, 1, 2}, {3, 4, 5}}));
   auto positions = two.positions();
@@ -130,12 +130,12 @@ TEST_CASE("the_energy_is_that_of_the_jacobians_weighted_by_area") {
 
 TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
   const RestModel model(square());
-  // The factor 3 |e|^2 / A is 3 * 2 / 1.
+  // 3 |e|^2 / A is 3 * 2 / 1.
   for (const double angle : {0.5, -0.5, 3.0}) {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // Both folds are nearly complete, on opposite sides. The shorter way between them is the complete fold.
+  // Both folds are nearly complete, on opposite sides. The shortest motion between them unfolds the square.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;

@@ -59,7 +59,7 @@ TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
 }
 
 TEST_CASE("leak_is_the_motion_of_vertices_far_from_the_moved_one") {
-  // One of eight vertices moves by a tenth of the diagonal, so the whole model moves by an eighth of that.
+  // One of eight vertices moves by 0.1 diagonals. The whole model therefore moves by 0.1 / 8.
   CHECK(leak(cage, model, by_the_mean) == doctest::Approx(0.1 / 8));
   const Deform near_alone = [](const deform::Pose& pose) {
     auto moved = model;
@@ -85,14 +85,14 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage moves along x: 0.5 away from the first point, and sideways for the second point.
+  // The cage moves along x. It moves 0.5 away from the first point, and sideways for the second point.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
 }
 
 TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
-  // Two triangles 0.005 apart, in a model whose diagonal is nearly 1.
+  // Two triangles at a distance of 0.005. The model's diagonal is nearly 1.
   const double side = std::sqrt(0.5);
   const std::vector<mesh::Point> rest = {{0, 0, 0},     {side, 0, 0},     {0, side, 0},
                                          {0, 0, 0.005}, {side, 0, 0.005}, {0, side, 0.005}};
@@ -105,7 +105,7 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   posed[5][2] = NAN;
   CHECK(std::isnan(torn(pairs, rest, posed)));
   CHECK(near_pairs(mesh::from_triangles(rest, {{0, 1, 2}})).empty());
-  // Only a long path joins both sides of a crack of width 0.0005.
+  // A crack of width 0.0005. Only a long path connects its sides.
   const std::vector<mesh::Point> cracked = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0.0005, 0, 0}};
   CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
 }
@@ -131,7 +131,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const auto compared = compare(test::sphere(2), settings);
   CHECK(compared.encloses);
   CHECK(compared.without_area == 0);
-  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // plus Way::arap
+  CHECK(compared.modes.size() == deform::valid_schemes().size() + 1);  // one more for Way::arap
   for (deform::Scheme scheme : deform::valid_schemes()) {
     scheme.weighting.radius = deform::number("radius").largest;
     const auto found =
@@ -147,7 +147,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
-    // A deformer that only rotates causes less distortion.
+    // If a deformer only rotates, it causes less distortion.
     CHECK(posed.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);

@@ -27,7 +27,7 @@ using namespace viete::bench;
 
 namespace {
 
-/// Returns figures of a ball in a box, with minimal sizes.
+/// Returns figures for a ball in a box, in the smallest sizes.
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
@@ -110,7 +110,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-// Returns the cells of each row, without bold marks.
+// Returns the cells of each row without marks for bold text.
 std::vector<Cells> rows_of(const char* file) {
   std::ifstream in(test::source_dir() / file);
   REQUIRE(in);
@@ -131,7 +131,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Errors have two digits, and times mostly three. The omitted digits are within the noise.
+// Errors have two digits, and times mostly three digits. Other digits would be noise.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {
@@ -180,7 +180,7 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 
 }  // namespace
 
-// Returns median and worst value over the dragon's poses, relative to mean value coordinates.
+// Returns the median and the worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {
   for (const auto& result : report["ways"]["results"]) {
     if (result["way"] != way) continue;

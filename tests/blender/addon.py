@@ -60,7 +60,7 @@ def update():
 
 
 def expected(ball, way="smooth"):
-    """The expected vertices, computed directly by the engine."""
+    """Returns the expected vertices. Calls the engine directly."""
     import viete
     depsgraph = bpy.context.evaluated_depsgraph_get()
     rest = np.frombuffer(ball[follow.REST], np.float64).reshape(-1, 3)
@@ -155,7 +155,7 @@ def bakes_to_cache_and_keys():
 
 
 def clothed_figure():
-    """A body and an open tunic, both in the tunic's cage, whose two bones bend and rotate over 100 frames."""
+    """Adds a body and an open tunic in one cage. Two bones bend and rotate the cage over 100 frames."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.context.scene.frame_start, bpy.context.scene.frame_end = 1, 100
     bpy.ops.mesh.primitive_uv_sphere_add(segments=32, ring_count=24, radius=1)
@@ -197,7 +197,7 @@ def clothed_figure():
 
 
 def baked_frames_are_those_of_the_program():
-    """Compares every eleventh of a hundred baked frames of body and clothes with `viete deform`."""
+    """Bakes 100 frames of body and clothes. Compares every eleventh frame with `viete deform`."""
     body, tunic, cage = clothed_figure()
     checked = range(1, 101, 11)
     engine.write_obj(FOLDER / "rest_cage.obj", np.frombuffer(body[follow.REST], np.float64).reshape(-1, 3), engine.corners_of(cage.data))
@@ -355,7 +355,7 @@ def works_with_the_program():
 
 
 def edits_are_fast():
-    """Prints the time for 50,000 vertices and about 100 triangles, compared with Blender's Mesh Deform."""
+    """Compares the time for 50,000 vertices and about 100 triangles with Blender's Mesh Deform."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     bpy.ops.mesh.primitive_uv_sphere_add(segments=250, ring_count=201)
     ball = bpy.context.object

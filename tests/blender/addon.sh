@@ -1,5 +1,5 @@
 #!/bin/sh
-# addon.sh SOURCE PROGRAM MODULES FOLDER: the add-on in Blender. Skipped (77) where that is not installed.
+# addon.sh SOURCE PROGRAM MODULES FOLDER: tests the add-on in Blender. Without Blender, exits with 77 (skipped).
 set -eu
 command -v blender >/dev/null || { echo "skipped: Blender is not installed (apt-get install blender)"; exit 77; }
 rm -rf "$4" && mkdir -p "$4"

@@ -1,4 +1,4 @@
-// Manual edits of cages with concave polygons: the surface stays connected and has the right volume.
+// Manual edits of cages with concave polygons. The surface must stay connected and have the right volume.
 #include "cages/edit.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ constexpr std::array<std::array<double, 2>, 8> outline = {
     {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 1}, {1, 1}, {1, 3}, {0, 3}}};
 constexpr double volume = 7;
 
-// A U-shape of thickness 1: two caps with eight corners each, and quads around them.
+// Returns a U-shape of thickness 1. It has two caps with eight corners each, and quads between the caps.
 Surface letter_u() {
   std::string text;
   const auto corner = [](std::size_t i, int cap) { return std::to_string(i + 1 + 8 * cap) + " "; };
@@ -75,11 +75,11 @@ TEST_CASE("mirroring_across_a_concave_polygon_splits_it") {
   const Surface u = letter_u();
   check(cages::mirrored(u, {{1, 0, 0}, 1.5}).surface, volume, "along its middle");
   check(cages::mirrored(u, {{0, -1, 0}, -2}).surface, 10, "across both arms, the foot kept");
-  // The result is two bars of height 1.
+  // The result is two bars with height 1.
   const Surface bars = cages::mirrored(u, {{0, 1, 0}, 2}).surface;
   check(bars, 4, "across both arms, their ends kept");
   CHECK(mesh::summarize(bars).parts == 2);
-  // This plane contains the bottom of the notch.
+  // The plane contains the bottom of the notch.
   check(cages::mirrored(u, {{0, 1, 0}, 1}).surface, 8, "along the ground, the arms kept");
   check(cages::mirrored(u, {{0, -1, 0}, -1}).surface, 6, "along the ground, the foot kept");
 }

@@ -1,4 +1,4 @@
-// Checks cages independently of the code that makes them.
+// Checks cages, without the code that makes cages.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace viete::test {
 
-/// Returns the model's triangles, or its points as degenerate triangles.
+/// Returns the model's triangles. If it has no triangles, returns each point as a degenerate triangle.
 inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
   if (!model.triangles.empty()) return model.triangles;
   std::vector<mesh::Triangle> points;
@@ -26,7 +26,7 @@ inline double extent_of(const mesh::Surface& model) {
   return (model.triangles.empty() ? mesh::bounds(model.positions) : mesh::used_bounds(model)).diagonal();
 }
 
-/// Returns the smallest distance of cage and model relative to the model's size. Tests every pair.
+/// Returns the smallest distance between cage and model, relative to the model's size. Tests every pair.
 inline double least_distance(const mesh::Surface& cage, const mesh::Surface& model) {
   const double unit = extent_of(model);
   double least = unit;
@@ -37,7 +37,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
     for (const auto& piece : pieces) {
       const mesh::Corners corners = mesh::corners_of(model.positions, piece);
       const mesh::Bounds other = mesh::bounds(corners);
-      double apart = 0;  // distance of the boxes
+      double apart = 0;  // the distance between the boxes
       for (std::size_t k = 0; k < 3; ++k)
         apart = std::max({apart, box.low[k] - other.high[k], other.low[k] - box.high[k]});
       if (apart >= least) continue;
@@ -47,7 +47,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
   return least / unit;
 }
 
-/// Returns the largest distance of a mirrored vertex from its nearest vertex.
+/// Returns the largest distance from a mirrored vertex to its nearest vertex.
 inline double asymmetry(const mesh::Surface& cage, const cages::Plane& plane) {
   using namespace mesh;
   double most = 0;
@@ -64,7 +64,7 @@ inline bool some_note_holds(const cages::Made& made, const std::string& words) {
   return std::ranges::any_of(made.notes, [&](const auto& note) { return note.find(words) != note.npos; });
 }
 
-/// Returns descriptions of the cage's defects; empty if the cage is good.
+/// Returns descriptions of the cage's defects. If the cage has no defects, the result is empty.
 inline std::vector<std::string> complaints(const cages::Made& made, const mesh::Surface& model,
                                            const cages::Wish& wish) {
   std::vector<std::string> all;

@@ -1,4 +1,4 @@
-// Named models of every kind, for cage making.
+// Models of many kinds for cage making. Each model has a name.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ inline Surface turned(Surface s, double angle) {
   return s;
 }
 
-/// Returns the boundary of the cells (i, j, k) of [0, n)^3 that are inside. An edge may have four triangles.
+/// Returns the boundary of the cells (i, j, k) in [0, n)^3 that are inside. Edges can have four triangles.
 inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside) {
   std::map<std::array<int, 3>, std::uint32_t> numbers;
   std::vector<Point> points;
@@ -70,7 +70,7 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
   return mesh::from_triangles(points, triangles);
 }
 
-/// Returns random triangles of about the given size in the cube of side 2.
+/// Returns random triangles of about this size in a cube with side 2.
 inline Surface soup(std::size_t count, double size, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> at(-1, 1);
@@ -90,7 +90,7 @@ inline Surface points_only(std::vector<Point> points) {
   return mesh::from_triangles(std::move(points), {});
 }
 
-/// Returns a flat grid of n x n quads without the quads where `hole` is true.
+/// Returns a flat grid of n x n quads. Leaves out the quads for which `hole` is true.
 inline Surface sheet(int n, const std::function<bool(int, int)>& hole) {
   Surface s;
   for (int j = 0; j <= n; ++j) {
@@ -147,7 +147,7 @@ inline Surface stool() {
   });
 }
 
-/// Returns random cells, which have many tunnels, and edges with four triangles.
+/// Returns random cells. They have many tunnels, and edges with four triangles.
 inline Surface sponge() {
   std::mt19937_64 engine(11);
   std::vector<std::uint8_t> full(512);
@@ -166,7 +166,7 @@ struct NamedModel {
   Surface surface;
 };
 
-/// Returns models with an extent: one of each difficult kind, or in a long run all of them.
+/// Returns models with nonzero size: one of each difficult kind or, in a long run, all models.
 inline std::vector<NamedModel> generated_models() {
   std::vector<NamedModel> all;
   const auto add = [&](std::string name, Surface surface) {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# c.sh PKGCONFIG_DIR SOURCE: compiles the C header as C99 and links as it documents.
+# c.sh PKGCONFIG_DIR SOURCE: compiles the C header as C99, and links with the flags that the header documents.
 set -eu
 command -v cc >/dev/null || { echo "there is no C compiler: skipped"; exit 77; }
 work=$(mktemp -d)

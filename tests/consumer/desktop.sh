@@ -1,6 +1,6 @@
 #!/bin/sh
-# desktop.sh DATA VERSION SOURCES: checks the desktop files with the tools of freedesktop.org, if installed, and their consistency;
-# README, change log and AppStream data must name this version.
+# desktop.sh DATA VERSION SOURCES: checks the desktop files. Uses the tools of freedesktop.org if they are installed.
+# README, change log and AppStream data must contain this version.
 set -eu
 data="$1" version="$2" sources="$3"
 entry=$data/applications/viete.desktop types=$data/mime/packages/viete.xml about=$data/metainfo/viete.metainfo.xml
@@ -13,7 +13,7 @@ wrong() {
 has() { command -v "$1" >/dev/null; }
 
 ! has desktop-file-validate || desktop-file-validate "$entry"
-# The component name should begin with a domain of the project, which has none.
+# Ignores that the component name should begin with a domain: the project has no domain.
 ! has appstreamcli || appstreamcli validate --no-net --override=cid-desktopapp-is-not-rdns=info "$about"
 for file in "$types" "$about" "$data/icons/hicolor/scalable/apps/viete.svg"; do
   test -s "$file"

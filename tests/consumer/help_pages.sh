@@ -18,7 +18,7 @@ if command -v man >/dev/null && command -v groff >/dev/null; then
 fi
 
 PATH=$(dirname "$program"):$PATH
-# in_bash WORD...: bash completions of the last word.
+# in_bash WORD...: prints the completions of the last word in bash.
 in_bash() {
   bash -c '. "$1"; shift; COMP_WORDS=(viete "$@"); COMP_CWORD=$#; _viete; printf "%s\n" "${COMPREPLY[@]}"' \
     bash "$data/bash-completion/completions/viete" "$@" | sort -u

@@ -1,11 +1,11 @@
-# Sourced: parses the --help output of $program into words.
+# To be sourced. Parses the output of $program --help into words.
 
-# commands_of COMMAND...: its subcommands, one per line.
+# commands_of COMMAND...: prints the subcommands of the command, one per line.
 commands_of() {
   "$program" "$@" --help | awk '/^[^ ]/ { on = tolower($0) ~ /commands:$/ } on && /^  [a-z]/ { print $1 }'
 }
 
-# all_commands: every runnable command: "view" and "bench exp", not "bench".
+# all_commands: prints the commands that can be run, such as "view" and "bench exp", but not "bench".
 all_commands() {
   for command in $(commands_of); do
     inner=$(commands_of "$command")
@@ -14,7 +14,7 @@ all_commands() {
   done
 }
 
-# options_of COMMAND...: its options, one per line, with all their names: "-o --output".
+# options_of COMMAND...: prints the options of the command, one per line, with all names: "-o --output".
 options_of() {
   "$program" "$@" --help | awk '/^  -/ {
     names = ""
@@ -30,7 +30,7 @@ long_options_of() {
   options_of "$@" | tr ' ' '\n' | grep '^--' | sort
 }
 
-# values_of OPTION COMMAND...: the values of an option with a fixed list, from the error message for an invalid value.
+# values_of OPTION COMMAND...: prints the allowed values of an option. Reads them from the error message for an invalid value.
 values_of() {
   option="$1" && shift
   if "$program" "$@" --help | grep -q -e "^  $option WORD"; then

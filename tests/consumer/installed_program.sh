@@ -1,5 +1,5 @@
 #!/bin/sh
-# installed_program.sh PROGRAM ASSETS: the installed program must find the example model after the tree is moved, and draw it
+# installed_program.sh PROGRAM ASSETS: moves the installed tree. The program must then find the example model, and draw it
 # without other files.
 set -eu
 unset VIETE_ASSETS

@@ -1,5 +1,5 @@
 #!/bin/sh
-# manual_pages.sh PROGRAM: the HTML manual exists, chapters are found by name, links work, and no page needs the network.
+# manual_pages.sh PROGRAM: the HTML manual must exist, chapters must be found by name, links must work, and pages must not need the network.
 set -eu
 program=$1
 unset DISPLAY WAYLAND_DISPLAY  # no browser

@@ -1,11 +1,11 @@
 #!/bin/sh
-# optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: in a project without a build type the library must be optimised,
-# unless the flags set a level; kernels have their own level. Configures only.
+# optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: configures a project without a build type. The library must be optimised,
+# unless the flags set a level. Kernels have their own level.
 set -eu
 cmake="$1" generator="$2" compiler="$3" project="$4" build="$5"
 unset CXXFLAGS CMAKE_BUILD_TYPE
 
-# levels FLAGS: the effective (last) level of every library source that is not a kernel.
+# levels FLAGS: prints the last (effective) level of every library source that is not a kernel.
 levels() {
   rm -rf "$build"
   "$cmake" -S "$project" -B "$build" -G "$generator" -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_CXX_FLAGS="$1" \

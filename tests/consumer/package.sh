@@ -1,6 +1,6 @@
 #!/bin/sh
-# package.sh CPACK BUILD FOLDER VERSION: cpack must make Debian packages with the right files and dependencies, and without
-# traces of the build; the unpacked program must run. Skipped without packaging tools.
+# package.sh CPACK BUILD FOLDER VERSION: cpack must make Debian packages with the right files and dependencies. Packages must
+# not contain paths of the build. The unpacked program must run. Without packaging tools, the test is skipped.
 set -eu
 cpack="$1" build="$2" folder="$3" version="$4"
 for tool in dpkg-deb dpkg-shlibdeps file readelf; do
@@ -18,7 +18,7 @@ rm "$build/packages.log"
 machine=$(dpkg --print-architecture)
 program="$folder/viete_${version}_$machine.deb" library="$folder/libviete-dev_${version}_$machine.deb"
 
-# holds DEB FILE...
+# holds DEB FILE...: fails unless the package contains the files.
 holds() {
   deb="$1" && shift
   list=$(dpkg-deb -c "$deb")
@@ -46,7 +46,7 @@ fi
 both=$(for deb in "$program" "$library"; do dpkg-deb -c "$deb"; done | grep -v '/$' | awk '{ print $6 }' | sort | uniq -d)
 [ -z "$both" ] || wrong "both packages hold $both"
 
-# Runs lintian if installed. (This build does not use multiarch library folders; that of setup.sh does.)
+# If lintian is installed, runs it. (This build does not use multiarch library folders, but setup.sh does.)
 if command -v lintian >/dev/null; then
   lintian --allow-root --fail-on error,warning --suppress-tags pkg-config-unavailable-for-cross-compilation "$folder"/*.deb ||
     wrong "lintian reports problems"

@@ -1,17 +1,17 @@
 #!/bin/sh
-# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds and runs the example as a Makefile would, and as in the README.
+# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds and runs the example like a Makefile, and like the README.
 set -eu
 compiler="$2"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Through a shell, as make does, because blanks in paths are escaped.
+# Uses a shell as make does, because blanks in paths are escaped.
 export PKG_CONFIG_PATH="$1"
 pkg-config --atleast-version=0.2 viete
 eval "\"\$compiler\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$work/program\""
 "$work/program"
 
-# The README's command with another compiler, and a path without blanks.
+# Runs the README's command with another compiler, and with a path without blanks.
 line=$(sed -n 's/^g++ \(.*pkg-config.*\)/\1/p' "$4")
 ln -s "$1" "$work/pkgconfig"
 cp "$3" "$work/example.cpp"

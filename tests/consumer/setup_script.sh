@@ -1,13 +1,13 @@
 #!/bin/sh
-# setup_script.sh SETUP.SH: runs a copy of third_party/setup.sh with stubs for the programs it calls, which log
-# their arguments.
+# setup_script.sh SETUP.SH: runs a copy of third_party/setup.sh. Stubs replace the programs that it calls, and
+# log their arguments.
 set -u
 setup=$1
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
-# A checkout in a folder whose name has a blank, and a machine with every package.
+# The folder of the checkout has a blank in its name. The machine has every package.
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"
@@ -29,20 +29,20 @@ fresh() {
   done
 }
 
-# stand_in NAME BODY
+# stand_in NAME BODY: makes a stub with this name.
 stand_in() {
   printf '#!/bin/sh\necho "%s $*" >>"%s"\n%s\n' "$1" "$calls" "$2" >"$scratch/bin/$1"
   chmod +x "$scratch/bin/$1"
 }
 
-# lacks PACKAGES SUDO: a fresh machine without these packages, where sudo does this.
+# lacks PACKAGES SUDO: makes a new machine without these packages. SUDO is the body of the stub for sudo.
 lacks() {
   fresh
   stand_in dpkg-query "case \"\$*\" in $1) ;; *) echo installed ;; esac"
   [ -z "$2" ] || stand_in sudo "$2"
 }
 
-# run SCRIPT ARGS...: in $scratch/elsewhere; output in $out, exit status in $code.
+# run SCRIPT ARGS...: runs the script in $scratch/elsewhere. Sets $out to the output and $code to the exit status.
 run() {
   out=$(cd "$scratch/elsewhere" && PATH=$scratch/bin CDPATH=$scratch:/ sh "$@" 2>&1)
   code=$?
@@ -64,7 +64,7 @@ ended_with() { [ "$code" -eq "$1" ]; }
 
 script="$scratch/check out/third_party/setup.sh"
 
-# gives CODE TEXT ARGS...: the script ends with this code and says this.
+# gives CODE TEXT ARGS...: runs the script with ARGS. Fails unless the exit status is CODE and the output contains TEXT.
 gives() {
   wanted=$1 text=$2
   shift 2

@@ -1,4 +1,4 @@
-// Compares both engines with an evaluation in quad precision that shares no code with them.
+// Compares both engines with independent code in quad precision.
 #include <doctest/doctest.h>
 
 #include "deform/all_maps.h"
@@ -12,7 +12,7 @@ using namespace viete::test;
 
 namespace {
 
-// A rotation, a stretch and three waves. This map is not affine, and moves each triangle differently.
+// A rotation, a stretch and three waves. The map is not affine: each triangle moves differently.
 struct Waves {
   Affine affine;
   std::array<Vec3, 3> direction, push;
@@ -31,7 +31,7 @@ struct Waves {
   }
 };
 
-// Returns points inside and outside the cage, but not on it.
+// Returns points inside and outside the cage. No point is on the cage.
 mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
   const auto bounds = mesh::bounds(cage.positions);
   mesh::Surface points;
@@ -40,7 +40,7 @@ mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
   return points;
 }
 
-// The bound in diagonals of the posed cage, at least three times the largest error of these poses.
+// The largest allowed error, in diagonals of the posed cage: at least three times the error of these poses.
 double staged_bound(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value) return 1e-13;
   return entry(scheme.weighting.weights).on_surface ? 3e-14 : 1e-14;

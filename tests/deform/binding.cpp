@@ -14,7 +14,7 @@
 using namespace viete::test;
 
 TEST_CASE("low_rank_rows_are_factored_by_a_few_rows_on_every_instruction_set") {
-  // 64 rows of 40 columns, of rank 5 plus noise.
+  // A matrix of 64 rows and 40 columns. It has rank 5, plus noise.
   constexpr int count = 64, columns = 40, lanes = 16;
   const auto random = [](int n, int m) -> Eigen::MatrixXd { return Eigen::MatrixXd::Random(n, m); };
   const Eigen::MatrixXd whole = random(count, 5) * random(5, columns) + 1e-6 * random(count, columns);
@@ -75,7 +75,7 @@ TEST_CASE("binding_reports_progress_and_can_be_cancelled_and_models_without_vert
 }
 
 TEST_CASE("a_binding_that_cannot_fit_is_refused_with_numbers") {
-  // 3 million vertices and 2 million triangles need 48 TB.
+  // 3 million vertices and 2 million triangles would need 48 TB.
   Cage cage = make_cage(box());
   cage.centers.resize(2'000'000);
   viete::mesh::Surface model;

@@ -1,4 +1,4 @@
-// Helpers that bind models to cages, deform them and check weights.
+// Binds models to cages, deforms the models, and checks weights.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_v
 inline Weighting cut_off(double radius) {
   return {Elements::face, Weights::cut_off, radius};
 }
-/// All schemes in which every vertex follows the cage. Cut-off weights get a radius beyond the whole cage.
+/// Returns the schemes in which every vertex follows the cage. Cut-off weights get a radius beyond the cage.
 inline std::vector<Scheme> whole_schemes() {
   auto schemes = valid_schemes();
   for (Scheme& s : schemes) s.weighting.radius = number("radius").largest;
@@ -46,7 +46,7 @@ struct Bound {
     return {mapped(cage->surface.positions, map), std::move(turns)};
   }
 
-  /// The distance of the deformed model from the mapped model, in diagonals of the posed cage.
+  /// Returns the distance from the deformed model to the mapped model, in diagonals of the posed cage.
   template <class Map>
   double error(const Map& map) {
     const Pose p = pose(map);
@@ -60,7 +60,7 @@ struct Bound {
   Deformer deformer;
 };
 
-/// A fused engine with its own cage state.
+/// A fused engine and the state of its cage.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const Cage> cage, const std::shared_ptr<const TiledBinding>& tiles,
              base::WorkerPool& pool, const sym3::Kernel& kernel = sym3::kernel(), Blend blend = Blend::srl)
@@ -87,7 +87,7 @@ struct FusedFrame {
   FusedEngine engine;
 };
 
-/// One scheme in all its engines.
+/// A scheme in all engines that support it.
 struct Frames {
   Frames(const mesh::Surface& model, const mesh::Surface& cage, const Scheme& scheme_, int threads = 2)
       : scheme(scheme_),
@@ -113,7 +113,7 @@ struct Frames {
     staged.deformer.set_probes(probes), fused.set_probes(probes);
   }
 
-  /// Returns the exact result. Checks that the engines agree with it.
+  /// Returns the exact result, and checks that all engines agree with it.
   std::vector<mesh::Point> deform(const Pose& pose) {
     const auto exact = deform_exactly(staged.model, staged.cage, scheme, pose, sym3::Method::fast,
                                       staged.pool, nullptr, mask, probes, shape);

@@ -18,7 +18,7 @@ Edges path(std::uint32_t nodes) {
 }  // namespace
 
 TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
-  // The last length is beyond the limit of exact centres.
+  // The last length is above the limit for exact centers.
   for (const auto& [length, centre] : {std::pair{7u, 3u}, {8u, 3u}, {20001u, 10000u}}) {
     const GraphParts parts = graph_parts(length, path(length), std::vector<std::uint8_t>(length, 0));
     CHECK(parts.centers == std::vector{centre});
@@ -26,7 +26,7 @@ TEST_CASE("the_centre_of_each_part_is_its_middle_and_the_lower_of_two") {
   }
   const GraphParts two = graph_parts(5, Edges{{0, 1}, {1, 2}}, std::vector<std::uint8_t>{0, 0, 0, 1, 0});
   CHECK(two.centers == std::vector<std::uint32_t>{1, 4});
-  CHECK(two.of == std::vector<std::uint32_t>{0, 0, 0, 2, 1});  // 3 is skipped
+  CHECK(two.of == std::vector<std::uint32_t>{0, 0, 0, 2, 1});  // item 3 is skipped
 }
 
 TEST_CASE("three_triangles_on_an_edge_are_joined_in_a_chain") {
@@ -94,7 +94,7 @@ TEST_CASE("a_flipped_element_or_root_does_not_rotate_the_others") {
   for (const auto e : flipped) {
     std::vector<Vec3> turns;
     Branches b;
-    for (int a = 0; a <= 720; a += 10) {  // two full turns of one element alone
+    for (int a = 0; a <= 720; a += 10) {  // only one element rotates, by two full turns
       auto rotations = all(cage, {1, 0, 0}, 3);
       rotations[e] = similarity({0, 0, 1}, a * degree).linear;
       b = branches_of(cage, rotations, turns);
@@ -119,7 +119,7 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
 
 namespace {
 
-// Rotations for a tube that is bent about x, with angles linear along the tube, and then rotated about z.
+// Returns rotations of a tube bent about x, by angles linear along the tube, and then rotated about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)

@@ -58,7 +58,7 @@ TEST_CASE("a_cage_with_a_fin_is_refused_and_the_edge_named") {
 }
 
 TEST_CASE("elements_without_area_are_named_and_do_not_cut_the_cage_into_parts") {
-  // A triangle without area lies on edge 1-3 of a box. The two triangles at this edge stay neighbours.
+  // A triangle without area is on the edge 1-3 of a box. The two triangles at this edge stay neighbours.
   auto p = box().positions;
   p.push_back(0.5 * (p[1] + p[3]));
   auto t = box().triangles;
@@ -96,7 +96,7 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// Returns all row forms.
+// Returns one scheme for each form of the rows.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
   for (const Scheme& s : valid_schemes()) {

@@ -16,7 +16,7 @@ mesh::Surface cage_of_a_part() {
   return tube(9, 7, 0.4, 2.2);
 }
 
-// Returns the largest difference of the engines in one pose, in diagonals of the larger of both cages.
+// Returns the largest difference between the engines in one pose, in diagonals of the larger cage.
 double difference(Frames& f, const Pose& pose) {
   f.fused.deform(pose, sym3::Method::fast);
   const double unit = std::max(f.staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
@@ -76,7 +76,7 @@ TEST_CASE("moved_poses_and_twists_beyond_180_degrees_agree_as_do_mirrored_and_co
     const auto there = mapped(b.staged.deformer.positions(), [&](const Vec3& x) { return x + way; });
     CHECK(largest_distance(b.staged.deform(b.staged.pose(moved)), there) < 1e-12);
     CHECK(difference(b, b.staged.pose(flat)) < 2e-5);
-    // If a map mirrors equally in several directions, its nearest rotation is not unique.
+    // If several mirrored directions are equally good, the nearest rotation is not unique.
     if (scheme.blend != Blend::mls_similarity && scheme.blend != Blend::mls_rigid)
       CHECK(difference(b, b.staged.pose(mirror)) < 2e-5);
     CHECK(all_finite(b.staged.deform(b.staged.pose(dot))));
@@ -88,7 +88,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
     if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // One end of the tube passes 180 degrees ahead of the other, or both ends pass 360 and 540 degrees.
+    // One end of the tube is 180 degrees ahead of the other, or both ends pass 360 and 540 degrees.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
       std::vector<Vec3> turns;
@@ -142,7 +142,7 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (scheme.blend != Blend::srl) continue;
-    // About the blended centre, each vertex rotates by half the angle, and its stretch is squared.
+    // About the blended center, a vertex rotates by half the angle. Its stretch is squared.
     const auto centers = with(0, 0);  // c' + o
     for (std::size_t i = 0; i < other.size(); ++i) {
       const Vec3 o = b.staged.binding->offsets[i];
@@ -154,7 +154,7 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
 
 namespace {
 
-// Removes the symmetry, so that no result depends on a choice between equal candidates.
+// Moves each vertex slightly, so that no result depends on a choice between equal candidates.
 mesh::Surface shaken(const mesh::Surface& surface, double by) {
   Random random(11);
   return mapped(surface, [&](const Vec3& x) { return x + by * random.vector(1); });

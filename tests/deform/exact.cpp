@@ -23,7 +23,7 @@ mesh::Surface cloud(std::size_t count) {
   return surface;
 }
 
-// Its stretch has well separated eigenvalues, so that every method is exact.
+// Bends and stretches a point. The eigenvalues of the stretch are well separated, so every method is exact.
 Vec3 bent_and_stretched(const Vec3& p) {
   return {0.6 * p[0] + 0.1 * p[1] * p[1], 1.4 * p[1], 2.2 * p[2] - 0.2 * p[0]};
 }
@@ -38,7 +38,7 @@ double diagonals_from_staged(Bound& b, const Pose& pose, Method method) {
   return largest_distance(exact.positions, b.deform(pose, method)) / b.cage->diagonal;
 }
 
-// Reads a value of /proc/self/status in bytes.
+// Returns a value from /proc/self/status, in bytes.
 std::optional<double> memory(const std::string& key) {
   std::ifstream in("/proc/self/status");
   for (std::string line; std::getline(in, line);) {
@@ -66,7 +66,7 @@ TEST_CASE("block_by_block_equals_the_staged_frame_for_every_method_and_weighting
   }
 }
 
-// Blocks have 4096 vertices for a cage of 12 elements and 16 vertices for 7200 elements. There are 8 lanes.
+// A block has 4096 vertices for a cage of 12 elements, and 16 vertices for 7200 elements. There are 8 lanes.
 TEST_CASE("vertex_counts_at_block_and_lane_limits_are_exact") {
   for (const std::size_t n : {1, 7, 8, 9, 4095, 4096, 4097, 8200}) {
     CAPTURE(n);
@@ -148,7 +148,7 @@ TEST_CASE("weights_of_all_vertices_are_never_in_memory_at_once" * doctest::test_
   const auto model = cloud(16'000);
   const auto cage = std::make_shared<const Cage>(make_cage(tube(50, 60, 1.4, 4)));
   const double matrix = 8.0 * static_cast<double>(model.positions.size() * cage->element_count());
-  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak
+  std::ofstream("/proc/self/clear_refs") << 5;  // resets the peak of the memory use
   const auto before = memory("VmHWM");
   const auto now = memory("VmRSS");
   if (!before || !now || *before > 1.1 * *now) {

@@ -53,7 +53,7 @@ struct Posing {
   int steps = 0;
 };
 
-// Returns the tube, bent about x by this angle from end to end without a change of length.
+// Returns the tube after bending it about x. `degrees` is the angle between its ends. Its length stays equal.
 Points bent(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   const double k = degrees * degree / (box.high[2] - box.low[2]);
@@ -85,7 +85,7 @@ TEST_CASE("an_example_is_recovered_from_its_own_vertices") {
   CHECK(p.posing->weights()[0] == doctest::Approx(1).epsilon(1e-4));
   CHECK(std::abs(p.posing->weights()[1]) < 1e-4);
   CHECK(p.steps < 25);
-  // A target between both examples, and beyond one of them, is a blend in log space.
+  // Targets between the examples, or beyond an example, are blends in log space.
   p.posing->restart();
   const std::array terms{LogTerm{&p.vectors[0], 1.4}, LogTerm{&p.vectors[1], 0.5}};
   Points blend(model.positions.size());
@@ -130,7 +130,7 @@ TEST_CASE("without_examples_a_rigid_motion_of_the_pins_moves_all_rigidly") {
   Points shifted = model.positions;
   for (auto& x : shifted) x = x + Vec3{1, 2, 3};
   CHECK(one.error(one.solved(shifted, {.freedom = 1}), shifted) < 1e-12);
-  // Under other pins, edges keep their lengths as well as possible.
+  // For other pins, edges keep their lengths as well as possible.
   const Points bend = bent(model, 90);
   const Points free = Posing(model, {}, some_pins()).solved(bend, {.freedom = 1}, 500);
   CHECK(largest_edge_stretch(model, free) < 1.6);
@@ -162,7 +162,7 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
 
 TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
-  // This adds a seam: triangles use the vertex or its copy in turn.
+  // Adds a seam: a triangle uses either the vertex or its copy.
   const auto copy = std::uint32_t(model.positions.size());
   model.positions.push_back(model.positions[40]);
   auto triangles = model.triangles;
@@ -188,7 +188,7 @@ TEST_CASE("vertices_without_triangles_cannot_be_pinned") {
                        doctest::Contains("1,001 pins exceed the limit of 1,000"), base::Error);
 }
 
-// Seven vertices and six frames determine the other frames of the published gallop, within these limits.
+// Seven vertices and six frames determine the other frames of the published gallop, with these errors.
 TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/horse");
   if (folder.empty()) return;

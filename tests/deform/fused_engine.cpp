@@ -13,7 +13,7 @@ using namespace viete::test;
 
 namespace {
 
-// A fused frame, with a staged frame as reference.
+// A fused frame, and a staged frame as the reference.
 struct Fused {
   explicit Fused(const Bound& staged, int threads = 1,
                  const viete::sym3::Kernel& kernel = viete::sym3::kernel(), double tolerance = 0,
@@ -26,7 +26,7 @@ struct Fused {
   std::vector<viete::mesh::Point> positions() const { return frame.positions(); }
   std::vector<viete::mesh::Point> normals() const { return frame.normals(); }
 
-  // Deforms both frames. Checks their distance in diagonals of the cage.
+  // Deforms both frames, and checks their difference in diagonals of the cage.
   void check(Bound& staged, const Pose& pose, double bound = 1e-6, double normals_bound = 2e-4) {
     staged.deform(pose);
     frame.deform(pose);
@@ -42,12 +42,12 @@ struct Fused {
 
 constexpr Weighting both[] = {faces, mean_values};
 
-// 1,802 vertices in three full leaves and a partial leaf.
+// Returns a tube of 1,802 vertices. They fill three leaves and a part of a fourth leaf.
 viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
 
-// A model of 29 leaves in a cage of 308 triangles.
+// Returns a model with 29 leaves in a cage with 308 triangles.
 Bound with_radius(double radius) {
   return Bound(tube(240, 60, 0.3, 1.5), tube(14, 11, 0.6, 2), viete::test::cut_off(radius));
 }
@@ -110,8 +110,8 @@ TEST_CASE("fused_frame_is_right_and_has_the_same_bits_on_every_instruction_set")
 }
 
 TEST_CASE("fused_normals_are_right_for_any_triangles") {
-  // The model has an open strip, a fan of 200 triangles, two cones that touch at their tips, a vertex without
-  // triangles, a triangle that repeats a corner, and an edge with three triangles.
+  // The model has an open strip, a fan of 200 triangles, two cones with a common tip, an unused vertex, a
+  // triangle that repeats a corner, and an edge with three triangles.
   auto p = tube(4, 200, 0.4, 1).positions;
   auto t = tube(4, 200, 0.4, 1).triangles;
   t.resize(t.size() - 7);
@@ -173,7 +173,7 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
 }
 
 TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
-  // One element rotates until its neighbours change branches or are raised to the minimum stretch.
+  // Rotates one element until its neighbours change branches, or get the minimum stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
   dragged.frame.state.begin_drag(std::array{30u});
@@ -215,7 +215,7 @@ TEST_CASE("weight_storage_is_chosen_by_cost") {
   CHECK(Fused(near).binding->storage() == Storage::lists);
   CHECK(Fused(far).binding->storage() == Storage::dense);
   CHECK(Fused(far, 1, viete::sym3::kernel(), usual_tolerance).binding->storage() == Storage::factors);
-  // Factors are not worth the cost for small cages or few vertices.
+  // For small cages or few vertices, the cost of factors is too high.
   const Bound small_cage(tube(120, 60, 0.3, 1.5), box()),
       few_vertices(tube(4, 12, 0.3, 1.5), tube(7, 12, 0.6, 2));
   for (const Bound* b : {&small_cage, &few_vertices})
@@ -231,7 +231,7 @@ TEST_CASE("vertices_out_of_reach_of_a_dragged_vertex_keep_every_bit") {
     for (Fused* f : {&fused, &by_threads}) f->frame.deform(before);
     const auto from = fused.positions(), from_normals = fused.normals();
     const std::uint32_t dragged = 40;
-    // Vertices must be beyond the radius plus a margin, because float and double differ at the radius.
+    // Tests vertices beyond the radius plus a margin, because float and double differ at the radius.
     std::vector<bool> beyond(staged.model.positions.size(), true);
     std::vector<double> w(staged.cage->element_count());
     for (std::size_t i = 0; i < beyond.size(); ++i) {

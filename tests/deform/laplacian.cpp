@@ -37,7 +37,7 @@ double largest_difference(const SparseMatrix& a, const SparseMatrix& b) {
   return largest(as_sparse(a) - as_sparse(b));
 }
 
-// Returns a grid of n x n squares over [0, 1]^2 with displaced vertices, cut along random diagonals.
+// Returns a grid of n x n squares over [0, 1]^2. Moves the vertices, and cuts squares along random diagonals.
 mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   Random place(1), cut(seed);
   std::vector<mesh::Point> p;
@@ -62,7 +62,7 @@ mesh::Surface cut_grid(std::uint32_t n, double moved, unsigned seed) {
   return mesh::from_triangles(p, t);
 }
 
-// Returns random triangles with shared edges, needles, folds, repeated corners and duplicates.
+// Returns random triangles. Some share edges; some are needles, folds or duplicates, or repeat corners.
 mesh::Surface soup(unsigned seed, std::uint32_t vertices, std::size_t triangles) {
   Random random(seed);
   std::vector<mesh::Point> p;

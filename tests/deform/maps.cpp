@@ -21,7 +21,7 @@ Matrix diagonal(const Vec3& d) {
   return {d[0], 0, 0, 0, d[1], 0, 0, 0, d[2]};
 }
 
-// The second triangle has no area.
+// Returns two triangles. The second triangle has no area.
 viete::mesh::Surface flat_element() {
   return viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}}, {{0, 1, 2}, {0, 1, 3}});
 }
@@ -81,7 +81,7 @@ TEST_CASE("elements_without_area_have_defined_maps") {
 
 namespace {
 
-// Returns rotations by up to 180 degrees times stretches between 0.5 and 2.
+// Returns rotations by at most 180 degrees, multiplied by stretches from 0.5 to 2.
 std::vector<AffineMap> maps(std::size_t count) {
   Random random(3);
   std::vector<AffineMap> all(count);
@@ -264,7 +264,7 @@ TEST_CASE("elements_without_area_at_rest_have_zero_logs") {
 }
 
 TEST_CASE("neighbours_turned_by_more_than_120_degrees_are_reported_as_torn") {
-  // Two triangles folded about their common edge.
+  // The triangles are folded about their common edge.
   const auto rest =
       viete::mesh::from_triangles({{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {-1, 0, 0}}, {{0, 2, 1}, {0, 1, 3}});
   const Cage cage = make_cage(rest);

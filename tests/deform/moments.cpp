@@ -27,7 +27,7 @@ mesh::Surface sheet(std::uint32_t cells) {
   });
 }
 
-// Returns the distance of the fused frame from the mapped model, in diagonals of the posed cage.
+// Returns the distance from the fused frame to the mapped model, in diagonals of the posed cage.
 template <class Map>
 double fused_error(Frames& f, const Map& map) {
   const Pose pose = f.staged.pose(map);
@@ -92,7 +92,7 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
       }
     };
     Frames e(limb(), limb_cage(), scheme);
-    // If several rotations are possible, each of them preserves lengths.
+    // Several rotations may be possible. All of them preserve lengths.
     const double size = mesh::bounds(e.staged.model.positions).diagonal(), limit = 2 * size + 10;
     check(e, e.staged.pose(dot), limit), check(e, e.staged.pose(line), limit);
     check(e, e.staged.pose(mirror), limit);
@@ -106,7 +106,7 @@ TEST_CASE("fitted_maps_of_thin_collapsed_and_mirrored_cages_are_finite_in_both_e
   });
 }
 
-// If one cage point has all the weight, only the patch around it determines the rotation.
+// If one cage point has all the weight, the patch around this point determines the rotation.
 TEST_CASE("vertices_of_a_single_point_rotate_with_its_surroundings") {
   const Twist twist{2, {0, 0, 0}, -1.7, 1.7, -80 * degree, 80 * degree};
   for_schemes([&](const Scheme& scheme) {

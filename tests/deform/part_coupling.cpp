@@ -22,7 +22,7 @@ namespace {
 
 constexpr Weighting plates{.weights = Weights::biharmonic};
 
-// Separate triangles, corners displaced by up to `moved`.
+// Separates the triangles of a surface. Moves each corner by at most `moved`.
 mesh::Surface soup_of(const mesh::Surface& surface, double moved) {
   Random random(7);
   return mapped(loose_triangles(surface), [&](const Vec3& x) { return x + random.vector(moved); });
@@ -33,7 +33,7 @@ Binding bound(const mesh::Surface& model, const Cage& cage, const Weighting& wei
   return bind(model, cage, weighting, pool);
 }
 
-// The largest difference between the weights of a vertex of each binding.
+// Returns the largest difference between the weights of vertex v in `a` and vertex w in `b`.
 double apart(const Binding& a, std::size_t v, const Binding& b, std::size_t w) {
   double most = 0;
   for (std::size_t h = 0; h < a.handles; ++h)
@@ -66,7 +66,7 @@ double distance_at(const Coupling& coupling, const std::vector<mesh::Point>& p) 
   return norm(p[vertex] - (shares[0] * p[t[0]] + shares[1] * p[t[1]] + shares[2] * p[t[2]]));
 }
 
-// Rows of triangles around an axis: place(u, v) for u from `from` to `to` and v over a full turn.
+// Returns rows of triangles around an axis. place(u, v) has u from `from` to `to`, and v over a full turn.
 mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, double to,
                           const std::function<Vec3(double, double)>& place) {
   std::vector<mesh::Point> p;
@@ -81,7 +81,7 @@ mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, 
   return mesh::from_triangles(p, t);
 }
 
-// Three parts, open at gaps of 0.4 % of the diagonal, and two eyes in sockets wider by `gap`.
+// Returns three parts at distances of 0.4 % of the diagonal, and two eyes in sockets wider by `gap`.
 mesh::Surface head(double gap, double eye) {
   const Vec3 half{0.85, 0.75, 1};
   const double diagonal = 2 * norm(half), seam = 0.002 * diagonal, socket = eye + gap * diagonal;
@@ -92,7 +92,7 @@ mesh::Surface head(double gap, double eye) {
     const Vec3 d = on_sphere(u, v);
     return Vec3{half[0] * d[0], half[1] * d[1], half[2] * d[2]};
   };
-  std::vector<std::pair<Vec3, Vec3>> eyes;  // centre, outward
+  std::vector<std::pair<Vec3, Vec3>> eyes;  // the center and the outward direction of each eye
   for (const double side : {-0.45, 0.45}) {
     const Vec3 p = skin(1.4, side), n{p[0] / (half[0] * half[0]), p[1] / (half[1] * half[1]), p[2]};
     eyes.push_back({p - (0.2 * eye / norm(n)) * n, (1 / norm(n)) * n});
@@ -135,7 +135,7 @@ TEST_CASE("a_tube_in_a_tube_takes_weights_like_those_of_the_tube_around_it") {
 
 TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinates") {
   const Twist twist{2, {0, 0, 0}, -1.2, 1.2, -100 * degree, 100 * degree};
-  const auto bent = [](const Vec3& p) {  // by 90 degrees
+  const auto bent = [](const Vec3& p) {  // bends by 90 degrees
     const double radius = 2.6 / (0.5 * std::numbers::pi), angle = p[2] / radius;
     return Vec3{radius - (radius - p[0]) * std::cos(angle), p[1], (radius - p[0]) * std::sin(angle)};
   };
@@ -161,7 +161,7 @@ TEST_CASE("eyes_stay_in_their_sockets_about_as_well_as_with_mean_value_coordinat
 }
 
 TEST_CASE("a_coarse_part_is_coupled_to_the_nearest_points_and_not_to_the_nearest_vertices") {
-  // A large triangle, and a small one above its middle.
+  // A large triangle, and a small triangle above the middle of the large one.
   const auto model = mesh::from_triangles(
       {{-2, -1, 0}, {2, -1, 0}, {0, 2, 0}, {-0.1, -0.1, 0.01}, {0.1, -0.1, 0.01}, {0, 0.1, 0.01}},
       {{0, 1, 2}, {3, 4, 5}});
@@ -194,7 +194,7 @@ TEST_CASE("a_triangle_soup_has_the_weights_of_its_surface") {
 }
 
 TEST_CASE("folds_that_touch_are_coupled_and_neighbours_along_the_surface_are_not") {
-  // A strip that folds back 0.0005 above itself.
+  // A strip that folds back. The upper half is 0.0005 above the lower half.
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
   for (std::uint32_t i = 0; i <= 20; ++i) {

@@ -21,7 +21,7 @@ struct Posed {
 
   const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
-  // Returns a fraction of one pose. between() interpolates two poses.
+  // Returns a fraction of a pose. between() interpolates two poses.
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
@@ -52,7 +52,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     for (const double angle : {180.0, 179.999, 90.0, 20.0, -150.0}) {
       const Pose half = p.share(p.by(similarity(axis, angle * degree)), 0.5);
       const auto quarter = mapped(p.rest(), similarity(axis, angle * degree / 2));
-      // At 180 degrees, rotations in both directions are valid.
+      // At 180 degrees, both directions of rotation are valid.
       const auto other = mapped(p.rest(), similarity(axis, -angle * degree / 2));
       const double error = p.error(half, quarter);
       CHECK((angle == 180 ? std::min(error, p.error(half, other)) : error) < 1e-12);
@@ -154,7 +154,7 @@ TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);
         for (Vec3& x : expected) x = middle + turn(x - middle);
-        // Logs do not represent 2 % of a shaken cage. This part does not rotate between keys.
+        // Logs do not represent 2 % of a shaken cage. This part does not rotate between the keys.
         const bool is_key = share == 0 || share == 1;
         CHECK(p.error(p.between(from, to, share), expected) < (is_key ? 1e-12 : 0.04));
       }

@@ -29,7 +29,7 @@ Probe probe_at(const Vec3& place, const Influence& influence) {
   return {place, influence, influence, influence, false, {}};
 }
 
-// A pose with a large rotation, stretch and translation.
+// Returns a pose with a large rotation, stretch and translation.
 ProbePose strong() {
   return {{0.7, -1.9, 1.1}, {0.3, 0.1, -0.2, -0.4, 0.15, 0.25}, {0.2, -0.1, 0.4}};
 }
@@ -38,7 +38,7 @@ Vec3 moved_by_map(const Probe& p, const Vec3& x) {
   return p.place + times(linear_part(p.pose), x - p.place) + p.pose.move;
 }
 
-// Returns positions moved only by the probes.
+// Returns the positions after only the probes moved them.
 std::vector<Vec3> moved_by(const Probes& probes, std::vector<Vec3> positions, const Mask& mask = nullptr,
                            int threads = 2) {
   viete::base::WorkerPool pool(threads);
@@ -59,7 +59,7 @@ std::vector<ProbeWeights> probe_weights_at(const Probes& probes, const Vec3& poi
   return weights;
 }
 
-// Two probes near the tube's ends and a locked probe between them.
+// Returns two probes near the tube's ends, with a locked probe between them.
 Probes some_probes() {
   Probes probes;
   probes.all = {probe_at({0.1, 0, -1}, within(1.2)), probe_at({0, 0.1, 1.1}, within(0.9, Falloff::round)),
@@ -130,7 +130,7 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
   for (const auto& falloff : all_falloffs())
-    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // for a radius of almost 0
+    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // the radius is almost 0
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("probes_share_a_vertex_by_their_mix") {
       CHECK(sum(w, &ProbeWeights::pivot) == doctest::Approx(1).epsilon(1e-14));
       if (mix != ProbeMix::partial) CHECK(sum(w, &ProbeWeights::turn) == doctest::Approx(1).epsilon(1e-14));
     }
-    // Softmax gives the nearer probe at least the part that division by the sum gives.
+    // Softmax gives the nearer probe a part that is at least as large as division by the sum.
     const double even = a / (a + b), sharp = w[0].turn;
     CHECK((even > 0.5 ? sharp >= even : even < 0.5 ? sharp <= even : sharp == doctest::Approx(0.5)));
   }
@@ -234,7 +234,7 @@ TEST_CASE("turns_and_scales_compose_like_matrices") {
   }
   CHECK(one.stretch.xx == strong().stretch.xx);
   CHECK(turned(strong(), axis, 0) == strong());
-  // Whole turns stay; the pose never mirrors or collapses.
+  // The pose keeps whole turns. It never mirrors or collapses.
   ProbePose wound;
   wound.turn = {0, 0, 5 * pi};
   CHECK(norm(scaled(wound, {1.5, 1.5, 1.5}).turn - wound.turn) < 1e-12);
@@ -264,7 +264,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     Frames f(probed_tube(), box(), scheme);
     const Pose pose = f.staged.pose(twist);
     const auto without = f.deform(pose);
-    // The result equals the layer applied to the cage's result.
+    // The result equals that of applying the layer to the cage's result.
     auto carried = without;
     ProbeLayer layer(probed_tube().positions, f.staged.pool);
     layer.set(some_probes(), nullptr);
@@ -273,7 +273,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     CHECK(f.deform(pose) == carried);
     CHECK(f.fused.times()[Link::probes] > 0);
     if (scheme.stitched()) continue;
-    // Probes follow the nearest vertex, before any probe moves it.
+    // Each probe follows its nearest vertex before probes move this vertex.
     const auto ridden = f.fused.probes().carried();
     const double diagonal = f.staged.cage->diagonal;
     for (std::size_t i = 0; i < ridden.size(); ++i) {
@@ -281,7 +281,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
       const Vec3 way = without[v] - probed_tube().positions[v];
       CHECK(norm(f.fused.origin() + ridden[i] - (some_probes().all[i].place + way)) / diagonal < 2e-5);
     }
-    // A frame does not depend on earlier frames or on a drag.
+    // A frame does not depend on earlier frames, nor on a drag.
     const auto whole = f.fused.positions();
     f.fused.begin_drag(std::array{0u, 1u});
     for (int n = 0; n < 3; ++n) f.fused.deform(pose, Method::fast);

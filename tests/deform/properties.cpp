@@ -12,7 +12,7 @@ mesh::Surface tube_model() {
   return tube(30, 12, 0.25, 1.9);
 }
 
-// The model is partly outside of the cage and touches it.
+// Returns a model that is partly outside of the cage and touches the cage.
 mesh::Surface model_across() {
   return together(tube(12, 12, 0.3, 3), box({1, 1, 1}, {0.5, 0, 0}));
 }
@@ -64,7 +64,7 @@ TEST_CASE("similarity_poses_move_every_vertex_by_that_similarity") {
 }
 
 TEST_CASE("halfway_between_opposite_turns_logs_keep_the_thickness_that_averaged_maps_lose") {
-  // The cage is two boxes that rotate by 80 degrees in opposite directions; the model is a tube between them.
+  // The cage is two boxes that rotate by 80 degrees in opposite directions. The model is a tube between them.
   auto cage = together(box({0.5, 0.5, 0.5}), box({0.5, 0.5, 0.5}));
   for (std::size_t v = 0; v < 16; ++v) cage.positions[v][2] += v < 8 ? 1.5 : -1.5;
   const auto turned = [](const Vec3& x) { return similarity({0, 0, 1}, (x[2] > 0 ? 80 : -80) * degree)(x); };

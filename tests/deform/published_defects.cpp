@@ -27,7 +27,7 @@ using namespace viete::test;
 
 namespace {
 
-// Returns the different weightings of all schemes.
+// Returns each weighting that a scheme uses, without repetitions.
 std::vector<Weighting> all_weightings() {
   std::vector<Weighting> all;
   for (const Scheme& s : whole_schemes()) {
@@ -77,7 +77,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
   const auto surface = box({1, 1.1, 1.2});
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
-  for (const auto& face : surface.triangles) {  // splits it into six triangles about its centre
+  for (const auto& face : surface.triangles) {  // splits the face into six triangles about its center
     const auto first = static_cast<std::uint32_t>(p.size());
     for (int i = 0; i < 3; ++i) {
       const Vec3 &a = surface.positions[face[i]], &b = surface.positions[face[(i + 1) % 3]];
@@ -92,7 +92,7 @@ TEST_CASE("vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every
     CAPTURE(text(scheme));
     Bound b(model, surface, scheme.weighting, 1, scheme.blend);
     for (std::size_t i = 0; i < p.size(); ++i)
-      CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // fails for NaN
+      CHECK(total_of(weights_of(*b.binding, i)) == doctest::Approx(1).epsilon(1e-10));  // also fails for NaN
     CHECK(b.error(map) < 1e-10);
     CHECK(all_finite(b.deform(b.pose(shear()))));
   }
@@ -113,11 +113,11 @@ TEST_CASE("a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights
   const double pair = 2 * sizeof(double);
   for (const Weighting& weighting : all_weightings()) {
     CAPTURE(text({weighting}));
-    if (entry(weighting.weights).on_surface) continue;  // these weights need memory for solving
+    if (entry(weighting.weights).on_surface) continue;  // solving for these weights needs memory
     CHECK(static_cast<double>(binding_bytes(800'000, 300, EngineKind::fused, weighting)) <
           800e3 * (300 * pair / 4 + 200));
   }
-  // After binding, the size includes a few empty slots.
+  // After binding, a few empty slots increase the size.
   const auto model = tube(51, 50, 0.3, 1.4);
   const Cage cage = make_cage(tube(12, 12, 0.5, 1.8));
   base::WorkerPool pool(2);

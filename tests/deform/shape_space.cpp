@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A model, and shapes between rest and other shapes.
+// A model, and shapes halfway between rest and other shapes.
 struct Shapes {
   mesh::Surface rest;
   base::WorkerPool pool;
@@ -37,7 +37,7 @@ struct Shapes {
   }
 };
 
-// Moves the centre of each part to the origin.
+// Moves each part so that its center is at the origin.
 Points centered(Points points, std::size_t part_size) {
   for (std::size_t first = 0; first < points.size(); first += part_size) {
     Vec3 mean{0, 0, 0};
@@ -48,13 +48,13 @@ Points centered(Points points, std::size_t part_size) {
   return points;
 }
 
-// Returns the tube with its rings rotated about z, by an angle that grows along the tube.
+// Returns the tube after rotating its rings about z. The angle grows along the tube.
 Points twisted(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   return mapped(tube.positions, Twist{2, {0, 0, 0}, box.low[2], box.high[2], 0, degrees * degree});
 }
 
-// Returns the root mean square of log(edge length / geometric mean of both ends).
+// Returns the root mean square of log(length / geometric mean of the lengths at both ends), over all edges.
 double edge_error(const mesh::Surface& s, const Points& a, const Points& b, const Points& between) {
   double sum = 0;
   for (const auto& t : s.triangles) {
@@ -124,7 +124,7 @@ TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
-  // A vertex moves through its neighbours to the other side.
+  // Moves a vertex through its neighbours to the other side.
   const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
   const std::uint32_t moved = t[0];
   shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];

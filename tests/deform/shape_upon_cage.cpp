@@ -11,7 +11,7 @@ mesh::Surface shaped_model() {
   return tube(30, 20, 0.3, 3);
 }
 
-// Returns the model bent, thicker at one end, and moved.
+// Returns the model after bending it, making one end thicker, and moving it.
 SharedShape bent(const mesh::Surface& model) {
   std::vector<mesh::Point> shape;
   for (const auto& p : model.positions) {

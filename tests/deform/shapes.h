@@ -19,7 +19,7 @@ using namespace deform;
 
 inline constexpr double degree = std::numbers::pi / 180;
 
-/// A box of 12 triangles that face outward.
+/// Returns a box of 12 triangles that face outward.
 inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 0, 0}) {
   std::vector<mesh::Point> p;
   for (int i = 0; i < 8; ++i) {
@@ -40,7 +40,7 @@ inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 
                                   {1, 7, 5}});
 }
 
-/// A closed tube along z from -length/2 to length/2. Its vertices are rings of `sides`, then two cap centres.
+/// Returns a closed tube along z from -length/2 to length/2. The two cap centers follow after the rings.
 inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radius, double length) {
   std::vector<mesh::Point> p;
   for (std::uint32_t r = 0; r < rings; ++r) {
@@ -65,7 +65,7 @@ inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radiu
   return mesh::from_triangles(p, t);
 }
 
-/// A grid of n x n squares of side 1 in the plane z = 0.
+/// Returns a grid of n x n squares with side 1 in the plane z = 0.
 inline mesh::Surface grid(std::uint32_t n) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -79,7 +79,7 @@ inline mesh::Surface grid(std::uint32_t n) {
   return mesh::from_triangles(p, t);
 }
 
-/// Returns both surfaces as one surface, not connected.
+/// Returns both surfaces as one surface. They are not connected.
 inline mesh::Surface together(const mesh::Surface& a, const mesh::Surface& b) {
   auto p = a.positions;
   p.insert(p.end(), b.positions.begin(), b.positions.end());
@@ -102,14 +102,14 @@ struct Affine {
   }
 };
 
-/// A rotation by `angle` radians about `axis`, then a scale, then a shift.
+/// Returns a map that rotates by `angle` radians about `axis`, then scales, then moves.
 inline Affine similarity(Vec3 axis, double angle, double scale = 1, const Vec3& shift = {0, 0, 0}) {
   Affine map{sym3::exp_rotation<double>((angle / norm(axis)) * axis), shift};
   for (double& x : map.linear) x *= scale;
   return map;
 }
 
-/// The shear of pose_affine in the data.
+/// Returns the shear of the pose_affine files.
 inline Affine shear() {
   return {{1.2, 0.3, -0.1, -0.2, 0.9, 0.25, 0.15, -0.35, 1.1}, {0.3, -0.2, 0.1}};
 }
@@ -127,12 +127,12 @@ mesh::Surface mapped(mesh::Surface surface, const Map& map) {
   return surface;
 }
 
-/// A scale, then a shift.
+/// Returns a map that scales and then moves.
 inline Affine scaling(double scale, const Vec3& shift = {0, 0, 0}) {
   return {{scale, 0, 0, 0, scale, 0, 0, 0, scale}, shift};
 }
 
-/// Gives each triangle its own corners.
+/// Separates the triangles: each triangle gets its own vertices.
 inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -144,7 +144,7 @@ inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   return mesh::from_triangles(p, t);
 }
 
-/// A twist about an axis through `center`. The angle in radians grows linearly from `low` to `high`.
+/// A twist about an axis through `center`. The angle, in radians, grows linearly from `low` to `high`.
 struct Twist {
   int axis;
   Vec3 center;
@@ -157,7 +157,7 @@ struct Twist {
   }
 };
 
-/// Returns the largest ratio of an edge's length to its length at rest. Tears increase the ratio.
+/// Returns the largest ratio of an edge's posed length to its rest length. Tears make the ratio large.
 inline double largest_edge_stretch(const mesh::Surface& rest, std::span<const mesh::Point> posed) {
   double largest = 0;
   for (const auto& t : rest.triangles) {

@@ -1,4 +1,4 @@
-// Vertices that make only a part of their motion, because of partial weights or a mask.
+// Tests vertices that follow only a part of their motion, because of partial weights or a mask.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -12,7 +12,7 @@ mesh::Surface shared_model() {
   return tube(40, 24, 0.3, 3);
 }
 
-// Returns shares from 0 at one end to 1 at the other.
+// Returns mask values from 0 at one end to 1 at the other end.
 Mask ramp(const mesh::Surface& model) {
   std::vector<float> mask;
   for (const auto& p : model.positions)
@@ -117,7 +117,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     }
     CHECK(staying > 20);
     CHECK(partly > 20);
-    // With a radius beyond the whole cage there are no shares. A mask multiplies existing shares.
+    // If the radius is beyond the whole cage, every vertex follows completely. A mask multiplies this.
     f.set_mask(everywhere(0.5f));
     f.deform(f.staged.pose(shared_twist));
     scheme.weighting.radius = number("radius").largest;

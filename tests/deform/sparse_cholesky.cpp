@@ -23,7 +23,7 @@ EigensSparse eigens(const SparseMatrix& matrix) {
                                         matrix.rows.data(), matrix.values.data());
 }
 
-// The lower triangle of a positive definite matrix, with about `entries_a_row` entries per row.
+// Returns the lower triangle of a positive definite matrix. Each row has about `entries_a_row` entries.
 SparseMatrix random_definite(std::uint32_t n, double entries_a_row, Random& random) {
   std::vector<MatrixEntry> entries;
   for (std::uint32_t i = 0; i < n; ++i) entries.push_back({i, i, 4 * entries_a_row + random(1, 2)});
@@ -43,7 +43,7 @@ SparseMatrix dense_definite(std::uint32_t n, Random& random) {
   return sparse_matrix(n, entries);
 }
 
-// The Laplacian of a model, with some vertices held.
+// Returns the Laplacian of a model in which some vertices are fixed.
 SparseMatrix firm_laplacian(const mesh::Surface& s, double firmness = 1, std::uint32_t every = 10) {
   SparseMatrix k = stiffness_matrix(s.positions, s.triangles);
   for (std::uint32_t v = 0; v < k.size(); v += every) {
@@ -54,7 +54,7 @@ SparseMatrix firm_laplacian(const mesh::Surface& s, double firmness = 1, std::ui
   return k;
 }
 
-// Two bodies, and a vertex of neither.
+// Returns two bodies, and a vertex that belongs to no body.
 mesh::Surface two_bodies() {
   mesh::Surface parts = together(tube(15, 12, 0.7, 5), box({1, 1, 1}, {5, 0, 0}));
   parts.positions.push_back({9, 9, 9});
@@ -65,7 +65,7 @@ DenseMatrix whole_of(const SparseMatrix& matrix) {
   return DenseMatrix(eigens(matrix)).selfadjointView<Eigen::Lower>();
 }
 
-// Solves for the second of four columns, the others being 0.
+// Solves for the second of four columns. The other columns are 0.
 void check_solution(const SparseMatrix& matrix) {
   const DenseMatrix whole = whole_of(matrix);
   const std::size_t n = matrix.size();
@@ -244,7 +244,7 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
   const BlockSolver solver(
       sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
-  block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // (1, 3)
+  block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // the entry (1, 3)
   solver.solve(block, sparse_kernel(sym3::kernel()));
   CHECK(block[solver.place(0)] == doctest::Approx(1));
   CHECK(block[solver.place(1)] == doctest::Approx(3));

@@ -66,7 +66,7 @@ Vec3 bent_pipe(const Vec3& x) {
   return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
 }
 
-// Returns the energy of positions for one map, by independent formulas: gradients in each triangle's plane.
+// Returns the energy of positions for one map. Uses independent formulas: gradients in each triangle's plane.
 double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
                       const sym3::Mat3<double>& map) {
   double sum = 0;
@@ -85,7 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// Returns x^T K x. At the minimum over x, the energy is c - x^T K x, and c does not depend on the rotations.
+// Returns x^T K x. If x minimizes the energy, the energy is c - x^T K x. c does not depend on the rotations.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;
@@ -126,7 +126,7 @@ TEST_CASE("stitching_does_not_depend_on_position_or_scale_of_the_scene") {
 }
 
 TEST_CASE("a_stitched_model_is_the_minimum_of_the_energy_of_its_maps") {
-  // All triangles follow one map, which is not the cage's map. The test makes the rows itself.
+  // All triangles follow one map that differs from the cage's map. The test makes the rows itself.
   const StitchScene s(pipe());
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
@@ -210,7 +210,7 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
     CHECK(all_finite(posed));
     CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
   }
-  // Holds are needed for the inner part, and for vertices without a triangle that is not thin.
+  // Constraints are needed for the inner part, and for vertices without a triangle that has enough area.
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
   Scheme blended = stitched();

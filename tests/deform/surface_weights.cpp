@@ -21,7 +21,7 @@ namespace {
 
 using std::numbers::pi;
 
-// Small triangles at these places: each an element of a cage that encloses nothing.
+// Returns a cage of small triangles at these places. The cage encloses nothing.
 Cage triangles_at(const std::vector<Vec3>& places) {
   std::vector<mesh::Point> p;
   std::vector<mesh::Triangle> t;
@@ -34,7 +34,7 @@ Cage triangles_at(const std::vector<Vec3>& places) {
   return make_cage(mesh::from_triangles(p, t));
 }
 
-// The solved weights, one row per vertex.
+// Solves for the weights. The result has one row per vertex.
 Eigen::MatrixXd solved_weights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                                int threads = 2) {
   base::WorkerPool pool(threads);
@@ -94,8 +94,8 @@ TEST_CASE("each_handle_owns_the_vertex_that_is_nearest_to_it") {
 TEST_CASE("handles_without_area_and_vertices_without_triangles_own_nothing_and_are_not_owned") {
   auto cage_surface = box();
   cage_surface = mesh::from_triangles(cage_surface.positions, cage_surface.triangles);
-  cage_surface.positions.push_back({0, 0, 1});  // belongs to no triangle
-  cage_surface.triangles.push_back({0, 0, 1});  // has no area
+  cage_surface.positions.push_back({0, 0, 1});  // this vertex has no triangle
+  cage_surface.triangles.push_back({0, 0, 1});  // this triangle has no area
   const Cage cage = make_cage(mesh::from_triangles(cage_surface.positions, cage_surface.triangles));
   auto model = box({0.5, 0.5, 0.5});
   model.positions.push_back({0.99, 0, 0});  // nearest to a side of the cage, but in no triangle

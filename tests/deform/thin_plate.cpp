@@ -18,7 +18,7 @@ Eigen::MatrixXd dense(const SparseMatrix& m) {
   return full;
 }
 
-// The minimum by one dense system, for vertices of parts with springs.
+// Computes the minimum with one dense system, for the vertices of parts that have springs.
 Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
                                 const std::vector<bool>& has_spring, const std::vector<double>& strengths,
                                 const std::vector<ThinPlate::Load>& loads) {
@@ -56,7 +56,7 @@ TEST_CASE("parts_are_held_by_springs_and_grounded_at_the_first_one") {
 }
 
 TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
-  // Two parts with several springs, one with a single one, one without, and a vertex of no triangle.
+  // Four parts: two with several springs, one with one spring, and one without. A vertex has no triangle.
   auto model =
       together(together(tube(8, 9, 0.5, 2), tube(5, 6, 0.2, 1)), together(box(), box({1, 1, 1}, {5, 0, 0})));
   model.positions.push_back({7, 7, 7});
@@ -70,7 +70,7 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
   }
   for (std::uint32_t again = 0; again < 12; ++again) loads.push_back(loads[again % 10]);
   loads.push_back({});
-  loads.push_back({{0, 0.5}, {80, 0.25}, {95, -1}});  // in several parts, one at a ground
+  loads.push_back({{0, 0.5}, {80, 0.25}, {95, -1}});  // in several parts; one load is at a ground
   base::WorkerPool pool(2);
   const auto parts = held_parts(laplacian.stiffness, has_spring);
   REQUIRE(parts.grounds.size() == 3);

@@ -1,4 +1,4 @@
-// A twisted tube must follow the cage through full turns without tears.
+// Twists a tube by full turns. The tube must follow the cage and must not tear.
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"
@@ -7,7 +7,7 @@ using namespace viete::test;
 
 namespace {
 
-// A tear separates neighbours by the model's size, so edges stretch far more than the cage's edges.
+// A tear separates neighbours by the model's size: edges stretch far more than the cage's edges.
 constexpr double tear = 1.5;
 
 }  // namespace
@@ -18,7 +18,7 @@ TEST_CASE("a_tube_twisted_from_both_ends_or_one_does_not_tear") {
     double low, most, farthest;
   } cases[] = {{9, 6, -0.5, 400, 0.18},
                {17, 8, -0.5, 400, 0.18},
-               {25, 12, -0.5, 400, 0.18},  // the radius
+               {25, 12, -0.5, 400, 0.18},  // the last number is the radius
                {9, 6, 0, 280, 1},
                {17, 8, 0, 280, 1}};
   for (const auto& c : cases) {

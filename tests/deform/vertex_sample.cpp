@@ -67,7 +67,7 @@ TEST_CASE("the_sum_at_a_vertex_equals_that_of_its_terms_and_the_exponent_of_the_
       if (i > 0) CHECK(std::abs(sum.terms[i].weight) <= std::abs(sum.terms[i - 1].weight));
     }
     CHECK(weights == doctest::Approx(1).epsilon(1e-12));
-    // The element with the largest term is near.
+    // The element that has the largest term is near.
     CHECK(norm(offset - bent(b.model.positions[vertex])) < 1);
   }
   const Mask half = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.5f);

@@ -10,7 +10,7 @@ using namespace viete::test;
 
 namespace {
 
-// Returns points inside, on and outside the cage, also near and on corners, edges and faces.
+// Returns points inside, on and outside the cage. Some are near corners, edges and faces, or on them.
 std::vector<viete::mesh::Point> points_around(const Cage& cage) {
   Random random(17);
   std::vector<viete::mesh::Point> points;
@@ -45,7 +45,7 @@ const Weighting weightings[] = {faces,
                                 {Elements::face, Weights::cut_off, 0.6},
                                 {Elements::point, Weights::cut_off, 0.1}};
 
-// Weighs points eight at a time. Calls use(number, weights, share, true if there are no weights) for each.
+// Weighs eight points at a time. Calls use(number, weights, share, true if it has no weights) per point.
 template <class Use>
 void for_points(const Weigher& weigher, std::span<const viete::mesh::Point> points, const Use& use) {
   std::vector<double> scratch(weigher.scratch_size()), weights(weigher.handles());

@@ -38,7 +38,7 @@ TEST_CASE("half_of_a_half_turn_between_keys_is_a_quarter_turn") {
   const Animation even = k.animation(two_keys(turned_cube(0), turned_cube(180)));
   for (double share = 0; share <= 1; share += 0.05)
     CHECK(distance(even.at(1 + 10 * share).cage.positions, turned_cube(180 * share).positions) < 1e-12);
-  // In the middle of a linear blend, the cube collapses.
+  // In the middle of a linear blend, the cube has no volume.
   Timeline straight = two_keys(turned_cube(0), turned_cube(180));
   straight.straight = true;
   for (const auto& middle : {even.at(6, true), k.animation(straight).at(6)})
@@ -92,7 +92,7 @@ TEST_CASE("the_frame_of_a_key_is_its_pose_to_the_bit_in_either_way") {
 
 namespace {
 
-// A cube without a cage, and shapes of the cube.
+// A cube without a cage, and shapes of this cube.
 struct Shaped {
   std::shared_ptr<const mesh::Surface> model = std::make_shared<const mesh::Surface>(test::cube(1));
   VectorCache vectors;
@@ -129,7 +129,7 @@ TEST_CASE("keys_with_and_without_shapes_lead_by_logs_from_one_to_the_next") {
   const auto straight = a.at(6, true).shape;
   for (std::size_t v = 0; v < straight->size(); ++v)
     CHECK(mesh::norm((*straight)[v] - 0.5 * (m.model->positions[v] + (*turned)[v])) < 1e-15);
-  // The result does not depend on the frames that were computed before.
+  // The result does not depend on frames that were computed earlier.
   std::vector<WholePose> in_order;
   for (int frame = 1; frame <= 31; ++frame) in_order.push_back(a.at(frame));
   Shaped other;

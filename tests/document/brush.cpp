@@ -102,7 +102,7 @@ TEST_CASE("a_ray_meets_the_posed_model_where_it_is_nearest") {
   CHECK((*hit)[2] == doctest::Approx(box.high[2]));
   CHECK((*hit)[0] == doctest::Approx(c[0] + 0.01));
   CHECK_FALSE(pick_model(d, {}, {ray.origin, {0, 0, 1}}));
-  // If the model moves by 5 along x, the ray must move by 5 too.
+  // Moves the model by 5 along x. The ray must move by 5 too.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : d.model.surface->positions)
     posed.push_back({{float(x[0] + 5), float(x[1]), float(x[2])}, {}});

@@ -31,7 +31,7 @@ double volume(const mesh::Surface& s) {
   return six / 6;
 }
 
-// Returns a cube with one posed vertex, in cage editing.
+// Returns a document in cage editing: a cube with one posed vertex.
 Document edited_cube() {
   Document document = test::cube_document();
   document.pose.positions[7] = {3, 3, 3};
@@ -151,7 +151,7 @@ TEST_CASE("extruding_selects_what_was_pushed_out_and_keeps_the_cage_closed") {
   CHECK(volume(document.cage->surface) > size);
   CHECK(document.cage->surface.positions.size() == 12);
   undo(document);
-  // All faces are extruded: each vertex moves along its own normal.
+  // All faces are extruded: each vertex moves along the normal of its own face.
   document.selection.select_all(document.cage->surface.polygon_count());
   extrude_selected(document);
   CHECK(document.cage->closed);

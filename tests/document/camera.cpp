@@ -26,7 +26,7 @@ glm::vec2 pixel(const Camera& camera, const Viewport& v, const glm::vec3& p) {
   return {(0.5f + 0.5f * clip.x / clip.w) * v.window.x, (0.5f - 0.5f * clip.y / clip.w) * v.window.y};
 }
 
-// Returns a bottle that is wide at one end of the axis and narrow at the other end.
+// Returns a bottle along the axis. One end is wide, and the other end is narrow.
 OpenedSurface bottle(std::size_t axis, const std::string& format = "OBJ") {
   mesh::Surface cone = test::cube(1);
   for (auto& p : cone.positions) {

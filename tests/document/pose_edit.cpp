@@ -29,7 +29,7 @@ struct Mixed {
   std::vector<NamedPose>& poses() { return document.library.poses; }
   const std::vector<mesh::Point>& positions() const { return document.pose.positions; }
   bool weigh(std::size_t pose, double weight) { return set_weight(document, vectors, pose, weight); }
-  // Sets the pose like a drag.
+  // Sets the pose as a drag does.
   void put(const deform::Pose& pose, const char* label = "move by hand") {
     record_edit(document, label);
     document.pose = pose;
@@ -160,7 +160,7 @@ TEST_CASE("several_poses_are_added_in_log_space_and_subtracted") {
   m.weigh(2, 0);
   CHECK(clear_mix(m.document, m.vectors));
   CHECK(m.positions() == test::cube(1.5).positions);
-  // Whole turns are counted.
+  // The mix also uses whole turns.
   m.poses()[0].pose = whole(turned_cube(360));
   m.weigh(0, 0.5);
   m.weigh(2, 1);
@@ -204,7 +204,7 @@ TEST_CASE("a_drag_edits_the_pose_below_the_mix") {
   CHECK(distance(m.positions(), turned_cube(110).positions) < 1e-12);
   m.weigh(0, 0);
   CHECK(distance(m.positions(), turned_cube(20).positions) < 1e-12);
-  // A whole turn is an edit too.
+  // A change of whole turns is an edit too.
   m.weigh(0, 0.5);
   m.put(turned_cube(65 + 360));
   m.weigh(0, 0.75);

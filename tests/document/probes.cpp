@@ -58,7 +58,7 @@ TEST_CASE("a_probe_is_added_where_the_model_is_drawn_and_selected") {
   CHECK(p.document().selection.kind() == ElementKind::probe);
   CHECK(p.document().selection.contains(0));
   CHECK(test::edit_count(p.document().history) == 1);
-  // On a posed model, the probe is added at the corresponding rest point.
+  // The model is posed. The probe is added at the corresponding point at rest.
   std::vector<deform::FrameVertex> posed;
   for (const auto& x : p.document().model.surface->positions)
     posed.push_back({{float(x[0]) + 7, float(x[1]), float(x[2])}, {}});
@@ -103,7 +103,7 @@ TEST_CASE("probes_move_turn_and_scale_about_the_middle_of_what_is_selected") {
   CHECK(p.probe().pose == ProbePose{});
   CHECK_FALSE(differs_from_rest(p.document()));
   CHECK(p.document().pose.positions == p.document().cage->surface.positions);
-  // The probe rotates about its position on the moved cage.
+  // The probe rotates about its position on the cage after the cage moved.
   p.document().carried.resize(2);
   p.document().carried[0].place = {1, 5, 0}, p.document().carried[1].place = {-1, 5, 0};
   CHECK(test::selection_center(p.document()) == glm::dvec3(0, 5, 0));
@@ -165,7 +165,7 @@ TEST_CASE("a_mirrored_probe_is_a_copy_on_the_other_side_of_the_models_middle") {
 }
 
 TEST_CASE("the_axis_of_symmetry_is_found") {
-  // A cube that is deformed along two axes is symmetric only across the third axis.
+  // If a cube is deformed along two axes, it is symmetric only across the third axis.
   for (std::size_t kept = 0; kept < 3; ++kept) {
     mesh::Surface surface = test::CubeFiles::subdivided_cube();
     for (auto& p : surface.positions) {
@@ -194,7 +194,7 @@ TEST_CASE("influences_are_set_for_all_that_are_selected_and_radii_slide_as_one_e
   CHECK(p.probe(0).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(1).turn == Influence{Falloff::smooth, 0.3});
   CHECK(p.probe(2).turn == Influence{Falloff::smooth, usual});  // the probe is locked
-  // Changing other probes or another part is another edit. A new falloff keeps the radii.
+  // A change of other probes, or of another part, is another edit. A new falloff keeps the radii.
   p.select({1});
   set_radius(p.document(), &Probe::turn, 0.5);
   set_radius(p.document(), &Probe::move, 0.6);
@@ -284,7 +284,7 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     CHECK_FALSE(has_unsaved_edits(back));
     REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
     CHECK(is_kept());
-    CHECK(has_unsaved_edits(back));  // no session file has the probes together with this cage
+    CHECK(has_unsaved_edits(back));  // no session file has both the probes and this cage
     REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
     CHECK_FALSE(back.document.mask);

@@ -34,7 +34,7 @@ Selection some(ElementKind kind, const Numbers& indices) {
 
 constexpr ElementKind kinds_of_cages[] = {ElementKind::vertex, ElementKind::edge, ElementKind::face};
 
-// Returns a cage of two separate quads and an unused vertex.
+// Returns a cage of two separate quads. One vertex is unused.
 deform::Cage two_quads() {
   mesh::Surface surface;
   for (int i = 0; i < 9; ++i)

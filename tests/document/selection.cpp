@@ -74,7 +74,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   redo(w.document);
   CHECK(w.document.selection == vertices({7}));
   undo(w.document);
-  // If the vertex is dragged out and back, only the selection changes.
+  // Drags a vertex and returns it to its place. Only the selection changes.
   mouse.begin(from, from + 30.0f), mouse.move(from), mouse.release();
   CHECK(w.document.selection == vertices({7}));
   CHECK(w.document.history.undo_label() == "select");
@@ -95,7 +95,7 @@ TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
   CHECK(test::run_command(w, "invert_selection"));
   CHECK(w.document.selection.empty());
-  // A face with a hidden corner can be selected and moved, but the corner does not move.
+  // Selects and moves a face with a hidden corner. The corner does not move.
   CHECK(test::run_command(w, "select_faces"));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.size() == 12);
@@ -165,7 +165,7 @@ TEST_CASE("sets_go_with_their_vertices_through_edits_of_the_cage_and_lost_ones_a
   CHECK(w.document.groups.sets[0].vertices == Indices{4, 5, 6});
   REQUIRE_FALSE(w.messages.all().empty());
   CHECK(w.messages.all().back().text.find("\"Set 1\"") != std::string::npos);
-  // A new vertex between two vertices of a set is in the set.
+  // Adds a vertex between two vertices of a set. The new vertex is in the set.
   select_set(w.document, 0, SelectMode::replace);
   CHECK(test::run_command(w, "split_edges"));
   CHECK(w.document.groups.sets[0].vertices.size() > 3);

@@ -58,7 +58,7 @@ struct BarFiles : test::TemporaryFolder {
     write("bar.obj", bar.positions);
   }
 
-  // Bends the bar about z along an arc that keeps the length of the center line.
+  // Bends the bar about z along an arc. The length of the center line does not change.
   Points bent(double angle) const {
     Points points;
     const double length = bar.positions.back()[1], radius = length / angle;
@@ -97,7 +97,7 @@ struct BarFiles : test::TemporaryFolder {
     formats::write(*this / "cage.obj", cage);
     return *this / "cage.obj";
   }
-  // Moves a pin like a drag.
+  // Moves a pin as a drag does.
   void move_pin(std::size_t pin, const mesh::Vec3& way) {
     record_edit(document(), "move a pin");
     document().changed_probes().all[pin].pose.move = document().probes.all[pin].pose.move + way;
@@ -183,7 +183,7 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   CHECK(f.document().library.poses.size() == 6);
   REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());
-  // From a folder, all fitting files except the model itself are imported.
+  // Imports all suitable files of a folder, except the model itself.
   REQUIRE(open_now(f.w, {What::shapes, {f / "."}}));
   CHECK(f.document().library.poses.size() == 3);
 }
@@ -214,7 +214,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
   for (std::size_t i = 0; i < 2; ++i) CHECK(*b.timeline.keys[i].pose == *a.timeline.keys[i].pose);
   CHECK(b.pose.positions == a.pose.positions);
   CHECK(!has_unsaved_edits(again));
-  // Each shape is written once: two imported shapes and a mixed shape.
+  // The file has each shape once: two imported shapes and one mixed shape.
   const std::string text = test::file_bytes(file);
   std::size_t shapes = 0;
   for (std::size_t at = 0; (at = text.find("\"float", at)) != std::string::npos; ++at) ++shapes;
@@ -297,7 +297,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   const Probe& pin = f.document().probes.all[2];
   CHECK(pin.place + pin.pose.move == f.shape()[66]);
   f.settle_pins();
-  // A small move of the pin after that does not make the shape jump.
+  // After that, a small move of the pin changes the shape only a little.
   const Points before = f.shape();
   f.move_pin(2, {0.001, 0, 0});
   CHECK(largest_distance(f.shape(), before) < 0.02);

@@ -71,7 +71,7 @@ TEST_CASE("moved_keys_take_the_place_of_others_and_one_drag_is_one_edit") {
   move_keys(t.document, start, Frames{1}, Frames{11});
   CHECK(t.frames() == Frames{11, 31});
   CHECK(t.timeline().keys[0].pose == start.keys[0].pose);
-  // A second drag of the same key is another edit.
+  // Another drag of the key is another edit.
   const Timeline then = t.timeline();
   move_keys(t.document, then, Frames{11}, Frames{12});
   CHECK(t.edits() == 2);

@@ -12,7 +12,7 @@ using namespace viete::document;
 
 namespace {
 
-// A timeline that interpolates one number per key instead of the poses.
+// A timeline for numbers. It interpolates one number per key instead of a pose.
 struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;
@@ -97,7 +97,7 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
     CHECK(n.slope(frame, -1e-5) == doctest::Approx(n.slope(frame, 1e-5)).epsilon(1e-4));
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   CHECK(n.slope(50, -1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // With uneven keys of a constant motion, the speed is constant except in the first and the last interval.
+  // The keys are uneven, but the motion is constant. The speed differs only in the first and last interval.
   EasedKeys even;
   for (const int frame : {0, 1, 7, 9, 30}) even.add(frame, 2.5 * frame);
   for (double frame = 1; frame <= 9; frame += 0.25) CHECK(even.at(frame) == doctest::Approx(2.5 * frame));
@@ -129,7 +129,7 @@ TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   CHECK(std::abs(n.slope(1, 1e-5)) > 0.1);
   n.timeline.repeat = Repeat::once;
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // In a loop, a wheel with keys over one whole turn rotates at constant speed.
+  // A looped wheel with keys over a whole turn rotates at constant speed.
   EasedKeys wheel;
   for (int i = 0; i <= 4; ++i) wheel.add(10 * i, 90 * i);
   wheel.timeline.keys.back().pose =
@@ -178,7 +178,7 @@ TEST_CASE("cameras_go_smoothly_from_key_to_key") {
     CHECK(pose.distance > 0);
     yaw = pose.yaw;
   }
-  // The spline overshoots, but the pitch stays at most vertical.
+  // The spline overshoots, but the pitch is at most vertical.
   t.cameras = {camera(1, 0), camera(11, 0), camera(21, 0), camera(31, 0)};
   t.cameras[1].camera.pitch = t.cameras[2].camera.pitch = 1.57f;
   for (double frame = 1; frame < 31; frame += 0.5) CHECK(camera_at(t, frame)->pitch <= 1.5707964f);

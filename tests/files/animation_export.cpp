@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The positions of a separate export of the frame's pose.
+// Returns the positions of the pose at this frame, from a separate export.
 std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double frame) {
   Export one = export_of(cube.document, cube / "one.ply");
   one.pose = cube.pose(frame).cage;
@@ -38,7 +38,7 @@ std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double fram
   return positions;
 }
 
-// For each vertex of the model the index of the vertex read from glTF, which does not keep the order.
+// Returns the index of each model vertex in the glTF file, because glTF does not keep the order.
 std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Surface& model) {
   std::vector<std::size_t> own;
   for (const mesh::Point& p : model.positions) {
@@ -62,7 +62,7 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels an export when its progress reaches `share`. Returns true if the export stopped.
+// Cancels an export as soon as its progress reaches `share`. Returns true if the export stopped.
 bool cancelled_at(double share, const AnimationExport& what) {
   base::Progress progress;
   std::jthread watcher([&](const std::stop_token& stop) {
@@ -122,12 +122,12 @@ TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
 
 TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer") {
   test::AnimatedCube cube;
-  formats::write(cube / "fine.obj", test::ball(1));  // has more vertices than the error is measured at
+  formats::write(cube / "fine.obj", test::ball(1));  // the error is measured only at some of these vertices
   cube.document.model = open_document(cube / "fine.obj", cube.cage).model;
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
-  // The precision is chosen by the first, the middle and the last frame, which are at rest here.
+  // The first, the middle and the last frame determine the precision. Here, they are at rest.
   cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;

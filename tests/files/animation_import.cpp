@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Writes the motion of the cage to files.
+// Files with the motion of the cage.
 struct CageMotion : test::AnimatedCube {
   void write(const fs::path& file) const {
     std::vector<std::vector<mesh::Point>> frames;

@@ -177,7 +177,7 @@ TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   CHECK(w.preferences.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
-// The manifest requires only a warning for a cage with holes.
+// For a cage with holes, the manifest requires only a warning.
 TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
           doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");

@@ -140,7 +140,7 @@ TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
   CHECK(changed_on_disk(w, session));
   CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
   fs::remove(session);
-  CHECK_FALSE(changed_on_disk(w, session));  // saving overwrites nothing
+  CHECK_FALSE(changed_on_disk(w, session));  // no save would overwrite a file
 }
 
 TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
@@ -211,7 +211,7 @@ TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
-  CHECK_FALSE(save_pose(w, files.cage));  // undo may make it the cage again
+  CHECK_FALSE(save_pose(w, files.cage));  // an undo could make this file the cage again
   CHECK(save_cage(w, files.cage));
 }
 
@@ -265,7 +265,7 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
   };
   CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the file exists, but is not open
   REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));
-  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the file of the pose itself
+  CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the pose came from this file
   CHECK(proposed("save_cage") == "a_cage.obj");
   CHECK(proposed("save_model") == "a_deformed.obj");
   REQUIRE(test::load_model(w, files / "a.obj", files / "a_deformed.obj"));

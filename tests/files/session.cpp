@@ -37,7 +37,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A workspace in which every setting differs from its default.
+// Returns a workspace in which no setting has its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
   w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
@@ -84,7 +84,7 @@ Workspace worked(const test::CubeFiles& files) {
   return w;
 }
 
-// As worked(), with poses, a mix, keys with all easings, and camera keys.
+// Like worked(), but also has poses, a mix, keys with all easings, and camera keys.
 Workspace animated(const test::CubeFiles& files) {
   Workspace w = worked(files);
   w.document.selection = Selection(ElementKind::vertex);
@@ -156,7 +156,7 @@ std::vector<std::string> said_on_opening(const fs::path& session) {
   return all;
 }
 
-// A session of the cube with additional members.
+// Returns a session of the cube with additional members.
 std::string with(const std::string& members) {
   return R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", )" + members +
          "}";
@@ -172,7 +172,7 @@ std::string key_text(const std::string& frame, const std::string& more = "") {
   return "{\"frame\": " + frame + ", " + more + positions() + "}";
 }
 
-// A valid probe, then a probe with additional members.
+// Returns a valid probe, and a second probe with additional members.
 std::string probes(const std::string& members, const std::string& place = "[0, 0, 1]") {
   const std::string part = R"({"falloff": "smooth", "radius": 1})",
                     good = "\"turn\": " + part + ", \"stretch\": " + part + ", \"move\": " + part +
@@ -401,7 +401,7 @@ TEST_CASE("every_scheme_is_kept_and_a_session_may_name_any_part_of_one") {
     CHECK(read_session(files / "a.viete").scheme == scheme);
   };
   for (deform::Scheme scheme : deform::valid_schemes()) {
-    scheme.weighting.radius = 0.29;  // kept even if the weights do not use it
+    scheme.weighting.radius = 0.29;  // the radius is kept even if the weights do not use it
     check_kept(scheme);
   }
   CHECK(read_json(files / "a.viete")["radius"] == 29);
@@ -481,7 +481,7 @@ TEST_CASE("a_broken_cage_names_both_files") {
   CHECK_MESSAGE((mentions(said, "a.viete: cage: ") && mentions(said, "cage.obj:2")), said);
 }
 
-// Brackets and quotes are not changed, so that the JSON often stays valid.
+// The damage does not change brackets and quotes. The JSON therefore often stays valid.
 TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::test_suite(test::longer)) {
   const test::CubeFiles files;
   const std::string whole = session_text(session_of(animated(files)), files / "a.viete");

@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A folder with files of shapes of a model.
+// A folder with a model and files of its shapes.
 struct ShapeFiles : test::TemporaryFolder {
   mesh::Surface model = test::CubeFiles::subdivided_cube();
 
@@ -52,7 +52,7 @@ struct ShapeFiles : test::TemporaryFolder {
   }
 };
 
-// The same surface with its vertices in random order.
+// Returns the surface with its vertices in random order.
 mesh::Surface shuffled(const mesh::Surface& surface) {
   std::vector<std::uint32_t> order(surface.positions.size());
   std::iota(order.begin(), order.end(), 0u);

@@ -23,7 +23,7 @@ ReadResult converted(const ReadResult& read, const std::filesystem::path& path, 
   return formats::read(path);
 }
 
-// Two triangles share two vertices, but have different texture points there.
+// The triangles share two vertices, but their texture points at these vertices differ.
 const std::string wedges =
     "ply\nformat ascii 1.0\ncomment VCGLIB generated\ncomment TextureFile my wood.png\ncomment TextureFile "
     "b.png\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 3\nproperty "

@@ -1,4 +1,4 @@
-// The table of formats agrees with readers, writers, shell completions and desktop entries.
+// Compares the table of formats with readers, writers, shell completions and desktop entries.
 #include "formats/format_table.h"
 
 #include <doctest/doctest.h>
@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A quad and a triangle. The faces do not start with the first vertex, and one vertex is unused.
+// Returns a quad and a triangle. Faces do not start with the first vertex, and a vertex is unused.
 Surface odd_surface() {
   return test::read_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nv 5 5 5\nf 3 4 1 2\nf 5 4 3\n", "obj")
       .surface;

@@ -56,7 +56,7 @@ TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
     REQUIRE(r.attributes);
     const Attributes& a = *r.attributes;
     CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v points upward
-    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex on the seam's other side
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // this vertex, on the other side of the seam
     CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
     REQUIRE(a.groups.size() == 1);
     CHECK(a.groups[0].object == "only");
@@ -208,7 +208,7 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
   CHECK(notes.at(1) == "the buffer was written to " + (folder / "out/b-2.bin").string());
   r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
-  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // the new file replaces it
+  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // the new file replaced this file
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
   r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);

@@ -1,4 +1,4 @@
-// An independent glTF reader that checks written files.
+// Checks written glTF files by an independent reader.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,7 +12,7 @@
 
 namespace viete::test {
 
-/// Reads accessors by number.
+/// Reads accessors by their numbers.
 class GltfJudge {
 public:
   explicit GltfJudge(const std::filesystem::path& path) {

@@ -1,4 +1,4 @@
-// glTF models animated by morph targets.
+// Writes glTF models that are animated by morph targets.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct MorphAnimation {
   bool normals = true;
 };
 
-/// Writes one target per key, except for keys at rest.
+/// Writes one target for each key that is not at rest.
 inline std::vector<std::string> write_morphs(const std::filesystem::path& path,
                                              const formats::Content& content,
                                              const formats::Original* original,

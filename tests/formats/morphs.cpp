@@ -27,7 +27,7 @@ struct Wave {
   std::vector<std::vector<Point>> positions;
   test::MorphAnimation animation;
 
-  // The keys are rest, up, down, rest.
+  // The keys are: rest, up, down, rest.
   explicit Wave(const Surface& s) {
     for (const double by : {0.0, 0.5, -0.25, 0.0}) positions.push_back(bent(s, by));
     animation.name = "wave";
@@ -44,7 +44,7 @@ public:
     return model.meshes.at(mesh).primitives.at(i);
   }
 
-  // Returns a primitive's positions at a key as a player shows them: base attribute plus weighted targets.
+  // Returns a primitive's positions at a key, as players show them: base attribute plus weighted targets.
   std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
                             std::size_t animation = 0) const {
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
@@ -103,12 +103,12 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// Returns the surface vertex for each of the file's eight vertices, see test::patch().
+// Returns one surface vertex for each of the eight vertices in the file. See test::patch().
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
 
-// Two nodes of a mesh with three targets: floats, floats of few vertices, and normalised integers.
+// Returns two nodes. Their mesh has three targets: floats, floats of few vertices, and normalised integers.
 GltfParts weighed_patch() {
   GltfParts p = test::patch();
   std::vector<float> lift, lean;

@@ -1,4 +1,4 @@
-// Writes PLY, STL and OFF files again: identical at rest; if deformed, only dependent values change.
+// Writes PLY, STL and OFF files again: identical at rest. If deformed, only dependent values change.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -14,7 +14,7 @@ using viete::test::holds;
 
 namespace {
 
-// Builds a file of values as text or binary, and records which values may change.
+// Builds a text file or a binary file, and records which values may change.
 class Maker {
 public:
   enum class Form { text, little, big };
@@ -55,7 +55,7 @@ private:
   Form form_;
 };
 
-// A grid of quads on a curved sheet, with every kind of property and with other elements.
+// Returns a grid of quads on a curved sheet, with properties of every kind and with other elements.
 Maker rich_ply(Maker::Form form) {
   Maker m(form);
   const char* const format[] = {"ascii", "binary_little_endian", "binary_big_endian"};
@@ -148,7 +148,7 @@ TEST_CASE("ply_original_is_identical_at_rest_and_updates_dependent_values") {
     }
     const std::string back = test::written_again(again, read.surface.positions);
     check_kept(m, back);
-    // The writer rotated the tangents from (1, 0, 0) to (0, 1, 0), but not the face normals.
+    // The writer rotates the tangents from (1, 0, 0) to (0, 1, 0). It does not rotate the face normals.
     if (form != Maker::Form::text) continue;
     const auto words = words_of(written.substr(m.body));
     const auto before = words_of(m.bytes.substr(m.body));

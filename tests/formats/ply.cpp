@@ -22,7 +22,7 @@ std::string ascii(const std::string& elements, const std::string& body) {
   return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + body;
 }
 
-// Builds binary bodies of either byte order.
+// Builds binary bodies in both byte orders.
 struct Bytes {
   bool big = false;
   std::string text;

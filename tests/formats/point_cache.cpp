@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Two points. Frame f has the coordinates 6 f, 6 f + 1 and so on.
+// Returns the coordinates of two points. Frame f has 6 f, 6 f + 1 and so on.
 std::vector<float> cache_frame(std::size_t frame, std::size_t points = 2) {
   std::vector<float> values(3 * points);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(3 * points * frame + i) / 4;
@@ -135,7 +135,7 @@ TEST_CASE("non_finite_numbers_are_reported_by_frame_and_point") {
   const test::TemporaryFolder folder;
   write_cache(folder / "a.pc2", cache_head(PointCacheFormat::pc2, 3));
   std::string bytes = test::file_bytes(folder / "a.pc2");
-  put_cache_word(bytes, 32 + 24 + 16, {0, 0, 0x80, 0x7F});  // infinite
+  put_cache_word(bytes, 32 + 24 + 16, {0, 0, 0x80, 0x7F});  // an infinite number
   const PointCache cache("given", bytes);
   CHECK(cache.frame(0).size() == 2);
   CHECK_THROWS_WITH_AS(cache.frame(1), doctest::Contains("given: frame 1: the position of point 1 is not"),

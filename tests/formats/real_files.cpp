@@ -1,4 +1,4 @@
-// Real files are recognised by their content, and written again.
+// Reads real files, recognises them by their content, and writes them again.
 #include <doctest/doctest.h>
 
 #include <cmath>

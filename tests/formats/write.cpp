@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// A cube of quads and a pentagon, with an unused vertex, and coordinates that need all their digits.
+// Returns a cube of quads, a pentagon and an unused vertex. All digits of the coordinates are significant.
 Surface awkward(double scale) {
   Surface s = test::cube();
   std::mt19937_64 random(13);

@@ -1,7 +1,6 @@
-// A small mutating fuzzer for compilers without libFuzzer: runs the corpus unchanged, then mutated copies.
-//
-// usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. The same seed gives the same inputs. An input that
-// crashes the reader is left in the file `fuzz-last-input` of the working directory.
+// A small fuzzer for compilers without libFuzzer. Runs the files of the corpus, then changed copies of them.
+// Usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. Equal seeds give equal inputs. If an input crashes the
+// reader, the input is in the file `fuzz-last-input` in the working directory.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>

@@ -1,4 +1,4 @@
-// Reads one input as a picture: the result must be all its pixels or base::Error. The decoder is compiled
+// Reads an input as a picture. The result must be a complete picture or base::Error. Compiles the decoder
 // here again, so that sanitizers check it.
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>

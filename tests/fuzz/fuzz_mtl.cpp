@@ -1,4 +1,4 @@
-// Reads one input as a material library: the result must be materials with valid numbers.
+// Reads an input as a material library. The result must be materials with valid numbers.
 #include <cstdint>
 #include <cstdlib>
 #include <string_view>

@@ -1,4 +1,4 @@
-// Reads one input as a point cache: the result must be frames of finite numbers or base::Error.
+// Reads an input as a point cache. The result must be frames of finite numbers or base::Error.
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>

@@ -33,7 +33,7 @@ void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
   for (const auto& t : s.triangles) {
     for (const auto v : t) require(v < s.positions.size());
   }
-  // Limits to the size of the file plus instances.
+  // The limits grow with the file size and the number of instances.
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
 
@@ -63,19 +63,19 @@ std::string written_again(const ReadResult& read, const std::vector<Point>& posi
   return all;
 }
 
-// A deformed file must be readable, with the same polygons if its format has shared vertices.
+// A deformed file must be readable. If its format has shared vertices, the polygons must be equal.
 void check_moved(const ReadResult& read, Reader* reader) {
   auto moved = read.surface.positions;
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v][v % 3] += 0.37 * static_cast<double>(v % 7);
   const std::string text = written_again(read, moved);
   const ReadResult again = reader(Source{"fuzz", "", text, nullptr});
   require(again.surface.polygon_count() == read.surface.polygon_count());
-  // Moved vertices may coincide, which a glTF reader merges as a seam.
+  // Moved vertices can coincide. A glTF reader merges such vertices as a seam.
   if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
     require(again.surface.corners == read.surface.corners);
 }
 
-// Every moment of an animation must have a position for each vertex.
+// An animation must have a position for each vertex at every moment.
 void check_morphs(const ReadResult& read) {
   const auto clip = read.original ? read.original->morphs() : nullptr;
   if (!clip) return;
@@ -85,12 +85,12 @@ void check_morphs(const ReadResult& read) {
   if (!clip->seconds().empty()) require(clip->at_key(clip->seconds().size() - 1).size() == vertices);
 }
 
-// Written files must never be rejected.
+// A reader must accept every written file.
 ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {
   return read(Source{"written", "", bytes, nullptr});
 }
 
-// Every surface can be written in every format and read again with the same polygons.
+// Writes the surface in every format. Each file must be readable, with equal polygons.
 void check_converted(const ReadResult& read) {
   struct Format {
     void (*write)(const Content&, TextWriter&);
@@ -113,7 +113,7 @@ void check_converted(const ReadResult& read) {
       continue;
     }
     const ReadResult result = read_back(format.read, bytes);
-    if (glb) continue;  // triangles in another order
+    if (glb) continue;  // a GLB has the triangles in another order
     require(result.surface.corners == read.surface.corners);
     require(result.surface.polygon_starts == read.surface.polygon_starts);
   }

@@ -1,4 +1,4 @@
-// Reads one input with one reader: the result must be a valid surface or base::Error.
+// Reads an input with a reader. The result must be a valid surface or base::Error.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@ namespace viete::fuzz {
 
 using Reader = formats::ReadResult(const formats::Source&);
 
-/// Aborts if the result is neither. `placed`: the most vertices beyond those that the file's bytes can hold.
+/// If the result is neither, aborts. The surface may have `placed` vertices more than the file has bytes.
 void check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data, std::size_t size);
 
 }  // namespace viete::fuzz

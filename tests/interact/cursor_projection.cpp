@@ -62,7 +62,7 @@ TEST_CASE("an_axis_that_points_at_the_eye_does_not_run_away") {
   const glm::dvec3 p(c.pose().target);
   const CursorProjection projection(p, c, test::viewport);
   CHECK(projection.along(projection.to_eye(), {900, 100}) == 0);
-  // If the cursor is beyond the vanishing point, the distance is finite and keeps its sign.
+  // The cursor is beyond the vanishing point. The distance is finite and keeps its sign.
   const glm::dvec3 away = glm::normalize(glm::dvec3(c.forward()) + 0.3 * glm::dvec3(c.right()));
   const double far =
       projection.along(away, projection.at() + 10000.0 * glm::normalize(projection.motion(away)));
@@ -93,7 +93,7 @@ TEST_CASE("an_edge_on_ring_has_no_angle_but_its_near_side_follows_the_cursor") {
   c.animate(1);
   const CursorProjection projection(glm::dvec3(c.pose().target), c, test::viewport);
   CHECK_FALSE(projection.angle({1, 0, 0}, {700, 300}));
-  // Moving the near side of a ring about +x upwards is a negative rotation.
+  // If the near side of a ring about +x moves up, the rotation is negative.
   CHECK(projection.edge_on_angle({1, 0, 0}, {0, -84}, 84) == doctest::Approx(-1));
 }
 

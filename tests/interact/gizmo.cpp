@@ -48,7 +48,7 @@ TEST_CASE("the_gizmo_has_the_same_size_in_pixels_at_every_distance_and_in_both_c
                                      camera(0.65f, 0.32f, distance, orthographic), test::viewport);
       for (int i = 0; i < 3; ++i) {
         const float length = glm::distance(gizmo.center, gizmo.arms[i].tip);
-        // In perspective, an arm that points at the viewer is a few per cent longer.
+        // In perspective, an arm is a few percent longer if it points at the viewer.
         CHECK(length ==
               doctest::Approx(glm::distance(reference.center, reference.arms[i].tip)).epsilon(0.06));
       }

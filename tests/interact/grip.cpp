@@ -17,7 +17,7 @@ using namespace viete::interact;
 
 namespace {
 
-// An arm of square rings at x = 0, 1, 2 ... 9, with four vertices each.
+// Returns an arm of square rings at x = 0, 1, 2 ... 9. A ring has four vertices.
 Document arm() {
   Document document = test::cube_document();
   std::vector<mesh::Point> points;
@@ -53,7 +53,7 @@ Transform quarter_about(const Grip& grip, int axis) {
   return {.axis = grip.anchor.axes[axis], .degrees = 90};
 }
 
-// A strip of quads along x, folded in the middle, so that the ends of the strip are near each other.
+// Returns a strip of quads along x. The strip is folded in the middle, so that its ends are near each other.
 deform::Cage hairpin() {
   std::vector<mesh::Point> points;
   std::vector<mesh::Triangle> triangles;
@@ -194,13 +194,13 @@ TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   CHECK(grip.vertices.size() == 16);  // rings 6 to 9
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, 2}}));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // moved by three quarters of 2
-  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // moved by a quarter of 2
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // the vertex moved by three quarters of 2
+  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // the vertex moved by a quarter of 2
   CHECK(document.pose.positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());
   REQUIRE(transform_selection(document, Tool::rotate, turning, quarter_about(turning, 0)));
-  // Ring 7 rotates by 45 degrees: (y, z) = (-1, -1) moves to (0, -sqrt 2).
+  // Ring 7 rotates by 45 degrees: the point (y, z) = (-1, -1) moves to (0, -sqrt 2).
   CHECK(document.pose.positions[28][1] == doctest::Approx(0).epsilon(1e-12));
   CHECK(document.pose.positions[28][2] == doctest::Approx(-std::sqrt(2)));
 }

@@ -1,4 +1,4 @@
-// Tests selecting with box, lasso and brush.
+// Tests selection with box, lasso and brush.
 #include "interact/picking.h"
 
 #include <doctest/doctest.h>
@@ -22,7 +22,7 @@ namespace {
 struct Hand : test::Mouse {
   using test::Mouse::Mouse;
 
-  // Returns the vertex nearest to the eye.
+  // Returns the vertex that is nearest to the eye.
   std::uint32_t front() const {
     std::uint32_t best = 0;
     for (std::uint32_t v = 0; v < w.document.pose.positions.size(); ++v)
@@ -196,9 +196,9 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     hand.drag({205, 5}, {995, 775});
     const double share =
         static_cast<double>(hand.selected()) / static_cast<double>(element_count(hand.w.document, kind));
-    CHECK(share > 0.35);  // from near, less than half of a ball is visible
+    CHECK(share > 0.35);  // from a near eye, less than half of a ball is visible
     CHECK(share < 0.52);
-    // Elements near the silhouette are not tested.
+    // Does not test elements near the silhouette.
     const glm::vec3 eye = hand.w.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
       const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));

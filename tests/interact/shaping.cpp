@@ -55,7 +55,7 @@ TEST_CASE("a_bent_bar_keeps_the_length_of_its_middle_and_ends_at_its_angle") {
     const auto end = shaped(along_x, degrees, {6, 0, 0}) - shaped(along_x, degrees, {5, 0, 0});
     check_point(end, {std::cos(angle), std::sin(angle), 0});
   }
-  // A quarter circle of length 4 has the radius 8 / pi.
+  // A quarter circle with length 4 has the radius 8 / pi.
   const double radius = 8 / std::acos(-1.0);
   check_point(shaped(along_x, 90, {5, 0, 0}), {1 + radius, radius, 0});
   check_point(shaped(along_x, 90, {0, 3, 2}), {0, 3, 2});  // points before the fixed end do not move

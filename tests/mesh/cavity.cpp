@@ -7,7 +7,7 @@ using namespace viete;
 
 namespace {
 
-// Shading of a ball as seen from outside, or from inside.
+// Returns the shading of a ball as seen from outside (side 1) or from inside (side -1).
 std::vector<float> cavity_of(const test::Surface& ball, double side) {
   std::vector<test::Point> normals;
   for (const test::Point& p : test::sphere(3).positions) normals.push_back(side * p);

@@ -27,7 +27,7 @@ TEST_CASE("duplicate_vertices_are_listed_unless_unused") {
 }
 
 TEST_CASE("vertex_of_two_fans_is_nonmanifold") {
-  // Two tetrahedra with one vertex in common: every edge has two triangles.
+  // Two tetrahedra with a common vertex. Every edge has two triangles.
   const Surface s = from_triangles(
       {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}},
       {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}, {0, 4, 5}, {0, 6, 4}, {0, 5, 6}, {4, 6, 5}});
@@ -75,7 +75,7 @@ TEST_CASE("crossing_triangles_are_both_listed") {
 }
 
 TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
-  // An edge of the second one crosses the border of the first.
+  // An edge of the second triangle crosses the border of the first triangle.
   CHECK(self_intersecting_triangles(from_triangles(
             {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
@@ -85,7 +85,7 @@ TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
 }
 
 TEST_CASE("touching_is_not_a_crossing") {
-  // A vertex on a face; two boxes that touch at an edge and partly at a face.
+  // A vertex on a face. Two boxes that touch at an edge, and at a part of a face.
   CHECK(self_intersecting_triangles(
             from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
                            {{0, 1, 2}, {3, 4, 5}}))

@@ -31,7 +31,7 @@ TEST_CASE("normals_of_a_sphere_point_outward_at_every_scale") {
 }
 
 TEST_CASE("normals_are_weighted_by_area") {
-  // Two perpendicular triangles at vertex 0, the one in the xy plane three times as large.
+  // Two perpendicular triangles at vertex 0. The triangle in the xy plane is three times as large.
   const Surface s = from_triangles({{0, 0, 0}, {3, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2}, {0, 2, 3}});
   const Point n = normals_of(s)[0];
   CHECK(n[0] == doctest::Approx(1 / std::sqrt(10.0)).epsilon(1e-15));
@@ -55,7 +55,7 @@ TEST_CASE("normals_of_a_file_follow_the_deformation_and_stay_split") {
   }
   CHECK(deformed_normals(s, s.positions, normals, corner_normal) == normals);
 
-  // A shear of z by x, a stretch along x, a rotation about z: normals transform by the cofactors.
+  // A shear of z by x, a stretch along x, and a rotation about z. The cofactors transform the normals.
   const double cosine = std::cos(0.7), sine = std::sin(0.7);
   const auto map = [&](const Point& p) {
     const Point sheared{2 * p[0], p[1], p[2] + 0.5 * p[0]};
@@ -92,7 +92,7 @@ TEST_CASE("rotation_rotates_normals_that_lean_from_their_faces") {
 
 namespace {
 
-// A rotation by 90 degrees about x, and a translation.
+// Rotates a point by 90 degrees about x, and moves it.
 Point turned_about_x(const Point& p) {
   return {p[0] + 1, -p[2], p[1]};
 }
@@ -117,13 +117,13 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
     CHECK(near(t, is_then));
 
-  Surface line;  // along y: its rotation about itself is undetermined
+  Surface line;  // along y: the rotation about the line is undetermined
   line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
   for (const auto& n :
        deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))
     CHECK(near(n, is_then));
 
-  // A loose vertex near a triangle, and a face without area: both rotate as the triangle does.
+  // A separate vertex near a triangle, and a face without area. Both rotate with the triangle.
   Surface mixed = from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {5, 5, 5}, {2, 0, 0}, {3, 0, 0}},
                                  {{0, 1, 2}, {1, 4, 5}});
   const auto now = turned(mixed.positions);
@@ -134,7 +134,7 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   for (const auto& n : deformed_normals(mixed, now, std::vector<Vec3>(2, up), a_face_each))
     CHECK(near(n, is_then));
 
-  // A corner in the middle of a side.
+  // The face has a corner in the middle of a side.
   Surface side;
   side.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
   side.corners = {0, 1, 2, 3, 4};

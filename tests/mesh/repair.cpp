@@ -47,7 +47,7 @@ TEST_CASE("inside_out_surfaces_stay_and_components_are_oriented_separately") {
 }
 
 TEST_CASE("moebius_strip_stays_unchanged") {
-  // A band of six quads that is closed with a twist.
+  // A band of six quads, closed with a twist.
   std::vector<Point> positions;
   std::vector<Triangle> triangles;
   for (std::uint32_t i = 0; i < 6; ++i) {

@@ -17,7 +17,7 @@ Vec3 point(const Closest& c, const Vec3& a, const Vec3& b, const Vec3& d) {
   return c.barycentric[0] * a + c.barycentric[1] * b + c.barycentric[2] * d;
 }
 
-// Returns the best distance of a fine grid on the triangle.
+// Returns the smallest distance from p to the points of a fine grid on the triangle.
 double sampled(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   constexpr int n = 60;
   double best = HUGE_VAL;
@@ -94,7 +94,7 @@ TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
 
 namespace {
 
-// Returns six times the volume, computed in integers below 2^20.
+// Returns six times the volume. Computes in integers; coordinates are below 2^20.
 __int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
   __int128 m[3][3];
   for (int k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
   std::uniform_int_distribution<int> small(-3, 3), large(-(1 << 19), 1 << 19);
   int zeros = 0;
   for (int i = 0; i < 20000; ++i) {
-    // The points are in a plane spanned by two large directions. One point is off by at most one unit.
+    // The points are in a plane with two large directions. One point is off the plane by at most one unit.
     Point a, u, v, b, c, d;
     const int s = small(random), t = small(random);
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
 }
 
 TEST_CASE("orientation_is_exact_where_rounding_decides") {
-  // With steps of half an ulp from 0.5, the determinant is a product of two ulps.
+  // The coordinates are near 0.5, in steps of half an ulp. The determinant is a product of two ulps.
   const double e = 0x1p-53;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {
@@ -153,7 +153,7 @@ namespace {
 
 std::mt19937_64 pair_engine(5);
 
-// Returns a triangle on a coarse lattice, where contacts, common edges and common planes are frequent.
+// Returns a triangle on a coarse lattice. Contacts, common edges and common planes are frequent there.
 Corners lattice_triangle(int size) {
   std::uniform_int_distribution<int> number(0, size);
   Corners t;
@@ -161,7 +161,7 @@ Corners lattice_triangle(int size) {
   return t;
 }
 
-// Returns the smallest distance between grid points on both triangles.
+// Returns the smallest distance between points of grids on the triangles.
 double sampled_distance(const Corners& s, const Corners& t) {
   constexpr int n = 12;
   double least = HUGE_VAL;
@@ -215,7 +215,7 @@ TEST_CASE("triangle_crossing_on_a_lattice_agrees_with_integer_arithmetic") {
 TEST_CASE("coplanar_triangles_cross_only_if_they_overlap") {
   const Corners t = {{{0, 0, 1}, {4, 0, 1}, {0, 4, 1}}};
   CHECK(intersect(t, {{{1, 1, 1}, {9, 1, 1}, {1, 9, 1}}}));
-  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // inside it
+  CHECK(intersect(t, {{{1, 1, 1}, {1.5, 1, 1}, {1, 1.5, 1}}}));  // the triangle is inside t
   CHECK(intersect(t, t));
   CHECK_FALSE(intersect(t, {{{4, 0, 1}, {0, 4, 1}, {4, 4, 1}}}));    // a common edge
   CHECK_FALSE(intersect(t, {{{2, 0, 1}, {6, 0, 1}, {4, -4, 1}}}));   // a part of an edge
@@ -238,7 +238,7 @@ TEST_CASE("triangle_distance_agrees_with_sampling") {
     }
     const double distance = std::sqrt(squared_distance(s, t)), sampled = sampled_distance(s, t);
     CHECK(distance <= sampled + 1e-12);
-    CHECK(distance > sampled - 1.0);  // both grids together are at most this coarse
+    CHECK(distance > sampled - 1.0);  // the error of the grids is at most 1
     CHECK(squared_distance(t, s) == doctest::Approx(distance * distance).epsilon(1e-12));
     if (has_plane(s) && has_plane(t) && intersect(s, t)) CHECK(distance == 0);
   }

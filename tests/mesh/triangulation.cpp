@@ -18,14 +18,14 @@ namespace {
 constexpr double half_turn = std::numbers::pi;
 using Ring = std::vector<Point>;
 
-// In the plane z = 0: x and y of each corner.
+// Returns a ring in the plane z = 0. `numbers` has x and y of each corner.
 Ring flat(const std::vector<double>& numbers) {
   Ring ring;
   for (std::size_t i = 0; i < numbers.size(); i += 2) ring.push_back({numbers[i], numbers[i + 1], 0});
   return ring;
 }
 
-// About the origin, by angle.
+// Returns a ring around the origin. Corner i has the distance radius(i) from the origin.
 template <class Radius>
 Ring polar(std::size_t n, const Radius& radius) {
   Ring ring;
@@ -38,14 +38,14 @@ Ring polar(std::size_t n, const Radius& radius) {
 
 const Ring dart = flat({2, 0, 1, 0.5, 0, 0, 1, 1.5});
 const Ring u_shape = flat({0, 0, 6, 0, 6, 4, 4, 4, 4, 1.5, 2, 1.5, 2, 4, 0, 4});
-// A square with a square hole, connected by a bridge that is traversed twice.
+// A square with a square hole. A bridge connects the hole with the outer boundary, and is used twice.
 const Ring keyhole = flat({0, 0, 4, 0, 4, 4, 0, 4, 0, 0, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1});
 
 Ring star(std::size_t n) {
   return polar(n, [](std::size_t i) { return i % 2 ? 1.0 : 10.0; });
 }
 
-// Overhanging teeth, so that most corners do not see each other.
+// Returns a comb with overhanging teeth. From most corners, most other corners are not visible.
 Ring comb(int teeth) {
   Ring ring = flat({0, -1, 3.0 * teeth, -1});
   for (int i = teeth; i-- > 0;) {
@@ -55,7 +55,7 @@ Ring comb(int teeth) {
   return ring;
 }
 
-// A spiral band.
+// Returns a band in the shape of a spiral.
 Ring spiral(int n) {
   const auto at = [&](int i, double width) {
     const double a = 0.1 * i, r = 1 + 0.1 * a + width;
@@ -67,7 +67,7 @@ Ring spiral(int n) {
   return ring;
 }
 
-// Adds a midpoint to every side and repeats every third corner.
+// Adds a corner at the middle of each side, and repeats every third corner.
 Ring with_more_corners(const Ring& ring) {
   Ring more;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -78,7 +78,7 @@ Ring with_more_corners(const Ring& ring) {
   return more;
 }
 
-// Transformed by integer matrices, so that planar and collinear points stay exactly so.
+// Transforms the ring by integers. Points that are planar or collinear stay exactly planar or collinear.
 Ring onto_a_slope(const Ring& ring) {
   Ring turned;
   for (const Point& p : ring)
@@ -103,8 +103,8 @@ Vec3 area_of(const Ring& ring) {
   return sum;
 }
 
-// Checks that the triangles form a disc with the ring as boundary and that none is reversed: for a simple
-// ring they then cover each point once.
+// Checks that the triangles form a disc with the ring as its boundary, and that no triangle is reversed. The
+// triangles then cover each point of a simple ring once.
 void check_cover(const Ring& ring, const std::vector<Triangle>& triangles) {
   CAPTURE(ring.size());
   REQUIRE(triangles.size() == ring.size() - 2);
@@ -179,7 +179,7 @@ TEST_CASE("every_simple_polygon_is_covered_once_from_any_first_corner") {
 TEST_CASE("only_repeated_corners_make_triangles_without_area") {
   CHECK(without_area(u_shape) == 0);
   CHECK(without_area(keyhole) == 0);
-  Ring ring;  // the U with a midpoint on every side
+  Ring ring;  // the U-shape with a corner in the middle of each side
   for (std::size_t i = 0; i < u_shape.size(); ++i) {
     ring.push_back(u_shape[i]);
     ring.push_back(0.5 * (u_shape[i] + u_shape[(i + 1) % u_shape.size()]));
@@ -284,7 +284,7 @@ TEST_CASE("self_crossing_or_flat_polygons_get_n_minus_2_triangles") {
 }
 
 TEST_CASE("triangles_refer_to_their_polygon_corners") {
-  // The keyhole's bridge has two corners at one vertex, so vertices alone do not identify corners.
+  // The keyhole's bridge has two corners at one vertex. A vertex therefore does not identify a corner.
   Surface s;
   s.positions = flat({0, 0, 4, 0, 4, 4, 0, 4, 1, 1, 1, 3, 3, 3, 3, 1, 9, 9});
   s.corners = {1, 8, 2, 0, 1, 2, 3, 0, 4, 5, 6, 7, 4, 1, 0, 7};

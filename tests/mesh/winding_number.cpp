@@ -9,7 +9,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Computes Van Oosterom and Strackee's formula in long double, with one arc tangent per triangle.
+// Computes the formula of Van Oosterom and Strackee in long double, with one arc tangent per triangle.
 double by_arc_tangents(const Surface& s, const Point& p) {
   using Real = long double;
   Real sum = 0;

@@ -20,7 +20,7 @@ int table(int code) {
 #endif
 }
 
-// ImGui without content: records its input after each frame.
+// An ImGui context without content. Records the input after each frame.
 struct Frames {
   InputQueue queue{table};
 
@@ -76,7 +76,7 @@ TEST_CASE("a_modifier_is_held_when_its_key_goes_down") {
 
 namespace {
 
-// Characters of the next frame in a focused text field.
+// Returns the characters that a focused text field gets in the next frame.
 std::string typed_in_a_frame(Frames& f) {
   ImGuiIO& io = ImGui::GetIO();
   io.WantTextInput = true;

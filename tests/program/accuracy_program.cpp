@@ -1,4 +1,4 @@
-// The accuracy of the active method, in the panel and on the mesh.
+// The accuracy of the active method, in the panel and in the view.
 #include "program/driver.h"
 
 using namespace viete;
@@ -12,7 +12,7 @@ void open_posed_dragon(Driver& d) {
   d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
-// The colours of pixels in the view that differ from the background.
+// The colours of those pixels in the view that are not background.
 struct Shown {
   double red = 0, blue = 0;
   int pixels = 0;

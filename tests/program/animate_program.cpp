@@ -1,4 +1,4 @@
-// viete animate: exported frames are complete even if the program is killed, and an export can be continued.
+// viete animate: exported frames must be complete even if the program is killed, and exports can continue.
 #include <set>
 
 #include "base/numbered_files.h"
@@ -16,7 +16,7 @@ using namespace viete::test;
 
 namespace {
 
-// Files of a cube and its cage, with the posed cages p_01, p_09 and p_17 as keys.
+// Files of a cube and a cage. The posed cages p_01, p_09 and p_17 are keys.
 struct AnimatedFiles : AnimatedCube {
   AnimatedFiles() {
     for (const int frame : {1, 9, 17}) {
@@ -38,7 +38,7 @@ std::set<std::string> names_of(const fs::path& folder, const std::string& end) {
   return names;
 }
 
-// The dragon with two keys: slow enough to be interrupted during a frame.
+// The dragon with two keys. A frame takes so long that the test can interrupt it.
 struct AnimatedDragon : TemporaryFolder {
   AnimatedDragon() {
     fs::copy(cage, *this / "k_01.obj");
@@ -161,7 +161,7 @@ TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const fs::path part = files / "b.obj.999999999-1-0.part";
   put_file(part, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // although the command is refused
+  CHECK(files.animate("-o p_##.obj").code == 1);  // the command fails
   CHECK_FALSE(fs::exists(part));
 }
 

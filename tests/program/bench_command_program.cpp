@@ -1,4 +1,4 @@
-// viete bench: short runs of all benchmarks, with their files and tables.
+// viete bench: short runs of all benchmarks; checks the files and tables.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -31,7 +31,7 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   for (const std::string what : {"frame --vertices 500 ", "bind "}) {
     CHECK(mentions(f.done("bench " + what + "--rounds 1 " + in_cage + " --json a.json"),
                    "148 cage triangles"));                                   // of the cage itself
-    CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only for generated cages
+    CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only generated cages have bars
   }
   const auto made = f.done("bench frame --rounds 1 --vertices 500 --faces 8,10 " + quoted(dragon));
   CHECK_MESSAGE(mentions(made, "500 vertices, 8 cage triangles"), made.text);

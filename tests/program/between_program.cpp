@@ -1,4 +1,4 @@
-// viete between, viete mix and viete pose: interpolate, mix and pose shapes.
+// viete between, viete mix and viete pose: these commands interpolate, mix and pose shapes.
 #include <cmath>
 
 #include "base/numbered_files.h"
@@ -22,7 +22,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// Files of a cube at rest and its shapes a.obj and b.obj; all three also as s_1 to s_3.
+// Files of a cube at rest and of its shapes a.obj and b.obj. s_1 to s_3 are copies of these files.
 struct ShapeFiles : WorkFolder {
   mesh::Surface cube = CubeFiles::subdivided_cube();
 

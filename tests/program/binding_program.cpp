@@ -1,4 +1,4 @@
-// Binding in the background. The program still reacts, and a cancelled or failed binding changes nothing.
+// Binding in the background. During binding, the program reacts. If binding stops or fails, nothing changes.
 #include "deform/binding.h"
 #include "formats/write.h"
 #include "program/driver.h"
@@ -21,9 +21,9 @@ struct Bound : Driver {
     open_dragon();
     const glm::vec2 at = glm::round(vertex(free_vertex()));
     drag(at, at + glm::vec2(40, 20));
-    workspace::mark_saved(workspace());  // otherwise the program asks before it replaces the cage
+    workspace::mark_saved(workspace());  // otherwise, the program asks before replacing the cage
   }
-  // Opens a cage of 8 * 4^levels triangles around the dragon, and calls a function after the first frame.
+  // Opens a cage of 8 * 4^levels triangles around the dragon. Calls a function after the first frame.
   template <class Act>
   void open_ball(int levels, const Act& act) {
     formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));

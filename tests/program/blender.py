@@ -36,7 +36,7 @@ def turned(p):
 
 
 def png():
-    """4 x 4 pixels of different colours."""
+    """Returns an image of 4 x 4 pixels of different colours."""
     rows = b"".join(b"\0" + bytes(v for x in range(4) for v in (60 * x, 60 * y, 255 - 60 * x)) for y in range(4))
 
     def chunk(kind, data):
@@ -47,7 +47,7 @@ def png():
 
 
 class Box:
-    """A box: each side has 2 x 2 quads, its own part of the texture, its normal, and one of two materials."""
+    """A box. Each side has 2 x 2 quads, a part of the texture, a normal, and one of two materials."""
 
     def __init__(self):
         self.points, self.faces, numbers = [], [], {}
@@ -75,7 +75,7 @@ class Box:
                 self.faces.append((corners, normal, "wood" if side < 4 else "red"))
 
     def corners(self):
-        """(place, texture point, normal, material) of every corner of the rotated box."""
+        """Returns (place, texture point, normal, material) for every corner of the rotated box."""
         return [(turned(self.points[n]), uv, turned(normal + (0,)), material)
                 for corners, normal, material in self.faces for n, uv in corners]
 
@@ -143,7 +143,7 @@ def vertex_color(p):
 
 
 def ply_of(box):
-    """A texture point and a colour for each vertex: the PLY attributes that Blender reads."""
+    """Returns a PLY file. Each vertex has a texture point and a colour, because Blender reads these attributes."""
     head = ["ply", "format ascii 1.0", "element vertex %d" % len(box.points)]
     head += ["property float " + n for n in "xyz"] + ["property uchar " + n for n in ("red", "green", "blue")]
     head += ["property float s", "property float t", "element face %d" % len(box.faces),
@@ -174,7 +174,7 @@ def cage(pose):
 
 
 def imported(name):
-    """The corners of the only mesh of a file, in world coordinates with the axes of the file, and Blender's mesh."""
+    """Returns the corners of the only mesh in a file (world coordinates, axes of the file), and Blender's mesh."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     extension = name.rsplit(".", 1)[1]
     candidates = {"obj": ("wm.obj_import", "import_scene.obj"), "ply": ("wm.ply_import", "import_mesh.ply"),
@@ -208,7 +208,7 @@ def check_same(name, found, expected):
 
 
 def found_corners(scene_object, y_up, texture, normals, materials):
-    """The position of every corner and the requested attributes."""
+    """Returns the position and the requested attributes of every corner."""
     mesh, world = scene_object.data, scene_object.matrix_world
     directions = corner_normals(mesh) if normals else None
     back = (lambda v: (v[0], v[2], -v[1])) if y_up else tuple
@@ -256,7 +256,7 @@ def deform(model, out, rest="cage.obj"):
 
 
 def check_textured(box, out):
-    """Checks positions, texture points and normals; if the format is the model's, also materials and the image."""
+    """Checks positions, texture points and normals. If the model has this format, also checks materials and image."""
     scene_object, y_up = imported(out)
     quads, own = out == "obj.obj", out in ("obj.obj", "glb.glb")
     check_counts(out, scene_object.data, len(box.points) if out.endswith("obj") else None,
@@ -281,7 +281,7 @@ def check_places(box, out, faces):
 
 
 def check_blue():
-    """Facet colours of an STL become vertex colours in a GLB."""
+    """Checks that facet colours of an STL become vertex colours in a GLB."""
     deform("model.stl", "stl.glb")
     mesh = imported("stl.glb")[0].data
     colors = mesh.color_attributes[0].data
@@ -303,7 +303,7 @@ def written_places(frame):
 
 
 def places_at(scene_object, frame):
-    """The vertices at a frame, in object coordinates."""
+    """Returns the vertices at a frame, in object coordinates."""
     bpy.context.scene.frame_set(int(frame), subframe=frame % 1)
     shown = scene_object.evaluated_get(bpy.context.evaluated_depsgraph_get())
     mesh = shown.to_mesh()
@@ -339,7 +339,7 @@ def check_morphs(out):
 
 
 def check_animations():
-    """Compares point caches and morph targets of the rotating box with the models of the same frames."""
+    """Compares point caches and morph targets of the rotating box with the model at each frame."""
     put("key_01.obj", cage(tuple))
     put("key_11.obj", cage(turned))
     animate("frame_##.obj", "--digits", "all")

@@ -1,5 +1,5 @@
 #!/bin/sh
-# blender.sh VIETE FOLDER: checks viete's files with Blender's importers. Exits with 77 if Blender is not installed.
+# blender.sh VIETE FOLDER: checks viete's files with Blender's importers. Without Blender, exits with 77 (skipped).
 if ! command -v blender > /dev/null; then
   echo "skipped: Blender is not installed (apt-get install blender)"
   exit 77

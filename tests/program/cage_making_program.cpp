@@ -1,4 +1,4 @@
-// Making a cage in the window: offer, sliders, undo, posing and saving.
+// Makes a cage in the window: button, sliders, undo, posing and saving.
 #include "document/edit.h"
 #include "formats/read.h"
 #include "formats/write.h"
@@ -15,7 +15,7 @@ using test::Driver;
 
 namespace {
 
-// A file with a ball of 642 vertices.
+// Writes a file with a ball of 642 vertices.
 std::filesystem::path ball() {
   static const test::TemporaryFolder folder;
   const std::filesystem::path file = folder / "ball.obj";
@@ -28,7 +28,7 @@ struct Maker : Driver {
     REQUIRE(open({model}));
     settle();
   }
-  // Runs frames until the cage has the current settings and is bound.
+  // Runs frames until the cage follows the current settings and is bound.
   void finish() {
     finish_making();
     frame(2);
@@ -40,7 +40,7 @@ struct Maker : Driver {
     finish();
     REQUIRE(document().has_cage());
   }
-  // Starts to make a cage and returns the preview.
+  // Starts to make a cage. Returns the preview.
   std::shared_ptr<const deform::Cage> preview() {
     click("make_cage");
     REQUIRE(until([&] { return document().has_cage(); }));

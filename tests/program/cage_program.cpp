@@ -1,4 +1,4 @@
-// viete cage makes cages that the other commands accept.
+// viete cage: makes cages. Other commands must accept these cages.
 #include <utility>
 
 #include "formats/read.h"

@@ -1,4 +1,4 @@
-// Cages with defects: findings, offers, badges and highlights.
+// Cages with defects: messages, proposed repairs, badges and highlights.
 #include "formats/write.h"
 #include "mesh/winding_number.h"
 #include "program/small_scene.h"
@@ -10,7 +10,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A ball and two cages: a cage with a missing face, and a cage that does not contain the whole ball.
+// A ball with two cages: one has a missing face, the other does not contain the whole ball.
 struct Checked : test::SmallScene {
   fs::path holed = folder / "holed.obj", low = folder / "low.obj";
 
@@ -37,7 +37,7 @@ struct Checked : test::SmallScene {
     const auto found = std::ranges::find(all, defect, &document::Finding::defect);
     return found == all.end() ? nullptr : &*found;
   }
-  // True if the widget is in the view, not in a column.
+  // True if the widget is in the view and not in a column.
   bool shows(const std::string& widget) {
     d.frame(2);
     const auto rect = d.viewer().recorder().find(widget);
@@ -45,7 +45,7 @@ struct Checked : test::SmallScene {
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
   }
-  // Counts pixels with the colour of highlights, which only they have: much red and little green.
+  // Counts highlighted pixels. Only highlights have their colour: much red and little green.
   int highlighted() {
     d.settle();
     const auto picture = d.picture();

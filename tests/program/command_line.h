@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Outcome {
   int code = -1;
-  std::string text;  ///< stdout and stderr
+  std::string text;  ///< the text of stdout and stderr
 };
 
 inline Outcome outcome_of(const std::string& command) {
@@ -34,7 +34,7 @@ inline Outcome outcome_of(const std::string& command) {
   return outcome;
 }
 
-/// Runs the program `viete` of a folder.
+/// Runs `viete` in a folder.
 inline Outcome run_of(const fs::path& folder, const std::string& arguments,
                       const std::string& environment = "") {
   return outcome_of(environment + " '" + folder.string() + "/viete' " + arguments + " 2>&1 </dev/null");
@@ -48,8 +48,8 @@ inline std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-/// Runs the program in a folder and sends the signal when the file `until` exists: a result, or `said`, the
-/// file with the output. If the program ends before that, deletes the files `made` and starts again.
+/// Runs the program in a folder, and sends the signal when the file `until` exists. `until` is a result, or
+/// `said`, the file with the output. If the program ends earlier, deletes the files `made` and starts again.
 inline Outcome ended_by(const std::string& signal, const fs::path& folder, const std::string& arguments,
                         const std::string& until, const std::string& made) {
   put_file(folder / "ended.sh",
@@ -73,7 +73,7 @@ const fs::path cage = dragon_cage, pose = assets_dir() / "dragon" / "pose_alert.
 const std::string in_cage = quoted(dragon) + " " + quoted(cage),
                   posed = "deform " + in_cage + " --pose " + quoted(pose);
 
-/// A folder in which the program runs.
+/// A folder for running the program.
 struct WorkFolder : TemporaryFolder {
   Outcome viete(const std::string& words) const { return run(words, "cd " + quoted(path()) + " &&"); }
   Outcome done(const std::string& words) const {

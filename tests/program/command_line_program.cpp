@@ -30,7 +30,7 @@ TEST_CASE("deform_writes_the_deformed_mesh_in_the_order_of_the_model_and_rest_as
 
 namespace {
 
-// Runs `viete deform --stream` with the file `poses` as input and the file `frames` as output.
+// Runs `viete deform --stream`. The input is the file `poses`, and the output is the file `frames`.
 Outcome streamed(const TemporaryFolder& scratch, const std::string& out = "frames",
                  const std::string& in = "< poses") {
   return outcome_of("cd " + quoted(scratch.path()) + " && " + quoted(build_dir() / "viete") + " deform " +
@@ -175,7 +175,7 @@ TEST_CASE("pictures_compare_ways_show_maps_and_have_no_background_where_that_is_
   CHECK(difference(plain, picture("--map turn"), 12) > 0.02);
   CHECK(difference(plain, picture("--compare smooth,rigid"), 12) > 0.05);
   CHECK(difference(picture("--compare diag,fast"), picture("--compare diag,sd,fast"), 12) > 0.05);
-  // The corner is transparent, the middle is opaque, and edges are between both.
+  // The corner is transparent, the middle is opaque, and edges are between transparent and opaque.
   const auto clear = picture("--transparent");
   CHECK(clear.rgba[3] == 0);
   std::size_t whole = 0, partly = 0;

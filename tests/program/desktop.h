@@ -1,4 +1,4 @@
-// A virtual display with mouse and keyboard, and programs on it.
+// A virtual display with mouse and keyboard, and programs on this display.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -24,8 +24,8 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-/// Waits until the condition is true. False after the time limit, which is long by default, for programs that
-/// hang.
+/// Waits until the condition is true. After the time limit, returns false. The default limit is long, because
+/// it is only for programs that hang.
 inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;
@@ -38,7 +38,7 @@ inline bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
 }
 
-/// The key code of F12. Some keyboard layouts have F12 on two keys, and xdotool would use the wrong one.
+/// The key code of F12. On some keyboard layouts, two keys are F12, and xdotool would use the wrong key.
 constexpr const char* f12_keycode = "96";
 
 // A child process. The destructor kills it.
@@ -73,7 +73,7 @@ public:
     waitpid(pid_, nullptr, 0);
     pid_ = 0;
   }
-  /// Sends SIGTERM, as at the end of a desktop session.
+  /// Sends SIGTERM, as the desktop does at the end of a session.
   void terminate() { kill(pid_, SIGTERM); }
   int exit_code() const { return WIFEXITED(*status_) ? WEXITSTATUS(*status_) : 128 + WTERMSIG(*status_); }
 
@@ -110,9 +110,9 @@ struct Desktop {
     REQUIRE(std::system(("DISPLAY=" + display + " xdotool " + arguments + " >/dev/null 2>&1").c_str()) == 0);
     std::this_thread::sleep_for(std::chrono::milliseconds(60));
   }
-  /// The bytes of the screen.
+  /// Returns the bytes of the screen.
   std::string screen() const { return file_bytes(folder / "Xvfb_screen0"); }
-  /// Waits until the screen differs from `before` and stops changing. The program has then handled all
+  /// Waits until the screen differs from `before` and no longer changes. The program has then handled all
   /// events.
   void rest(const std::string& before = "") {
     std::string seen = before;
@@ -125,7 +125,7 @@ struct Desktop {
     };
     REQUIRE_MESSAGE(wait_until(same_again), "the screen does not come to rest");
   }
-  /// Sends keys or mouse events that change the screen, and waits for the change.
+  /// Sends keys or mouse events that change the screen. Waits for the change.
   void xdotool_seen(const std::string& arguments) {
     const std::string before = screen();
     xdotool(arguments);
@@ -138,7 +138,7 @@ struct Desktop {
     for (int i = 1; i <= 8; ++i) xdotool("mousemove " + at(from + (to - from) * i / 8));
     xdotool("mouseup 1");
   }
-  /// The command line that starts the viewer in the desktop's folder.
+  /// Returns the command line that starts the viewer in the desktop's folder.
   std::string viete(const std::string& arguments) const {
     return "env DISPLAY=" + display + " WAYLAND_DISPLAY= sh -c 'cd \"" + folder.string() + "\" && exec \"" +
            test::build_dir().string() + "/viete\" --scale 1 " + arguments + "'";
@@ -151,7 +151,7 @@ struct Desktop {
   }
 };
 
-/// If Xvfb or xdotool is not installed, skips the test case and returns true.
+/// If Xvfb or xdotool is missing, skips the test case and returns true.
 inline bool no_desktop() {
   for (const char* program : {"Xvfb", "xdotool"}) {
     if (has_program(program)) continue;

@@ -27,13 +27,13 @@
 
 namespace viete::test {
 
-/// For tests that need pixels.
+/// An argument of Driver for tests that need pixels.
 struct WithPixels {
   platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any;
 };
 inline constexpr WithPixels with_pixels;
 
-/// The program without drawing, except if a test needs pixels or VIETE_PICTURES is set.
+/// The program in a test. It draws only if a test needs pixels or VIETE_PICTURES is set.
 class Driver {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),
@@ -70,15 +70,15 @@ public:
   render::Image picture() { return viewer().picture(); }
 
   using What = files::OpenRequest::What;
-  /// Opens files and runs frames until they are open. False if the program refuses them or asks a question.
+  /// Opens files, and runs frames until they are open. False if the program refuses them or asks a question.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
-  /// Opens the dragon in its cage, at rest or in a pose, and waits until the picture no longer changes.
+  /// Opens the dragon and its cage, at rest or in a pose. Waits until the picture no longer changes.
   void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
 
   void frame(int count = 1) {
     for (int i = 0; i < count; ++i) viewer().frame(1.0f / 60);
   }
-  /// Runs frames until the condition is true. False if this takes five minutes.
+  /// Runs frames until the condition is true. If this takes five minutes, returns false.
   template <class Condition>
   [[nodiscard]] bool until(Condition has_come) {
     const auto end = std::chrono::steady_clock::now() + std::chrono::minutes(5);
@@ -89,8 +89,8 @@ public:
     }
     return true;
   }
-  /// Runs frames until the generated cage has the current settings, also the full-quality cage after a
-  /// preview.
+  /// Runs frames until the generated cage follows the current settings. After a preview, also waits for the
+  /// cage of full quality.
   void finish_making() {
     do {
       frame();
@@ -151,7 +151,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// Unfolds the custom settings of the deformer if the widget is there. True if the widget now exists.
+  /// If the deformer's custom settings exist, unfolds them. Returns true if the widget then exists.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
@@ -166,9 +166,9 @@ public:
     workspace::find_command(command)->run(workspace());
     frame(2);
   }
-  /// Scrolls until the widget is visible and clicks in its center.
+  /// Scrolls until the widget is visible, and clicks its center.
   void click(const std::string& widget) { click(place_of(widget)); }
-  /// Opens a list and selects an entry.
+  /// Opens a list, and selects an entry.
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
@@ -195,7 +195,7 @@ public:
     return {};
   }
 
-  /// The deformed model in double, as an export writes it.
+  /// Returns the deformed model in double, as an export writes it.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const files::Export e = files::export_of(document(), {});
@@ -204,7 +204,7 @@ public:
         .positions;
   }
 
-  /// The largest error of the drawn vertices, in diagonals of the model.
+  /// Returns the largest error of the drawn vertices, in diagonals of the model.
   double drawn_error() {
     return largest_distance(exact_positions(), viewer().deformer()->positions()) /
            document().model.bounds.diagonal();
@@ -215,7 +215,7 @@ public:
     return glm::vec2(*project(p));
   }
   glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
-  /// A visible cage vertex that is far from other vertices on the screen and close to the center.
+  /// Returns a visible cage vertex that is near the center of the screen and far from other vertices.
   std::uint32_t free_vertex();
 
   static constexpr int left_ctrl = 341, left_shift = 340, left_alt = 342;

@@ -1,4 +1,4 @@
-// Exports of deformed models in the background.
+// Exports deformed models in the background.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "formats/point_cache.h"
@@ -15,7 +15,7 @@ namespace {
 
 const std::string saved = "Saved ", old = "v 0 0 0\n";
 
-// A posed model that is so large that the export takes many frames.
+// A posed model. It is large, so that the export takes many frames.
 struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, int level = 7) : Driver(small_window()) {
     formats::write(folder / "large.ply", ball(1, level));
@@ -120,7 +120,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
-  // The options of the dialog: by default without cage and panels; here light theme and another size.
+  // The dialog's options: the default is without cage and panels. Here: the light theme and another size.
   workspace::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);

@@ -1,5 +1,4 @@
-// Mouse and keyboard gestures: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and
-// painting.
+// Mouse and keyboard: the gizmo, typed numbers, pivot, soft selection, mirror, bending, sets and painting.
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
@@ -43,7 +42,7 @@ struct Hand : Driver {
     frame(2);
     CHECK(document().selection.size() == pose().size());
   }
-  // The model in double. The drawn model in float must agree.
+  // Returns the model in double. The model drawn in float must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
     return exact_positions();
@@ -62,7 +61,7 @@ struct Hand : Driver {
 
 constexpr double radians = std::numbers::pi / 180;
 
-// Rotates points about a vertical line.
+// Returns points after a rotation about a vertical line.
 std::vector<mesh::Point> turned(std::vector<mesh::Point> points, const glm::dvec3& center, double degrees) {
   const double c = std::cos(degrees * radians), s = std::sin(degrees * radians);
   for (auto& p : points) {
@@ -125,7 +124,7 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   const glm::vec2 at = glm::round(d.vertex(v));
   d.press_and_move(at, at + glm::vec2(30, 30));
   const auto axes = d.workspace().view.axes;
-  d.key('X', true);  // without a drag, a shortcut
+  d.key('X', true);  // if no drag is active, X is a shortcut
   d.type("x");
   d.key('X', false);
   CHECK(d.workspace().view.axes == axes);
@@ -257,7 +256,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
   d.type("60");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
-  d.type("y");  // pressed again: bends in the plane of the view
+  d.type("y");  // the second y bends in the plane of the view again
   d.frame();
   CHECK(is_bent({}, 60));
   d.type("Z");
@@ -314,7 +313,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.choose("mirror", "mirror_x");
   REQUIRE(workspace::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
-  const double plane = 0.0195;  // a fraction of the pixels, larger than that of lines
+  const double plane = 0.0195;  // the fraction of the pixels; lines have fewer pixels
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
   d.settle();
   CHECK(test::difference(without, d.picture(), 0) > plane);
@@ -330,7 +329,7 @@ TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once"
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
   Hand d(test::with_pixels);
   const auto selected = [&] { return d.document().selection.size(); };
-  // Counts the pixels with the colour of selected vertices.
+  // Counts the pixels that have the colour of selected vertices.
   const auto amber = [&] {
     d.move({700, 20});
     d.frame(2);

@@ -1,4 +1,4 @@
-// The program redraws the cached view whenever its content changes.
+// Tests the cached view. The program must draw it again each time its content changes.
 #include <random>
 
 #include "interact/cursor_projection.h"
@@ -17,7 +17,7 @@ glm::vec2 bare_place(Driver& d) {
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
 }
 
-// Random clicks, drags and commands.
+// Makes random clicks, drags and commands.
 class RandomInput {
 public:
   RandomInput(Driver& driver, unsigned seed) : d(driver), random_(seed) {}
@@ -49,7 +49,7 @@ private:
     for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
     if (below(2) == 0) d.button(button, false);
   }
-  // Runs a random command, except commands of the File menu. Undoes requests and full screen.
+  // Runs a random command that is not in the File menu. Cancels requests, and leaves full screen.
   void run_any_command() {
     const auto all = workspace::commands();
     const workspace::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];

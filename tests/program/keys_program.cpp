@@ -1,4 +1,4 @@
-// Keys of all keymaps, the list of keys, and the help for keys and mouse.
+// The keys of all keymaps, the list of keys, and help about keys and mouse.
 #include <algorithm>
 
 #include "program/driver.h"

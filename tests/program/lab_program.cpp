@@ -25,7 +25,7 @@ void choose_map(Driver& d, const char* word) {
   d.settle();
 }
 
-// The vertices of the active view.
+// Returns the vertices of the active view.
 std::vector<mesh::Point> shown(Driver& d) {
   std::vector<mesh::Point> points;
   for (std::size_t v = 0; v < d.document().model.surface->positions.size(); ++v)
@@ -33,12 +33,12 @@ std::vector<mesh::Point> shown(Driver& d) {
   return points;
 }
 
-// The largest distance of corresponding points, in diagonals of the model.
+// Returns the largest distance between corresponding points, in diagonals of the model.
 double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   return test::largest_distance(a, b) / d.document().model.bounds.diagonal();
 }
 
-// The largest error of a view's vertices against double, in diagonals of the model.
+// Returns the largest error of a view's vertices, compared with double, in diagonals of the model.
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().split.sides()[side];
   base::WorkerPool pool;
@@ -73,7 +73,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
   }
-  // All maps differ. But without a second view, both difference maps are empty.
+  // All maps differ, except both difference maps: without a second view, they are empty.
   CHECK(seen.size() >= choices(Field::none).size() - 2);
   choose_map(d, "none");
   d.move({1, 1});
@@ -119,7 +119,7 @@ TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") 
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
   CHECK(d.workspace().split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
-  // The influence of the second of two pins is 1 at this pin and 0 at the other.
+  // There are two pins. The influence of the second pin is 1 at this pin, and 0 at the first pin.
   document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
   document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
   d.settle();
@@ -155,7 +155,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   CHECK(split.sides()[1].method == sym3::Method::sd);
   for (std::size_t i = 0; i < 3; ++i) CHECK_MESSAGE(error_of_side(d, i) < 2e-5, i);
   workspace::enter_view(d.workspace(), 0);
-  // Errors stay small after a drag of the cage in another view.
+  // Drags the cage in another view. Errors stay small.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
   const auto& v = d.workspace().viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
@@ -219,7 +219,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(sum == doctest::Approx(1).epsilon(1e-9));
   CHECK(
       std::ranges::is_sorted(view.terms, std::greater<>(), [](const auto& t) { return std::abs(t.weight); }));
-  // The map of the vertex moves it to its position in the frame.
+  // Applies the map of the vertex. The vertex moves to its position in the frame.
   const auto& last = view.terms.back().eigenvalues;
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
@@ -233,7 +233,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   d.settle();
   CHECK_FALSE(d.workspace().vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
-  // The key inspects the vertex under the pointer and opens the section. Its numbers follow the pose.
+  // The key inspects the vertex under the pointer, and opens the section. The numbers follow the pose.
   d.workspace().preferences.layout.sections.clear();
   d.workspace().preferences.layout.folded[static_cast<std::size_t>(workspace::Column::methods)] = true;
   d.frame(3);
@@ -273,7 +273,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.frame(2);
   const auto straight = shown(d);
   CHECK(apart(d, straight, first) > 0.02);
-  // The view equals the document with linear blending.
+  // The view equals that of the document with linear blending.
   workspace::enter_view(d.workspace(), 0);
   workspace::find_command("toggle_straight")->run(d.workspace());
   d.settle();
@@ -288,7 +288,7 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   d.settle();
   CHECK(d.workspace().split.views[0].shown.stats.most == 0);
   CHECK(d.workspace().split.views[0].shown.problem.empty());
-  // The pin is at a vertex without triangles.
+  // A pin is at a vertex that has no triangle.
   document::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
   loose.positions.push_back({0, 0, 0});

@@ -1,4 +1,4 @@
-// Columns, menus, toasts and the palette, by mouse and keys.
+// Uses columns, menus, toasts and the palette by mouse and keys.
 #include <map>
 
 #include "document/record.h"
@@ -56,7 +56,7 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
   d.drag({end - 3, 60}, {end - 43, 60});
   CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
   CHECK(d.document().selection.empty());
-  // A tab folds and unfolds a column.
+  // A tab folds and unfolds its column.
   for (const bool shown : {false, true}) {
     d.click("tab/methods");
     d.frame();
@@ -171,7 +171,7 @@ TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   d.frame(2);
   CHECK_FALSE(d.workspace().camera.pose() == camera);
   CHECK_FALSE(d.viewer().recorder().find("menu/select_all"));
-  // The menu adds a probe at the place where it was opened.
+  // The menu adds a probe at the place where the menu was opened.
   d.workspace().view.cage = false;
   const auto& view = d.workspace().viewport;
   d.click(view.origin + glm::vec2(0.5f, 0.62f) * view.size, 1);
@@ -282,7 +282,7 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
 
 namespace {
 
-// Types a path in the file browser and waits until the program has read, written or refused the file.
+// Types a path in the file browser. Waits until the program has read, written or refused the file.
 void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
   workspace::find_command(command)->run(d.workspace());
   d.frame(3);
@@ -386,10 +386,10 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
     std::map<std::string, ui::WidgetRect> before = d.viewer().recorder().all();
     d.frame(3);
     for (const auto& [name, rect] : d.viewer().recorder().all()) {
-      if (!before.contains(name)) continue;  // only widgets that existed before
+      if (!before.contains(name)) continue;  // skips new widgets
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
-    if (!d.workspace().browser.open) d.press_key('O', true);  // it stays open in later rounds
+    if (!d.workspace().browser.open) d.press_key('O', true);  // the file browser stays open in later rounds
     d.frame(3);
     for (const char* name : {"file_path", "file_choose"}) {
       const auto rect = d.viewer().recorder().find(name);

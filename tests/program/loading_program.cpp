@@ -8,7 +8,7 @@ using What = files::OpenRequest::What;
 
 namespace {
 
-// Runs frames until the progress bar is visible. False if the file is read before that.
+// Runs frames until the progress bar is visible. If the file is read earlier, returns false.
 bool sees_loading_bar(Driver& d) {
   bool seen = false;
   d.frame();  // starts to read the file

@@ -1,4 +1,4 @@
-// A context that draws nothing, to run the viewer without OpenGL.
+// A context that draws nothing. With it, the viewer runs without OpenGL.
 #pragma once
 
 #include <stdexcept>
@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Ignores all GL calls. Reading a pixel throws an exception.
+/// Ignores all GL calls. If a pixel is read, throws an exception.
 class NoPixels final : public platform::OffscreenContext {
 public:
   render::Proc get_proc_address(const char* name) const override {

@@ -10,7 +10,7 @@
 
 namespace viete::test {
 
-/// The dragon's cage without its first face.
+/// Writes the dragon's cage without its first face, and returns the file.
 inline std::filesystem::path open_cage(const std::filesystem::path& folder) {
   const mesh::Surface surface = formats::read(dragon_cage).surface;
   const std::vector<mesh::Triangle> triangles(surface.triangles.begin() + 1, surface.triangles.end());

@@ -12,7 +12,7 @@ using namespace viete::test;
 
 namespace {
 
-// Files of a small model, a cage, a pose and a session.
+// The files of a small model, a cage, a pose and a session.
 struct SmallFiles : WorkFolder {
   SmallFiles() {
     formats::write(*this / "model.obj", cube(1));

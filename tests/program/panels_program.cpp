@@ -1,4 +1,4 @@
-// No widget of any panel is outside the window or covers another widget, at both scales.
+// At both scales, no widget of a panel may be outside the window or cover another widget.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "files/open.h"

@@ -35,8 +35,8 @@ void mask_panels(render::Image& image, float scale) {
 }
 
 struct Tolerance {
-  int levels = 2;        // largest difference of a channel
-  double share = 0.001;  // fraction of the pixels that may differ more
+  int levels = 2;        // the largest difference of a channel
+  double share = 0.001;  // the fraction of pixels that may differ more
 };
 
 const Tolerance of_text{.share = 0.0001};  // smaller, because a line of text has few pixels
@@ -77,7 +77,7 @@ void compare(const Picture& p) {
                 "-now.png in the build folder");
 }
 
-// Opens the dragon and runs commands.
+// Opens the dragon, and runs the commands.
 std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> commands = {}) {
   return [=](Driver& d) {
     d.open_dragon(pose, test::bundled_dragon);
@@ -86,7 +86,7 @@ std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> c
   };
 }
 
-// Selects three elements and hides the model.
+// Selects three elements, and hides the model.
 std::function<void(Driver&)> handles(const char* kind, const char* tool) {
   return [=](Driver& d) {
     auto& w = d.workspace();
@@ -100,7 +100,7 @@ std::function<void(Driver&)> handles(const char* kind, const char* tool) {
   };
 }
 
-// A textured sheet (glTF) in a box whose right end is pulled forward.
+// Opens a textured sheet (glTF) in a box. The right end of the box is pulled forward.
 void open_bent_sheet(Driver& d, const fs::path& folder) {
   render::Image image{64, 64, {}};
   for (int y = 0; y < 64; ++y) {
@@ -181,7 +181,7 @@ void open_model_alone(Driver& d) {
   d.settle();
 }
 
-// A probe that rotates the head.
+// Adds a probe that rotates the head.
 void turn_a_probe(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   CHECK(test::run_command(d.workspace(), "view_right"));
@@ -218,7 +218,7 @@ const Picture views[] = {
     {"probe", turn_a_probe},
     {"model_without_cage", open_model_alone}};
 
-// Replaces measured numbers and names of hardware, which differ in each run.
+// Replaces measured numbers and names of hardware, because they differ in each run.
 void put_numbers(Driver& d) {
   auto& w = d.workspace();
   d.settle();

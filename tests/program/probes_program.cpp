@@ -19,7 +19,7 @@ struct ProbeHand : Driver {
     REQUIRE(cage ? open({test::dragon, test::dragon_cage}) : open({test::dragon}));
     settle();
   }
-  // Adds a probe under the pointer, at the head.
+  // Adds a probe under the pointer. The pointer is at the head.
   void place_probe() {
     move(head());
     press_key('P');
@@ -42,7 +42,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     CHECK(glm::distance(d.on_screen(document::probe_center(d.document(), 0)), d.head()) < 1.5f);
     CHECK_FALSE(document::differs_from_rest(d.document()));
     const auto unmoved = d.exact_positions();
-    // Drags the green arrow up.
+    // Drags the green arrow upward.
     d.press_key('W');
     d.frame(2);
     const glm::vec2 tip = glm::floor(workspace::gizmo_of(d.workspace())->arms[1].tip);
@@ -66,7 +66,7 @@ TEST_CASE("a_probe_is_placed_dragged_turned_and_undone_by_mouse_and_keys") {
     d.settle();
     CHECK(d.probe().pose.turn[1] == doctest::Approx(std::numbers::pi / 2).epsilon(1e-12));
     CHECK(d.drawn_error() < 2e-5);
-    // Distant vertices have the same bits as before.
+    // Distant vertices keep their exact positions.
     const auto exact = d.exact_positions();
     std::size_t still = 0;
     for (std::size_t v = 0; v < rest.size(); ++v) still += exact[v] == rest[v];
@@ -130,7 +130,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   d.press_key('N');
   CHECK(test::difference(rest, picture(), 8) < 0.01);
   CHECK(d.workspace().posed.vertices.empty());
-  // A pose that was made in the meantime stays.
+  // Keeps a pose that was made in the meantime.
   for (auto& p : pose.positions) p[0] += 0.3;
   document::set_pose(d.document(), pose);
   CHECK(test::difference(rest, picture(), 8) < 0.01);

@@ -1,4 +1,4 @@
-// Unsaved edits survive kill -9 and other ends of the program.
+// Ends the program by kill -9 and in other ways. Unsaved edits must survive.
 #include <random>
 
 #include "program/kept_work.h"
@@ -158,7 +158,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   CHECK(d.viewer().closed());
 }
 
-// The next test runs this in another process. It makes edits and logs the start and the end of each edit.
+// The next test runs this in another process. It makes edits, and logs when each edit begins and ends.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);
@@ -203,7 +203,7 @@ TEST_CASE("kill_9_at_any_moment_loses_at_most_the_running_drag" * doctest::test_
       std::this_thread::sleep_for(std::chrono::microseconds(random() % 200000));
       child.kill_now();
     }
-    // The recovery file may contain the last complete edit or the edit after it.
+    // The recovery file has the last complete edit, or the edit that follows it.
     std::vector<double> allowed;
     std::ifstream lines(log);
     std::string what;

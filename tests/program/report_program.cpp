@@ -11,7 +11,7 @@ using namespace viete::test;
 
 namespace {
 
-/// A small model in a posed cage.
+/// The files of a small model and its posed cage.
 struct SmallModel {
   explicit SmallModel(const TemporaryFolder& scratch) {
     auto cube = test::moved(test::cube(), 1.5);
@@ -43,7 +43,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(json["figure"] == "report");
   CHECK(json["deformation"][0]["vertices"] == 258);
   CHECK(json["shapes"].size() == 3);
-  // The command overwrites its own page, but no other file.
+  // The command overwrites the page that it wrote before, but no other file.
   put_file(folder / "index.html", "<html>mine</html>");
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);

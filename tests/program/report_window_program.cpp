@@ -22,7 +22,7 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   d.click("show_report");
   d.frame(2);
   REQUIRE(d.workspace().reporting.running);
-  d.click("stop_report");  // this shows no message
+  d.click("stop_report");  // after this click, no message is shown
   REQUIRE(d.until([&] { return !d.workspace().reporting.running; }));
   CHECK(d.workspace().messages.all().empty());
   CHECK(workspace::find_command("show_report")->enabled(d.workspace()));

@@ -1,4 +1,4 @@
-// Shapes and pins with simulated events: import, sliders, posing by a pin, export, and shapes in a cage.
+// Shapes and pins, with simulated events: import, sliders, posing by a pin, export, and shapes in a cage.
 #include <algorithm>
 #include <cmath>
 
@@ -15,7 +15,7 @@ using test::Driver;
 
 namespace {
 
-// Files of the dragon and two shapes, whose upper half is turned to the left and to the right.
+// The dragon and files of two shapes. In the shapes, the upper half is rotated to the left or to the right.
 struct ShapeHand : Driver {
   test::TemporaryFolder folder;
   std::filesystem::path left = folder / "left.ply", right = folder / "right.ply";
@@ -74,7 +74,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
 TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_with_it") {
   ShapeHand d(false);
   const auto& rest = d.document().model.surface->positions;
-  // A pin at the feet and a pin on the head.
+  // Adds a pin at the feet and a pin on the head.
   for (const mesh::Point& at : {mesh::Point{0.05, 0.1, 0.2}, mesh::Point{0.75, 1.35, 0}}) {
     d.move(glm::floor(d.on_screen(at)));
     d.press_key('P', false, false, true);

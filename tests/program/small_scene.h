@@ -1,4 +1,4 @@
-// The program with a small scene, which is drawn quickly.
+// The program with a small scene that it can draw quickly.
 #pragma once
 
 #include "formats/write.h"
@@ -12,7 +12,7 @@ inline app::ViewerOptions small_options(glm::ivec2 size = {700, 420}) {
   return Driver::default_options(size);
 }
 
-// A ball of 642 vertices in a cage of 42 vertices.
+// A ball with 642 vertices in a cage with 42 vertices.
 struct SmallScene {
   explicit SmallScene(const app::ViewerOptions& options = small_options(),
                       std::optional<WithPixels> pixels = Driver::pictures_wanted())

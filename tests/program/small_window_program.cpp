@@ -1,4 +1,4 @@
-// All controls can be used in a window of any size and scale.
+// All controls must be usable in a window of any size and scale.
 #include "program/small_scene.h"
 #include "support/commands.h"
 
@@ -12,7 +12,7 @@ struct WindowSize {
   float scale;
 };
 
-// The smallest window, and usual screen sizes.
+// The smallest window, and common screen sizes.
 const WindowSize sizes[] = {
     {{640, 400}, 1}, {{1280, 800}, 2}, {{1366, 768}, 1}, {{1920, 1080}, 1.25f}, {{2880, 1620}, 1.5f}};
 
@@ -30,7 +30,7 @@ bool is_inside(Driver& d, const std::string& widget) {
   return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
 }
 
-// True if the widget is visible, or is in the menu of the button `more`. Closes the menu.
+// True if the widget is visible, or is in the menu of the button `more`. Closes the menu at the end.
 bool is_in_reach(Driver& d, const std::string& there, const std::string& in_menu, const std::string& more) {
   if (is_inside(d, there)) return true;
   if (!is_inside(d, more)) return false;

@@ -43,7 +43,7 @@ struct Timed : Driver {
     type(percent);
     press_key(workspace::Key::enter);
   }
-  // The screen position of a frame on the track; `y` is a fraction of its height.
+  // Returns the position of a frame of the track on the screen. `y` is a fraction of the track's height.
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
     REQUIRE(rect);
@@ -119,7 +119,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.viewer().recorder().find("time/track"));
   d.press_key(workspace::Key::space);
   REQUIRE_FALSE(d.workspace().playback.playing);
-  // Sliders show the played pose. A typed weight changes this pose, and undo restores it.
+  // Sliders show the weights of the played pose. A typed weight changes the pose, and undo restores it.
   d.go_to(110);
   const auto played = d.pose();
   d.type_weight("100");
@@ -140,7 +140,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.key_pose_of("pose_flight", 48);
   REQUIRE(d.timeline().keys.size() == 3);
 
-  // A drag on the ruler changes the frame. At a key the pose has the same bits as the key.
+  // A drag on the ruler changes the frame. At a key, the pose equals the key's pose exactly.
   d.drag(d.on_track(30, ruler), d.on_track(24, ruler));
   CHECK(d.document().frame == 24);
   CHECK(d.pose() == alert);
@@ -165,7 +165,7 @@ TEST_CASE("keys_are_set_played_scrubbed_and_retimed") {
   d.drag(d.on_track(24, keys), d.on_track(30, keys));
   CHECK(document::key_at(d.timeline(), 30));
   CHECK_FALSE(document::key_at(d.timeline(), 24));
-  // If the pointer is over the timeline, Delete removes keys.
+  // While the pointer is over the timeline, Delete removes keys.
   d.click(d.on_track(48, keys));
   d.press_key(workspace::Key::delete_key);
   CHECK(d.timeline().keys.size() == 2);

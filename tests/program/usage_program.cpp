@@ -1,4 +1,4 @@
-// Help, and errors of wrong words, options and numbers on the command line.
+// Help, and errors about wrong words, options and numbers on the command line.
 #include <algorithm>
 #include <sstream>
 #include <utility>

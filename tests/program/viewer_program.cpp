@@ -21,7 +21,7 @@ double diagonal(Driver& d) {
   return 2 / d.document().space.scale;
 }
 
-// The model in double. The drawn model in float must agree.
+// Returns the model in double. The model drawn in float must agree.
 std::vector<mesh::Point> positions(Driver& d) {
   CHECK(d.drawn_error() < 2e-5);
   return d.exact_positions();
@@ -77,7 +77,7 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK_FALSE(d.workspace().view.hints);
 
-  // Pixels around the vertex that moved farthest have changed.
+  // Pixels have changed around the vertex that moved farthest.
   const auto after = positions(d);
   std::size_t farthest = 0;
   const auto shift = [&](std::size_t i) { return mesh::norm(after[i] - rest[i]); };
@@ -100,7 +100,7 @@ TEST_CASE("the_four_methods_are_clicked_and_agree") {
   const auto v = d.free_vertex();
   d.drag(glm::round(d.vertex(v)), glm::round(d.vertex(v)) + glm::vec2(50, 40));
   const auto reference = positions(d);
-  // SD has errors up to 1e-4 for close eigenvalues, which are common close to the rest pose.
+  // If eigenvalues are close, SD has errors up to 1e-4. Close eigenvalues are common near the rest pose.
   const struct {
     const char* widget;
     sym3::Method method;

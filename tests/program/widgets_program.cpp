@@ -1,4 +1,4 @@
-// Widgets with simulated events: Esc cancels an active widget and closes popups; dialogs and notices.
+// Widgets, with simulated events: Esc cancels active widgets and closes popups; dialogs; notices.
 #include <imgui_internal.h>
 
 #include <functional>
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// All data that sliders can change.
+// Returns all data that sliders can change.
 auto state(const workspace::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
                     w.document.pose.turns, w.document.probes, w.handling, w.preferences.layout,
@@ -44,7 +44,7 @@ struct Held : Driver {
     workspace().preferences.layout.timeline = true;
     frame(3);
   }
-  // Drags a widget and presses Esc: nothing may change, also not the list of edits to redo.
+  // Drags a widget and presses Esc. Nothing may change, including the redo list.
   void check_called_off(const std::string& widget, glm::vec2 way) {
     const glm::vec2 at = place_of(widget);
     const auto before = state(workspace());
@@ -128,7 +128,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   auto& w = d.workspace();
   const double diagonal = d.document().space.diagonal();
   const struct {
-    const char* command;  // runs first, if not empty
+    const char* command;  // if not empty, runs first
     const char *slider, *text;
     std::function<double()> value;
     double expected;
@@ -154,7 +154,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   type("probe_turn_radius", "21");
   CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
 
-  // Esc keeps the number. Then a single click moves the slider.
+  // Esc keeps the number. After that, a click moves the slider.
   const auto before = state(d.workspace());
   begin("turn", true);
   d.type("150");
@@ -293,7 +293,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   CHECK(browser.open);
   CHECK(browser.path == browser.folder / "precious.obj");
   CHECK(d.viewer().recorder().find("file_replaces"));
-  d.press_key(workspace::Key::enter);  // the first Enter warns, the second confirms
+  d.press_key(workspace::Key::enter);  // the first Enter warns; the second Enter confirms
   d.frame(3);
   CHECK(browser.open);
   CHECK(test::file_bytes(folder / "precious.obj") == precious);
@@ -321,7 +321,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
       CHECK(recorder.find(widget)->visible);
     }
     CHECK_FALSE(recorder.find("weights"));
-    // If all sections are folded, the left column has at most twenty controls.
+    // If all sections are folded, the left column has at most 20 controls.
     std::size_t controls = 0;
     for (const auto& [name, rect] : recorder.all())
       controls += rect.x1 <= d.workspace().viewport.origin.x && !name.starts_with("menu/");
@@ -339,7 +339,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   for (const auto& links : times.links) CHECK(links.total() > 0);
   for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
   CHECK(times.links[3][deform::Link::fused] > 0);
-  // Another method needs no new binding.
+  // If the method changes, no new binding is needed.
   d.click("method_diag");
   REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
 

@@ -1,4 +1,4 @@
-// The window on a virtual display, with mouse and keyboard, has the same pixels as the offscreen program.
+// The window on a virtual display, with mouse and keyboard. It must have the pixels of the offscreen program.
 #include <sstream>
 
 #include "files/session.h"
@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* f11_keycode = "95";  // see test::f12_keycode
 
-// Makes columns and bars black, because their font differs.
+// Makes columns and bars black, because their fonts differ.
 void cut_panels(render::Image& image) {
   constexpr int left = 384, right = 320, top = 40, bottom = 26;
   for (int y = 0; y < image.height; ++y) {
@@ -34,7 +34,7 @@ void cut_panels(render::Image& image) {
   }
 }
 
-// The offscreen program with the dragon, as the window opens and draws it.
+// The offscreen program with the dragon. It opens and draws the dragon as the window does.
 struct Offscreen : Driver {
   Offscreen() : Driver(options(), test::with_pixels) {
     workspace().document.scheme = deform::default_scheme();
@@ -55,7 +55,7 @@ std::string at(glm::vec2 place) {
   return std::to_string(p.x) + ' ' + std::to_string(p.y);
 }
 
-// A session with a ball in a larger ball as cage, which is open in a window.
+// A session that is open in a window: a ball, with a larger ball as its cage.
 struct RealSession {
   Desktop desktop;
   fs::path session = desktop.folder / "work.viete";
@@ -74,8 +74,8 @@ struct RealSession {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// Saves the session by a key, after all other events, and reads it. Tries again until the window has the
-  /// keyboard focus.
+  /// Saves the session by a key after all other events, and reads it. Tries again until the window gets the
+  /// keys.
   files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };

@@ -1,5 +1,5 @@
 #!/bin/sh
-# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: runs all scripts of the gallery and the README's example in FOLDER.
+# gallery.sh PYTHON SOURCE FOLDER EXAMPLE: runs all scripts of the gallery, and the README's example, in FOLDER.
 set -eu
 python=$1 source=$2 folder=$3 example=$4
 rm -rf "$folder" && mkdir -p "$folder"

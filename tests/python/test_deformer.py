@@ -1,4 +1,4 @@
-"""test_deformer.py PROGRAM ASSETS: tests of the deformer of the module `viete`, also against the program viete."""
+"""test_deformer.py PROGRAM ASSETS: tests the deformer of the module `viete`, and compares it with the program."""
 
 import concurrent.futures
 import gc
@@ -21,7 +21,7 @@ CUBE_FACES = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 
 
 
 def ball(n=12):
-    """A sphere of triangles inside the cube."""
+    """Returns a sphere of triangles inside the cube."""
     u, v = np.meshgrid(np.linspace(0.2, np.pi - 0.2, n), np.linspace(0, 2 * np.pi, n, endpoint=False), indexing="ij")
     places = 0.8 * np.stack([np.sin(u) * np.cos(v), np.sin(u) * np.sin(v), np.cos(u)], axis=-1).reshape(-1, 3)
     at = lambda i, j: i * n + j % n
@@ -383,7 +383,7 @@ class Arrays(WithFolder):
         self.assertLess(frames(9000) - before, 2048)  # kB
 
     def test_import_is_fast(self):
-        """The module imports numpy only when it is needed, because the import is slow."""
+        """If numpy is not needed, the module does not import it, because the import is slow."""
         code = "import sys, viete; assert 'numpy' not in sys.modules; viete.exp([[0.0] * 6]); assert 'numpy' in sys.modules"
         subprocess.run([sys.executable, "-c", code], check=True)
 

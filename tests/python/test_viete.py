@@ -1,4 +1,4 @@
-"""Tests of the module `viete` against numpy: results, shapes, memory, errors."""
+"""Compares the module `viete` with numpy: results, shapes, memory, errors."""
 
 import concurrent.futures
 import sys
@@ -17,7 +17,7 @@ def tolerance(dtype):
 
 
 def packed(full):
-    """Converts (..., 3, 3) to (..., 6)."""
+    """Converts symmetric matrices from the shape (..., 3, 3) to (..., 6)."""
     return np.ascontiguousarray(full[..., [0, 0, 0, 1, 1, 2], [0, 1, 2, 1, 2, 2]])
 
 
@@ -104,7 +104,7 @@ def affine(*shape):
 
 
 class LogSpace(unittest.TestCase):
-    """Affine maps (M. Alexa, 2002), and log-Euclidean means (V. Arsigny et al., 2006)."""
+    """Tests affine maps (M. Alexa, 2002) and log-Euclidean means (V. Arsigny et al., 2006)."""
 
     def assert_equal(self, a, b, error=1e-12):
         self.assertEqual((a.shape, a.dtype), (b.shape, b.dtype))
@@ -152,7 +152,7 @@ class LogSpace(unittest.TestCase):
 
 
 def derivative_by_eigenvalues(f, slope, s, e):
-    """The derivative by divided differences, for well separated or equal eigenvalues."""
+    """Computes the derivative by divided differences. Eigenvalues must be well separated or equal."""
     x, v = np.linalg.eigh(s.astype(np.float64))
     gap = x[..., :, None] - x[..., None, :]
     near = np.abs(gap) < 1e-6

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Before a release, by hand: the functions of matrices and the deformer, compiled for 64-bit ARM and run by qemu: their tests, and the
-# example of C. Libraries of that machine are unpacked into the folder.
+# Run this manually before a release. Compiles the matrix functions and the deformer for 64-bit ARM, and runs their tests and the C
+# example with qemu. Unpacks ARM libraries into the folder.
 #   apt-get install g++-aarch64-linux-gnu qemu-user-static mmdebstrap; tests/releases/try_arm64.sh [FOLDER]
 set -eu
 here=$(CDPATH='' cd -P -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd)

@@ -1,9 +1,9 @@
 #!/bin/sh
-# Before a release, by hand and as root: the README's two commands on bare machines of other releases of Debian.
+# Run this manually, as root, before a release. Runs the README's two commands on minimal systems of other Debian releases.
 #   tests/releases/try_release.sh [-k] [-f FOLDER] bookworm trixie testing
-# For each: a minimal root by mmdebstrap, the sources as they are committed, `setup.sh` up to a picture, `setup.sh test`.
-# Prints the times. -k keeps the roots for a look (and for the next run, which then installs nothing); -f says where they
-# are made. Debian's archive is asked, nothing else. The roots' /tmp and /proc are their own.
+# For each release: makes a minimal root by mmdebstrap, copies the committed sources, and runs `setup.sh` until it makes a
+# picture, and `setup.sh test`. Prints the times. -k keeps the roots, so that the next run installs nothing. -f sets the folder
+# of the roots. Downloads only from Debian's archive. Each root has its own /tmp and /proc.
 set -eu
 here=$(CDPATH='' cd -P -- "$(dirname -- "$(readlink -f -- "$0")")/../.." && pwd)
 keep="" folder=${TMPDIR:-/tmp}/viete-releases
@@ -19,10 +19,10 @@ shift $((OPTIND - 1))
 [ "$(id -u)" = 0 ] || { echo "try_release.sh: making a root needs root" >&2; exit 1; }
 command -v mmdebstrap >/dev/null || { echo "try_release.sh: apt-get install mmdebstrap" >&2; exit 1; }
 
-# The age in testing's Release file is ignored: mirrors may be behind.
+# Ignores the date in the Release file of testing, because mirrors may be old.
 stale='Acquire::Check-Valid-Until "false";'
 
-# inside ROOT COMMAND: with nothing of this machine's environment.
+# inside ROOT COMMAND: runs the command in the root, without environment variables of this machine.
 inside() {
   chroot "$1" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 sh -c "$2"
 }
@@ -40,7 +40,7 @@ enter() {
   echo "$stale" >"$1/etc/apt/apt.conf.d/99stale"
 }
 
-# timed NAME ROOT COMMAND
+# timed NAME ROOT COMMAND: runs the command in the root, and prints its time.
 timed() {
   begun=$(date +%s)
   if inside "$2" "$3" >"$folder/$1.log" 2>&1; then result="done"; else result="FAILED"; fi

@@ -11,14 +11,14 @@ namespace {
 
 const glm::dmat4 perspective = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
 
-// The largest value of a channel in 20 pixels.
+// Returns the largest value of a channel in 20 pixels.
 int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int channel) {
   int most = 0;
   for (int i = 0; i < 20; ++i, from += step) most = std::max<int>(most, image.pixel(from.x, from.y)[channel]);
   return most;
 }
 
-/// A black wall at x >= 0, z = 1. Only lines and discs are visible.
+/// A black wall at x >= 0 and z = 1. Only lines and discs are visible.
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};
@@ -137,7 +137,7 @@ TEST_CASE("line_through_the_near_plane_is_cut_there") {
   test::Stage stage;
   stage.view.projection = perspective;
   render::LineLayer lines(stage.gl);
-  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind it
+  set_line(lines, {0, -1, 0}, {0, -1, 40});  // from 10 in front of the eye to 30 behind the eye
   const render::Image image = stage.picture([&] { lines.draw(stage.view, {}); });
   CHECK(image.pixel(160, 195)[0] > 0);  // the line ends at the lower border
   for (int y = 0; y < 100; ++y) CHECK(image.pixel(160, y)[0] == 0);

@@ -12,7 +12,7 @@ using render::GroundShadow;
 
 namespace {
 
-// A square of side 0.4 around (x, y) at a height.
+// Returns a square of side 0.4 at a height. (x, y) is its center.
 std::vector<glm::vec3> square(float x, float y, float height) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 81 * 81; ++i)
@@ -97,7 +97,7 @@ TEST_CASE("points_beyond_the_grid_cast_no_shadow") {
 
 namespace {
 
-// A ball on the ground, in front of white.
+// A ball on the ground. The background is white.
 struct Standing {
   explicit Standing(int up) : shadow(stage.gl), backdrop(stage.gl) {
     glm::dvec3 middle(0);

@@ -31,7 +31,7 @@ struct Scene {
 }  // namespace
 
 TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
-  Scene scene(test::ball(7));  // radius 70 pixels
+  Scene scene(test::ball(7));  // the ball has a radius of 70 pixels
   const render::Image plain = scene.picture(), sampled = scene.picture({}, 4);
   CHECK(static_cast<double>(test::count_not_black(plain)) == doctest::Approx(M_PI * 70 * 70).epsilon(0.01));
   CHECK(test::lit_area(sampled) == doctest::Approx(test::lit_area(plain)).epsilon(0.01));
@@ -55,7 +55,7 @@ TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
 TEST_CASE("model_far_from_the_origin_looks_the_same") {
   Scene near_scene(test::ball(7));
   const render::Image here = near_scene.picture();
-  const Point far{3e8, -2e8, 5e8};  // float steps are 32 units out there
+  const Point far{3e8, -2e8, 5e8};  // at this distance, float has steps of 32 units
   Scene far_scene(test::ball(7, far));
   far_scene.stage.view.view =
       far_scene.stage.view.view * glm::translate(glm::dmat4(1), glm::dvec3(-far[0], -far[1], -far[2]));
@@ -66,7 +66,7 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
   const render::Image middle = scene.picture();
-  // The same frustum through a window shifted right by half a picture: the picture moves left by 80 pixels.
+  // Shifts the frustum to the right by half a picture. The picture then moves left by 80 pixels.
   const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
@@ -156,7 +156,7 @@ TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
 
 namespace {
 
-// Two triangles, 16 units wide and high, with a texture of a red, a green, a blue and a transparent quarter.
+// Two triangles, 16 units wide and high. The texture has a red, a green, a blue and a transparent quarter.
 struct Card : Scene {
   Card()
       : Scene({{{-8, -8, 0}, {8, -8, 0}, {8, 8, 0}, {-8, 8, 0}},
@@ -209,7 +209,7 @@ TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
   CHECK(both[1] > 3 * both[2]);
   card.looks.colors.assign(4, {255, 0, 0, 255});
   CHECK(mostly(card.painted(render::Paint::file).pixel(160, 100), 0));
-  // One triangle red, the other green.
+  // One triangle is red, and the other triangle is green.
   card.looks.colors.assign(6, {255, 0, 0, 255});
   std::fill(card.looks.colors.begin() + 3, card.looks.colors.end(), render::Rgba8{0, 255, 0, 255});
   card.looks.colors_of_corners = true;
@@ -222,7 +222,7 @@ TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
 TEST_CASE("checker_and_normals_paint_the_surface") {
   Card card;
   const render::Image checker = card.painted(render::Paint::checker);
-  // 160 pixels, 16 squares: 10 pixels each.
+  // 160 pixels with 16 squares: a square has 10 pixels.
   const int a = test::brightness(checker.pixel(105, 45)), b = test::brightness(checker.pixel(115, 45));
   CHECK(std::abs(a - b) > 40);
   CHECK(std::abs(a - test::brightness(checker.pixel(115, 55))) < 20);
@@ -256,8 +256,8 @@ TEST_CASE("materials_differ_from_clay_and_from_each_other_and_zebra_has_stripes"
   const auto clay = picture(Paint::plain).pixel(160, 100),
              porcelain = picture(Paint::porcelain).pixel(160, 100),
              jade = picture(Paint::jade).pixel(160, 100);
-  CHECK(clay[0] > clay[2] + 15);            // warm
-  CHECK(porcelain[2] + 5 >= porcelain[0]);  // white, a little cool
+  CHECK(clay[0] > clay[2] + 15);            // clay is warm
+  CHECK(porcelain[2] + 5 >= porcelain[0]);  // porcelain is white and slightly cool
   CHECK(jade[1] > jade[0] + 30);
   CHECK(jade[1] > jade[2] + 15);
   const render::Image zebra = picture(Paint::zebra);

@@ -33,7 +33,7 @@ TEST_CASE("rays_through_pixels_hit_points_drawn_there") {
 
 namespace {
 
-/// The CIE lightness, 0 to 100, of a colour as displayed.
+/// Returns the CIE lightness, from 0 to 100, of a colour as displayed.
 float lightness(const glm::vec3& c) {
   const auto linear = [](float v) {
     return v <= 0.04045F ? v / 12.92F : std::pow((v + 0.055F) / 1.055F, 2.4F);

@@ -1,4 +1,4 @@
-// Every #include in src must be allowed by the table of rooms.
+// The table of rooms must allow every #include in src.
 #include <doctest/doctest.h>
 
 #include <algorithm>

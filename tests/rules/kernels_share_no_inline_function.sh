@@ -1,7 +1,7 @@
 #!/bin/sh
-# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: a kernel's object file has weak symbols (inline functions,
-# templates) only in the namespaces of its instruction sets, N_*. For other symbols the linker would keep one copy for the whole program,
-# possibly the one compiled for newer hardware.
+# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: a kernel's object file may have weak symbols (inline
+# functions, templates) only in the namespaces N_* of its instruction sets. The linker keeps only one copy of other weak symbols. This
+# copy could be compiled for newer hardware.
 set -eu
 nm="$1" sources="$2"
 shift 2

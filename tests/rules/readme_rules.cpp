@@ -1,4 +1,4 @@
-// The README must be short, with short sentences.
+// The README must be short. Its sentences must be short.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -28,7 +28,7 @@ std::size_t words_in(const std::string& text) {
       std::distance(std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()));
 }
 
-// Prose only: without code, tables and headings; each list item is separate.
+// Returns the sentences of the prose, without code, tables and headings. Each list item is a separate text.
 std::vector<std::string> sentences_of(const std::string& text) {
   std::vector<std::string> sentences(1);
   std::istringstream lines(text);
@@ -68,7 +68,7 @@ TEST_CASE("no_sentence_of_the_manual_is_long") {
 
 namespace {
 
-// The cells of a table row.
+// Returns the cells of a table row.
 std::vector<std::string> cells_of(const std::string& line) {
   std::vector<std::string> cells;
   std::istringstream row(line);
@@ -109,7 +109,7 @@ TEST_CASE("the_readme_of_a_room_names_its_headers_and_no_others") {
       spoken_of.insert((*at)[1]);
     for (const auto& header : spoken_of)
       CHECK_MESSAGE(fs::exists(folder / header), name << "/README.md: there is no " << header);
-    if (name == "sym3" || name == "python") continue;  // their headers are only included elsewhere
+    if (name == "sym3" || name == "python") continue;  // only other rooms include their headers
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string file = entry.path().filename().string();
       if (file.ends_with(".h") && !file.ends_with("-inl.h"))

@@ -1,5 +1,5 @@
 #!/bin/sh
-# recipes.sh SOURCE VERSION: the recipes for other package managers must be well-formed and have this version.
+# recipes.sh SOURCE VERSION: the recipes for other package managers must be well-formed and contain this version.
 set -eu
 cd "$1/third_party/package"
 command -v python3 >/dev/null || { echo "there is no Python: skipped"; exit 77; }

@@ -1,4 +1,4 @@
-// The table of rooms: which room may include which, and which packages it may name.
+// The table of rooms: the rooms and packages that each room may include.
 #pragma once
 
 #include <algorithm>
@@ -13,13 +13,13 @@
 namespace viete::rules {
 
 struct Room {
-  std::set<std::string> knows;            ///< other rooms whose headers it may include
-  std::set<std::string> packages;         ///< third-party packages it may include anywhere
-  std::set<std::string> source_packages;  ///< further packages that only its .cpp files may include
-  bool in_python = false;                 ///< contains no C++
+  std::set<std::string> knows;            ///< other rooms whose headers this room may include
+  std::set<std::string> packages;         ///< third-party packages that all files may include
+  std::set<std::string> source_packages;  ///< third-party packages that only .cpp files may include
+  bool in_python = false;                 ///< true if the room has no C++ code
 };
 
-/// Keyed by folder in src. Nested rooms share the namespace of their first folder.
+/// Returns the rooms by their folder in src. A nested room has the namespace of its first folder.
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
@@ -59,7 +59,7 @@ inline const std::map<std::string, Room>& rooms() {
   return table;
 }
 
-/// The room of a file in src or of an include; empty for files outside of rooms.
+/// Returns the room of a file in src or of an include. If the file is not in a room, the result is empty.
 inline std::optional<std::string> room_of(std::string path) {
   for (auto slash = path.rfind('/'); slash != std::string::npos; slash = path.rfind('/')) {
     path.resize(slash);
@@ -68,13 +68,13 @@ inline std::optional<std::string> room_of(std::string path) {
   return std::nullopt;
 }
 
-/// The first folder of the room's path.
+/// Returns the first folder in the room's path.
 inline std::string namespace_of(const std::string& room) {
   return room.substr(0, room.find('/'));
 }
 
-/// Groups of files that include each other, directly or not; a header and its source count as one. Each cycle
-/// once, in include order. `includes`: for each file (without extension) its includes in src.
+/// Returns a cycle of files that include each other, or an empty list. A header and its source count as one
+/// file. `includes` has the includes in src of each file, without file extensions.
 inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<std::string>>& includes) {
   enum class State { entered, left };
   std::map<std::string, State> seen;
@@ -100,7 +100,7 @@ inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<
   return {};
 }
 
-/// The package of an include; empty for the standard library and the system.
+/// Returns the package of an include. If it is of the standard library or the system, the result is empty.
 inline std::optional<std::string> package_of(const std::string& include) {
   static const std::vector<std::pair<std::string, std::string>> prefixes = {
       {"Eigen/", "eigen"},
@@ -133,7 +133,7 @@ inline std::optional<std::string> package_of(const std::string& include) {
   return std::nullopt;
 }
 
-/// Every #include of a source text, in order; ignores comments.
+/// Returns every #include of a source text, in order. Ignores comments.
 inline std::vector<std::string> includes_of(const std::string& text) {
   static const std::regex line_pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   std::vector<std::string> found;
@@ -151,7 +151,7 @@ inline std::string code_of(const std::string& text) {
   return std::regex_replace(text, other, " ");
 }
 
-/// Names of other rooms that a file of `room` must not use: "deform::Link" in ui.
+/// Returns names of other rooms that a file of `room` must not use, such as "deform::Link" in ui.
 inline std::vector<std::string> foreign_names(const std::string& room, const std::string& text) {
   static const std::regex qualified(R"((^|[^\w:])(?:viete::)?(\w+)::(\w+))");
   const std::string code = code_of(text);
@@ -168,7 +168,7 @@ inline std::vector<std::string> foreign_names(const std::string& room, const std
   return found;
 }
 
-/// The reason why a file of `room` must not include `include`; empty if it may.
+/// Returns the reason why a file of `room` must not include `include`. If it may, the result is empty.
 inline std::optional<std::string> violation(const std::string& room, bool is_header,
                                             const std::string& include) {
   const Room& rules = rooms().at(room);

@@ -1,4 +1,4 @@
-// Rules for source text: ASCII only, and a first line that states a header's purpose.
+// Source text must be ASCII. The first line of a header must state its purpose.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -44,7 +44,7 @@ TEST_CASE("sources_are_ascii") {
 TEST_CASE("headers_say_in_their_first_line_what_they_are_for") {
   for_each_source([](const fs::path& path, const std::string& text) {
     if (path.extension() != ".h") return;
-    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // for C and C++
+    const bool is_c = text.find("extern \"C\"") != std::string::npos;  // the header is for C and C++
     CHECK_MESSAGE(text.rfind(is_c ? "/* " : "// ", 0) == 0, path.string());
     const bool is_kernel_text = path.string().ends_with("-inl.h");  // included once per instruction set
     const char* guard = is_c             ? "#ifndef VIETE_"

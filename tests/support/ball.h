@@ -1,4 +1,4 @@
-// A workspace with a ball of 2,562 vertices as model, in a larger ball as cage.
+// A workspace with a ball of 2,562 vertices as its model, and a larger ball as its cage.
 #pragma once
 
 #include <numbers>

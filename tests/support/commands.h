@@ -1,4 +1,4 @@
-// Runs commands by name, as a key or a button does.
+// Runs commands by name, as keys and buttons do.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// Returns false, without running the command, if it is disabled.
+/// Runs the command. If it is disabled, does not run it and returns false.
 inline bool run_command(workspace::Workspace& workspace, std::string_view name) {
   const workspace::Command* command = workspace::find_command(name);
   REQUIRE_MESSAGE(command, name);

@@ -1,4 +1,4 @@
-// A workspace with a cube as model in a larger cube as cage, built in memory.
+// A workspace with a cube as its model, and a larger cube as its cage, made in memory.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,4 @@
-// The largest difference between two lists of numbers or places.
+// The largest difference between two lists of numbers or points.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// The result is NaN if a number is NaN, and infinite if the sizes differ.
+/// Returns the largest distance. If a number is NaN, the result is NaN. If the sizes differ, it is infinite.
 inline double largest_distance(std::span<const base::Vec3> a, std::span<const base::Vec3> b) {
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
@@ -19,7 +19,7 @@ inline double largest_distance(std::span<const base::Vec3> a, std::span<const ba
   return largest;
 }
 
-/// The result is NaN if a number is NaN. The sizes must be equal.
+/// Returns the largest difference. If a number is NaN, the result is NaN. The sizes must be equal.
 inline double largest_difference(std::span<const double> a, std::span<const double> b) {
   double largest = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -1,4 +1,4 @@
-// Counts the edits that can be undone, without changes of the selection.
+// Counts the edits that can be undone. Ignores changes of the selection.
 #pragma once
 
 #include "document/history.h"

@@ -1,4 +1,4 @@
-// Files with a cube as model, a cage around it, and a pose of the cage.
+// Files of a cube, of a cage around the cube, and of a pose of the cage.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -25,7 +25,7 @@ struct CubeFiles : TemporaryFolder {
     put_file(broken, "v 0 0 0\nf 1 2 3\n");
   }
 
-  // A cube with a vertex in the center of every triangle, so that it has more vertices than the cage.
+  // Returns a cube with an additional vertex in each triangle's center. It has more vertices than the cage.
   static mesh::Surface subdivided_cube() {
     mesh::Surface surface = cube(1);
     std::vector<mesh::Triangle> triangles;
@@ -41,7 +41,7 @@ struct CubeFiles : TemporaryFolder {
   }
 };
 
-/// Writes a point cache in the format of the file extension.
+/// Writes a point cache. The file extension selects the format.
 inline void write_cache(const std::filesystem::path& file,
                         const std::vector<std::vector<mesh::Point>>& frames, double rate = 1) {
   formats::PointCacheHead head{*formats::point_cache_format(file), frames.front().size(), frames.size(), 1,
@@ -57,7 +57,7 @@ inline void write_cache(const std::filesystem::path& file,
   });
 }
 
-// Opens a session, or a model with a cage.
+// Opens a session, or a model and its cage.
 inline workspace::Workspace opened(std::vector<std::filesystem::path> files) {
   workspace::Workspace workspace;
   REQUIRE(workspace::open_now(workspace, {files::OpenRequest::What::model, std::move(files)}));

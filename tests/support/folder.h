@@ -1,4 +1,4 @@
-// A temporary folder, functions that read and write files, and a simulated full disk.
+// A temporary folder, reading and writing of files, and a simulated full disk.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -47,7 +47,7 @@ inline void put_file(const std::filesystem::path& path, const std::string& bytes
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Simulates a full disk in the current scope, by a limit on file sizes.
+/// Simulates a full disk while it exists, by a limit on file sizes.
 class FullDisk {
 public:
   explicit FullDisk(rlim_t bytes_a_file) {

@@ -1,4 +1,4 @@
-// The only source with absolute paths, so that a compiler cache works for all other sources.
+// The only source with absolute paths. A compiler cache therefore works for all other sources.
 #include "support/data.h"
 
 namespace viete::test {

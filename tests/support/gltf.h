@@ -1,4 +1,4 @@
-// glTF test files: a textured patch with a texture seam.
+// glTF files for tests: a textured patch with a texture seam.
 #pragma once
 
 #include <cstdint>
@@ -68,8 +68,8 @@ struct GltfParts {
   }
 };
 
-/// The rectangle [0, 2] x [0, 1] in the plane z = 0, as four triangles. At x = 1 is a texture seam, so the
-/// file has eight vertices at six places. It has a node at the origin, and a material with an embedded image.
+/// Returns the rectangle [0, 2] x [0, 1] in the plane z = 0: four triangles with a texture seam at x = 1. The
+/// file has eight vertices at six places, a node at the origin, and a material with an embedded image.
 inline GltfParts patch() {
   GltfParts p;
   p.json["asset"] = {{"version", "2.0"}, {"extras", {{"kept", "as it is"}}}};

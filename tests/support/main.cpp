@@ -1,4 +1,4 @@
-// The main() of every test. Tests store settings in a temporary folder, so that the user's settings do not
+// The main() of every test. Tests use a temporary folder for settings, so that the user's settings do not
 // change.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
@@ -15,7 +15,7 @@ namespace {
 constexpr int skipped_code = 77;  // the exit code of skipped tests, as in Automake
 bool skipped = false, none_chosen = false;
 
-// Counts matching cases: if a filter matches no case, the test fails.
+// Counts the cases that match a filter. If no case matches, the test fails.
 struct CountsCases : doctest::IReporter {
   explicit CountsCases(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}

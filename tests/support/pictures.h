@@ -7,11 +7,11 @@
 
 namespace viete::test {
 
-/// Fails the test case if the file is not a picture.
+/// Reads a picture. If the file is not a picture, the test case fails.
 render::Image read_png(const std::filesystem::path& path);
 
-/// The fraction of pixels in which a channel differs by more than `tolerance` levels. Fails the test case if
-/// the sizes differ.
+/// Returns the fraction of pixels in which a channel differs by more than `tolerance` levels. If the sizes
+/// differ, the test case fails.
 double difference(const render::Image& a, const render::Image& b, int tolerance);
 
 }  // namespace viete::test

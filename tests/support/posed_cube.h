@@ -11,19 +11,19 @@
 
 namespace viete::test {
 
-/// Positions rotated about z.
+/// Returns the positions rotated about z.
 inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, double degrees) {
   const double angle = degrees / 180 * std::numbers::pi, c = std::cos(angle), s = std::sin(angle);
   for (auto& p : positions) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
   return positions;
 }
 
-/// The cage rotated about z by any angle, with whole turns.
+/// Returns the cage rotated about z by any angle, including whole turns.
 inline deform::Pose turned_cube(double degrees) {
   return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }
 
-/// The cage scaled along x and z.
+/// Returns the cage scaled along x and z.
 inline deform::Pose stretched_cube(double x, double z = 1) {
   deform::Pose pose{cube(1.5).positions, {{0, 0, 0}}};
   for (auto& p : pose.positions) p[0] *= x, p[2] *= z;
@@ -39,7 +39,7 @@ inline document::PoseKey key(int frame, const deform::Pose& pose,
   return {frame, whole(pose), easing};
 }
 
-/// Keys: rest at frame 1, a half turn at frame 11, twice as wide at frame 31.
+/// Returns a timeline with keys: rest at frame 1, half a turn at frame 11, twice the width at frame 31.
 inline document::Timeline three_keys() {
   document::Timeline timeline;
   timeline.keys = {key(1, turned_cube(0)), key(11, turned_cube(180)), key(31, stretched_cube(2))};
@@ -47,12 +47,12 @@ inline document::Timeline three_keys() {
   return timeline;
 }
 
-/// Adds the named poses "turned" (by 90 degrees) and "wide" (twice as wide).
+/// Adds two named poses: "turned" (by 90 degrees) and "wide" (twice the width).
 inline void add_two_poses(document::Document& document) {
   document.library.poses = {{"turned", whole(turned_cube(90))}, {"wide", whole(stretched_cube(2))}};
 }
 
-/// The largest distance between corresponding vertices, in cage diagonals.
+/// Returns the largest distance between corresponding vertices, in diagonals of the cage.
 inline double distance(const std::vector<mesh::Point>& a, const std::vector<mesh::Point>& b) {
   return largest_distance(a, b) / (3 * std::sqrt(3.0));
 }

@@ -1,4 +1,4 @@
-# readme_example(README.md cpp out.cpp [2]): writes the first (or n-th) code block of a language to a file, to build and run it.
+# readme_example(README.md cpp out.cpp [2]): writes the first (or n-th) code block of a language to a file.
 function(readme_example readme language output)
   set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${readme})
   file(READ ${readme} text)

@@ -1,4 +1,4 @@
-// Small surfaces with known measures, and helpers to read and compare them.
+// Small surfaces with known measures. Functions that read and compare surfaces.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -41,7 +41,7 @@ using mesh::Point;
 using mesh::Surface;
 using mesh::Triangle;
 
-/// The cube [-1, 1]^3 as six quads, counter-clockwise from outside.
+/// Returns the cube [-1, 1]^3 as six quads, counter-clockwise as seen from outside.
 inline Surface cube() {
   Surface s;
   for (int i = 0; i < 8; ++i)
@@ -108,7 +108,7 @@ inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = fal
   return s;
 }
 
-/// Joins two surfaces.
+/// Joins two surfaces to one.
 inline Surface both(Surface a, const Surface& b) {
   const auto shift = static_cast<std::uint32_t>(a.positions.size());
   a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
@@ -122,7 +122,7 @@ void append(std::string& bytes, T value, std::endian order = std::endian::little
   bytes.append(raw.data(), raw.size());
 }
 
-/// Scales all positions, then adds `offset` to each coordinate.
+/// Scales all positions, and then adds `offset` to each coordinate.
 inline Surface moved(Surface s, double scale, double offset = 0) {
   for (Point& p : s.positions) {
     for (double& x : p) x = x * scale + offset;
@@ -130,7 +130,7 @@ inline Surface moved(Surface s, double scale, double offset = 0) {
   return s;
 }
 
-/// The bytes of a file with this surface.
+/// Returns the bytes of a file with this surface.
 inline std::string bytes_by(std::string_view extension, const Surface& s,
                             const std::vector<std::string>& comments = {}) {
   std::string all;
@@ -144,14 +144,14 @@ inline formats::ReadResult read_text(const std::string& bytes, const std::string
   return formats::read(formats::Source{"given." + extension, extension, bytes, nullptr});
 }
 
-/// Reads a file and keeps the bytes for written_again().
+/// Reads a file, and keeps its bytes for written_again().
 inline formats::ReadResult read_kept(const std::string& bytes, const std::string& extension,
                                      const std::filesystem::path& folder = {}) {
   const auto kept = std::make_shared<const std::string>(bytes);
   return formats::read(formats::Source{"given." + extension, extension, *kept, nullptr, kept, folder});
 }
 
-/// The bytes of the file with new positions.
+/// Returns the bytes of the file after writing it with new positions.
 inline std::string written_again(const formats::ReadResult& read, const std::vector<Point>& positions,
                                  formats::Digits digits = {}) {
   std::string all;
@@ -162,7 +162,7 @@ inline std::string written_again(const formats::ReadResult& read, const std::vec
   return all;
 }
 
-/// The message of the error when these bytes are read, or an empty text.
+/// Returns the message of the error when these bytes are read; empty without an error.
 inline std::string refusal(const std::string& bytes, const std::string& extension) {
   try {
     read_text(bytes, extension);
@@ -174,7 +174,7 @@ inline std::string refusal(const std::string& bytes, const std::string& extensio
   return {};
 }
 
-/// Checks that reading each file fails with an error that contains the text.
+/// Checks that each file causes an error that contains the text.
 inline void check_refusals(const std::string& extension,
                            const std::vector<std::pair<std::string, std::string>>& files) {
   for (const auto& [bytes, said] : files) {

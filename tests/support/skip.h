@@ -1,5 +1,5 @@
-// Test cases with special requirements (real meshes, a display, much memory) or longer runs (`ctest -L
-// long`).
+// Marks test cases that have special requirements (real meshes, a display, much memory) or longer runs
+// (`ctest -L long`).
 #pragma once
 
 #include <cstdlib>
@@ -7,16 +7,16 @@
 
 namespace viete::test {
 
-/// TEST_CASE("name" * doctest::test_suite(if_present)) marks cases that may be skipped. They have a separate
-/// ctest entry, which is shown as skipped if a case is.
+/// TEST_CASE("name" * doctest::test_suite(if_present)) marks a case that may be skipped. These cases have a
+/// separate ctest entry. If one of them is skipped, the entry is shown as skipped.
 inline constexpr const char* if_present = "if_present";
 
-/// Prints the reason; the case must then return. The test exits with 77, which is a failure in all other
-/// ctest entries.
+/// Prints the reason. The case must return after this call. The test exits with code 77; other ctest entries
+/// treat this code as a failure.
 void skip(const std::string& why);
 
-/// TEST_CASE("name" * doctest::test_suite(longer)) marks cases that have another ctest entry, with more
-/// rounds.
+/// TEST_CASE("name" * doctest::test_suite(longer)) marks a case with an additional ctest entry. In this
+/// entry, the case runs more rounds.
 inline constexpr const char* longer = "longer";
 
 inline int rounds(int usual, int in_a_long_run) {

@@ -1,4 +1,4 @@
-// An offscreen context with a framebuffer, and simple shapes.
+// An offscreen context with a framebuffer, and simple surfaces.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,7 +20,7 @@ namespace viete::test {
 
 using render::Point;
 
-/// True if this kind of context is available; otherwise skips the test case.
+/// True if this kind of context is available. Otherwise, skips the test case.
 inline bool available(platform::OffscreenContext::Kind kind) {
   try {
     platform::OffscreenContext::create(kind);
@@ -39,7 +39,7 @@ struct Stage {
   explicit Stage(platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
       : context(platform::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
     view.size = {320, 200};
-    // Looks along -z from (0, 0, 10). A unit of length in the plane z = 0 has 10 pixels.
+    // Looks along -z from (0, 0, 10). In the plane z = 0, a unit of length has 10 pixels.
     view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
     view.projection = glm::ortho(-16.0, 16.0, -10.0, 10.0, 0.1, 100.0);
   }
@@ -52,7 +52,7 @@ struct Stage {
     return framebuffer.read();
   }
 
-  /// The pixel of a point, from the top left.
+  /// Returns the pixel of a point, from the top left.
   glm::ivec2 pixel_of(const Point& point) const {
     const glm::dvec4 clip = view.projection * view.view * glm::dvec4(point[0], point[1], point[2], 1);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
@@ -72,7 +72,7 @@ struct Ball {
   std::vector<render::Triangle> triangles;
 };
 
-/// A closed ball around `center`, counter-clockwise from outside.
+/// Returns a closed ball around `center`, counter-clockwise as seen from outside.
 inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t rings = 48) {
   Ball result;
   const std::uint32_t columns = 2 * rings;
@@ -95,12 +95,12 @@ inline Ball ball(double radius, const Point& center = {0, 0, 0}, std::uint32_t r
   return result;
 }
 
-/// The sum of the three colour channels, 0 to 765.
+/// Returns the sum of the three colour channels, from 0 to 765.
 inline int brightness(const render::Rgba8& c) {
   return c[0] + c[1] + c[2];
 }
 
-/// The area of a white shape on black, in pixels: the sum of the red channel, 0 to 1 for each pixel.
+/// Returns the area of a white shape on black, in pixels. A pixel adds its red channel, from 0 to 1.
 inline double lit_area(const render::Image& image) {
   double area = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) area += image.rgba[i] / 255.0;

@@ -1,4 +1,4 @@
-// Checks of messages and errors.
+// Checks messages and errors.
 #pragma once
 
 #include <exception>
@@ -10,7 +10,7 @@ inline bool mentions(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-/// The message of the exception that step() throws, or an empty text.
+/// Returns the message of the exception that step() throws; empty without an exception.
 std::string problem_of(const auto& step) {
   try {
     step();

@@ -1,4 +1,4 @@
-// Limits the number of new threads in the current scope.
+// Limits the number of new threads while an object exists.
 #pragma once
 
 namespace viete::test {

@@ -1,4 +1,4 @@
-// The viewport of tests.
+// The viewport that tests use.
 #pragma once
 
 #include "document/camera.h"

@@ -1,4 +1,4 @@
-// Checks that a page is well-formed and self-contained.
+// Checks that a page is well-formed and does not use other pages.
 #pragma once
 
 #include <regex>
@@ -7,7 +7,7 @@
 
 namespace viete::test {
 
-/// The first XML error in the text, for example an unclosed element, or an empty text.
+/// Returns the first XML error in the text, such as an unclosed element; empty without an error.
 inline std::string xml_problem(const std::string& text) {
   static const std::regex tag(R"(^<(/?)([a-zA-Z][\w:-]*)((\s+[\w:-]+="[^"<]*")*)\s*(/?)>)");
   static const std::regex entity(R"(^&(amp|lt|gt|quot);)");
@@ -31,7 +31,7 @@ inline std::string xml_problem(const std::string& text) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// The first link to another site or script in the page, or an empty text.
+/// Returns the first link in the page to another site or script; empty without such a link.
 inline std::string outside_of(const std::string& page) {
   static const std::regex outside(
       R"((\s(src|href|srcset|action|data)="(?!#|data:,)[^"]*")|url\(|@import|<(script|iframe|object|embed|form)\b)");

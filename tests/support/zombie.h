@@ -1,4 +1,4 @@
-// A zombie: a child process that has ended, but is still in the list of processes.
+// A zombie: a child process that has ended but is still in the process list.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ public:
     process_ = 0;
   }
 
-  std::string name;  ///< as base::process_name() returns it
+  std::string name;  ///< the result of base::process_name() for the zombie
 
 private:
   pid_t process_ = 0;

@@ -1,4 +1,4 @@
-// Polynomial approximation in 113 bits: interpolation at Chebyshev points, and minimax by Remez' algorithm.
+// Approximates functions by polynomials in 113 bits: by Chebyshev points, or minimax by Remez' algorithm.
 #pragma once
 
 #include <quadmath.h>
@@ -20,8 +20,8 @@ inline Quad at(const Polynomial& p, Quad x) {
   return sum;
 }
 
-/// The polynomial with `count` coefficients that equals f at the Chebyshev points of [0, end]. Computed by a
-/// Chebyshev series, which avoids cancellation.
+/// Returns the polynomial with `count` coefficients that equals f at the Chebyshev points of [0, end].
+/// Computes a Chebyshev series first, to avoid cancellation.
 inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   const auto angle = [=](int j) { return M_PIq * (2 * j + 1) / (2 * count); };
   std::vector<Quad> values;
@@ -45,7 +45,7 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   return sum;
 }
 
-/// A function at points of [low, high], which are closer together at the ends, and weights of errors.
+/// Values of a function at points of [low, high], and weights of errors. Points are denser at the ends.
 struct Target {
   std::vector<Quad> points, values, weights;
 
@@ -70,7 +70,7 @@ inline Quad largest(const std::vector<Quad>& errors) {
   return most;
 }
 
-/// The solution of a linear system. The last number of each row is the right-hand side.
+/// Solves a linear system. The last number of each row is the right-hand side.
 inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   const std::size_t n = rows.size();
   for (std::size_t k = 0; k < n; ++k) {
@@ -91,7 +91,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// For each run of values with the same sign, the position of the largest; at most `count` positions.
+/// Returns the position of the largest value in each run of equal signs; at most `count` positions.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -107,12 +107,12 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
   return found;
 }
 
-/// Replaces the coefficients of `p` from x^first on, so that the largest error is smallest (Remez). If the
-/// signs of errors no longer alternate, because of the other coefficients, returns the best polynomial found.
+/// Replaces the coefficients of `p` from x^first on, to make the largest error smallest (Remez). If the other
+/// coefficients keep the signs of the errors from alternating, returns the best polynomial found.
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
-  // All replaced terms have the factor x^first. If `first` is odd, this factor changes its sign at 0.
+  // All replaced terms have the factor x^first. If `first` is odd, the factor changes its sign at 0.
   const auto sign = [&](std::size_t i) { return first % 2 && t.points[i] < 0 ? -1 : 1; };
   const auto extremes_of = [&](std::vector<Quad> errors) {
     for (std::size_t i = 0; i < errors.size(); ++i) errors[i] *= sign(i);
@@ -150,15 +150,15 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   return best;
 }
 
-/// x rounded to T in units of `unit`.
+/// Rounds x to T, in units of `unit`.
 template <class T>
 Quad rounded(Quad x, Quad unit) {
   return static_cast<T>(x / unit) * unit;
 }
 
-/// The minimax polynomial whose coefficients are numbers of T times `unit`. Coefficients in `kept` are fixed.
-/// Coefficients before `one_by_one` are rounded one by one, each time with a new fit of the rest. All others
-/// are rounded at once.
+/// Returns the minimax polynomial whose coefficients are numbers of T times `unit`. Coefficients in `kept` do
+/// not change. Coefficients before `one_by_one` are rounded one by one, and each time the rest is fitted
+/// again. All others are rounded at once.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {

@@ -1,4 +1,4 @@
-// Helpers to test matrices in all layouts and with all kernels.
+// Tests matrices in all layouts and with all kernels.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -38,7 +38,7 @@ sym3::Sym3<T> diagonal(T x, T y, T z) {
   return {x, 0, 0, y, 0, z};
 }
 
-/// exp of `count` matrices with six numbers.
+/// Computes exp of `count` matrices with six numbers each.
 template <class T>
 void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
   sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),
@@ -55,8 +55,8 @@ sym3::Sym3<T> exp_with(const sym3::Kernel& kernel, const sym3::Sym3<T>& s) {
 inline constexpr sym3::Layout layouts[] = {sym3::Layout::planes, sym3::Layout::packed, sym3::Layout::full};
 inline constexpr int in_full[6] = {0, 1, 2, 4, 5, 8};
 
-/// Memory of many items in a layout, `offset` numbers after a 64-byte boundary. Memory that no item uses has
-/// the value `guard`.
+/// Memory for many items in a layout. Begins `offset` numbers after a 64-byte boundary. Memory that no item
+/// uses has the value `guard`.
 template <class T, class Item = sym3::Sym3<T>>
 class Arranged {
 public:
@@ -90,7 +90,7 @@ public:
     const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
     return layout_ != sym3::Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
   }
-  /// True if the numbers of exactly `count` items were written.
+  /// True if the numbers of the first `count` items were written, and no other numbers.
   bool holds(std::size_t count) const {
     const std::size_t width = layout_ == sym3::Layout::full ? 9 : N;
     return memory_.size() - std::count(memory_.begin(), memory_.end(), guard) == width * count;
@@ -112,7 +112,7 @@ private:
   T* data_;
 };
 
-/// True if all numbers of two items are equal; NaN equals NaN.
+/// True if all numbers of two items are equal. NaN equals NaN.
 template <class T, class Item>
 bool same_or_nan(const Item& a, const Item& b) {
   using Numbers = std::array<T, sizeof(Item) / sizeof(T)>;
@@ -120,8 +120,8 @@ bool same_or_nan(const Item& a, const Item& b) {
                             [](T x, T y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// Checks many(from, to, count) for all pairs of layouts and many lengths: the results are as expected, and
-/// nothing else is written.
+/// Checks many(from, to, count) for all pairs of layouts and for many lengths. The results must be as
+/// expected, and no other memory may change.
 template <class T, class In, class Out, class Many>
 void check_every_batch(const std::vector<In>& in, const std::vector<Out>& expected, const Many& many) {
   const auto fits = [](sym3::Layout layout, int n) { return layout != sym3::Layout::full || n == 6; };

@@ -52,7 +52,7 @@ TEST_CASE("sums_and_products_of_doubles_are_exact") {
 
 namespace {
 
-/// The larger of |S - V diag(values) V^T| / |S| and |V^T V - I|.
+/// Returns the larger of |S - V diag(values) V^T| / |S| and |V^T V - I|.
 template <class Real>
 double residual(const Sym3<double>& s) {
   const auto e = sym3::eigen_by_jacobi<Real>(s);

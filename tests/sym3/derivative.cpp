@@ -55,7 +55,7 @@ Sym3<T> random_direction(Random& random, double size = 1) {
   return e;
 }
 
-/// A direction: a random matrix, a matrix with a single nonzero number, S, or the identity.
+/// Returns a direction: a random matrix, a matrix with one nonzero number, S, or the identity.
 template <class T>
 Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   if (i % 8 == 6 && s != Sym3<T>{}) return s;
@@ -65,7 +65,7 @@ Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   return e;
 }
 
-/// The numbers that error bounds depend on: the condition of S and the norm of log S.
+/// The numbers for the error bounds: the condition of S and the norm of log S.
 struct OfMatrix {
   const sym3::Kernel& kernel;
   double condition, log_norm;
@@ -78,7 +78,7 @@ OfMatrix of_matrix(const sym3::Kernel& kernel, const std::array<Quad, 3>& values
   return {kernel, static_cast<double>(high / low), std::sqrt(squares)};
 }
 
-/// Checks that the errors of all kernels are within the bound of each matrix.
+/// Checks for all kernels that the error is within the bound of each matrix.
 template <class T, class Allowed>
 void check_derivatives(Of f, const std::string& what, const std::vector<Sym3<T>>& matrices,
                        const Allowed& allowed, double p = exponent) {
@@ -112,7 +112,7 @@ void check_spread_of_derivatives(double spread, double lowest) {
                     [=](const OfMatrix& s) { return s.kernel.fused ? 6 + 2 * spread : 8 + 2.5 * spread; });
 }
 
-/// The bounds of derivative.h: for log and sqrt if p is 0, otherwise for powers.
+/// Returns the bound in derivative.h: for log and sqrt if p is 0, otherwise for powers.
 double allowed_for_power(double p, const OfMatrix& s) {
   if (p == 0) return 16 + 2 * s.condition;
   return 16 + 4 * ((1 + std::fabs(p)) * s.condition + std::fabs(p) * s.log_norm);
@@ -264,7 +264,7 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
 
 namespace {
 
-/// Checks three directions at once, in any layouts.
+/// Checks three directions at once, in all layouts.
 template <class T>
 struct DerivativeCase {
   Of f;

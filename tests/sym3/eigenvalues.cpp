@@ -51,7 +51,7 @@ TEST_CASE("the_voigt_tangent_takes_strains_to_derivatives_of_stresses") {
 
 namespace {
 
-/// The largest error relative to the largest absolute eigenvalue.
+/// Returns the largest error, relative to the largest absolute eigenvalue.
 template <class T>
 double worst_error(std::array<T, 3> (*method)(const Sym3<T>&), const std::vector<Sym3<T>>& matrices) {
   double worst = 0;

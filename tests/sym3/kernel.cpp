@@ -73,14 +73,14 @@ TEST_CASE("a_route_reports_the_case_of_the_paper_and_the_squarings_of_fast") {
     CHECK(route(apart, method).distinct == 3);
     CHECK(route(pair, method).distinct == 2);
     CHECK(route(all, method).distinct == 1);
-    // The paper's threshold is 1e-6.
+    // The threshold in the paper is 1e-6.
     CHECK(route({1, 0, 0, 1 + 3e-6, 0, 3}, method).distinct == 3);
     CHECK(route({1, 0, 0, 1 + 3e-7, 0, 3}, method).distinct == 2);
   }
   CHECK(route(apart, Method::diag) == Route{});
   CHECK(route(apart, Method::fast) == Route{.degree = 21});
   CHECK(route(all, Method::fast) == Route{.degree = 21});
-  // Without squarings p = |A|^2 / 2 is at most 8. Each halving of A divides p by four.
+  // If there are no squarings, p = |A|^2 / 2 is at most 8. If A is halved, p is divided by four.
   const auto spread = [](double x) { return Sym3<double>{x, 0.1, 0, -x, 0, 0}; };
   CHECK(route(spread(2.8), Method::fast).squarings == 0);
   CHECK(route(spread(2.9), Method::fast).squarings == 1);

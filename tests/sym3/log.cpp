@@ -52,7 +52,7 @@ double pow_bound(double p, double k, double size) {
   return 8 * (std::fabs(p) * k + 1 + std::fabs(p) * size);
 }
 
-/// The bound of log.h for the condition k, with size = |log S|.
+/// Returns the bound in log.h for the condition k. `size` is |log S|.
 double log_bound(Which which, double k, double size) {
   if (which == Which::log) return 6 * std::max(1.0, k / size);
   if (which == Which::sqrt) return 6 * std::sqrt(k);

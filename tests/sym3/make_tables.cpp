@@ -1,6 +1,6 @@
-// Computes the coefficients of sym3's *_tables.h in 113 bits, prints them, and fails if the headers differ.
-// Interpolated polynomials must have the same bits. Minimax polynomials may differ, but the error of the
-// header must be as documented.
+// Computes the coefficients of the files *_tables.h in 113 bits, prints them, and compares them with the
+// headers. Interpolated polynomials must be exactly equal. Minimax polynomials may differ, but the error of
+// the header must be the documented error.
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -47,12 +47,12 @@ void check_interpolated(const std::string& name, const T (&table)[N], const Quad
   int different = 0;
   for (std::size_t k = 0; k < N; ++k) {
     const Quad ulp = std::nextafter(std::fabs(table[k]), T(2)) - std::fabs(table[k]);
-    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // 0.5 for rounding, and the error of 113 bits
+    different += fabsq(p[k] - table[k]) > 0.6Q * ulp;  // 0.5 for rounding, and 0.1 for the error of 113 bits
   }
   report(different == 0, std::to_string(different) + " of " + std::to_string(N) + " differ");
 }
 
-/// `error` is the documented error of the header, in u.
+/// `error` is the error that the header documents, in u.
 template <class T>
 void check_minimax(const std::string& name, const Target& t, const Polynomial& made, const Polynomial& table,
                    double error, Quad unit = 1) {
@@ -68,7 +68,7 @@ Quad one(Quad) {
   return 1;
 }
 
-// f(sqrt(x)), with a value at 0.
+// Returns f(sqrt(x)). `at_zero` is the value at 0.
 QuadFunction of_root(Quad (*f)(Quad), Quad at_zero) {
   return [=](Quad x) { return x > 0 ? f(sqrtq(x)) : at_zero; };
 }
@@ -102,7 +102,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// The number just below x whose product with some number of T is closest to 1, so that f(0) is about 1.
+/// Returns the number just below x whose product with a number of T is closest to 1. f(0) is then about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -113,7 +113,7 @@ T divisor_of_one(T x) {
   return best;
 }
 
-/// f for the eigenvalues of A, with weights that make errors relative to the norm (exp_tables.h).
+/// Returns f for the eigenvalues of A. The weights make errors relative to the norm (exp_tables.h).
 template <class T>
 Target matrix_target(const QuadFunction& f) {
   const Quad reach = 2 * sqrtq(Quad(ExpTables<T>::p_limit) / 3);
@@ -142,7 +142,7 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// The polynomial whose derivative is minimax, with rounded coefficients.
+/// Returns the polynomial whose derivative is minimax. Rounds its coefficients.
 template <class T>
 void exponential_with_derivative(double error, double derivative_error) {
   using C = ExpDerivativeTables<T>;

@@ -12,7 +12,7 @@ using sym3::Mat3;
 
 namespace {
 
-/// The nearest rotation, from the eigenvectors of M^T M in 113 bits, and 1 + s1 / (s2 + s3) (polar.h).
+/// The nearest rotation, from the eigenvectors of M^T M in 113 bits, and 1 + s1 / (s2 + s3) of polar.h.
 struct Truth {
   QuadMat rotation{};
   double condition;

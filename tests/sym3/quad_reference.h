@@ -1,4 +1,4 @@
-// Reference values with 113 bits: functions of matrices, and their derivatives.
+// Computes reference values in 113 bits: functions of matrices, and their derivatives.
 #pragma once
 
 #include <quadmath.h>
@@ -27,13 +27,13 @@ inline Quad to_quad(const sym3::DoubleDouble& x) {
   return Quad(x.hi) + Quad(x.lo);
 }
 
-/// 1 / sqrt(x) with 112 bits, by a Newton step from 64 bits. (sqrtq takes ten times as long.)
+/// Returns 1 / sqrt(x) with 112 bits. A Newton step improves 64 bits. (sqrtq takes ten times as long.)
 inline Quad quad_inverse_root(Quad x) {
   const Quad y = 1 / std::sqrt(static_cast<long double>(x));
   return y + y * (1 - x * y * y) / 2;
 }
 
-/// The eigenvector of values[k] is column k of `vectors`.
+/// Eigenvalues and eigenvectors. The eigenvector of values[k] is column k of `vectors`.
 struct QuadEigen {
   std::array<Quad, 3> values;
   std::array<std::array<Quad, 3>, 3> vectors;
@@ -91,7 +91,7 @@ inline QuadSym quad_inv_sqrt(const QuadSym& s) {
   return quad_function(s, [](Quad x) { return 1 / sqrtq(x); });
 }
 
-/// Rodrigues' formula.
+/// Computes the rotation by Rodrigues' formula.
 inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
   const Quad angle = sqrtq(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
   const Quad half = angle / 2, a = angle > 0 ? sinq(angle) / angle : 1;
@@ -101,7 +101,7 @@ inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
           b * y * z - a * x, b * x * z - a * y, b * y * z + a * x, c + b * z * z};
 }
 
-/// The Frobenius norm, in long double: accurate enough for a norm, and ten times as fast.
+/// Returns the Frobenius norm. Long double is accurate enough for a norm, and ten times as fast.
 inline Quad quad_frobenius(const QuadSym& s) {
   const auto square = [](Quad x) { return static_cast<long double>(x) * static_cast<long double>(x); };
   return std::sqrt(square(s.xx) + square(s.yy) + square(s.zz) +
@@ -112,18 +112,18 @@ inline Quad quad_distance(const QuadSym& x, const QuadSym& y) {
   return quad_frobenius({x.xx - y.xx, x.xy - y.xy, x.xz - y.xz, x.yy - y.yy, x.yz - y.yz, x.zz - y.zz});
 }
 
-/// The unit roundoff u of T: half the distance from 1 to the next number.
+/// Returns the unit roundoff u of T: half the distance from 1 to the next number.
 template <class T>
 inline constexpr double unit_roundoff = sizeof(T) == 8 ? 0x1p-53 : 0x1p-24;
 
-/// |computed - exact| / |exact| in u. NaN if an entry of `computed` is NaN.
+/// Returns |computed - exact| / |exact| in u. If an entry of `computed` is NaN, returns NaN.
 template <class T>
 double error_in_u(const sym3::Sym3<T>& computed, const QuadSym& exact) {
   return static_cast<double>(quad_distance(to_quad(computed), exact) / quad_frobenius(exact)) /
          unit_roundoff<T>;
 }
 
-using QuadMat = std::array<Quad, 9>;  // by rows
+using QuadMat = std::array<Quad, 9>;  // stored by rows
 
 inline constexpr QuadMat quad_identity{1, 0, 0, 0, 1, 0, 0, 0, 1};
 
@@ -165,7 +165,7 @@ inline Quad quad_norm(const QuadMat& m) {
   return sqrtq(sum);
 }
 
-/// The square root, by the iteration of Denman and Beavers.
+/// Returns the square root. Uses the iteration of Denman and Beavers.
 inline QuadMat quad_root(const QuadMat& m) {
   QuadMat y = m, z = quad_identity;
   for (int i = 0; i < 100; ++i) {
@@ -178,7 +178,7 @@ inline QuadMat quad_root(const QuadMat& m) {
   return y;
 }
 
-/// log(M) = 2^n log(R), where R is the n-th repeated square root of M, close to I. log(R) is a short series.
+/// log(M) = 2^n log(R). R is the n-th repeated square root of M and close to I. log(R) is a short series.
 inline QuadMat quad_log_general(QuadMat m) {
   int roots = 0;
   const int exponent = ilogbq(quad_norm(m));
@@ -210,8 +210,8 @@ inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact)
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// The largest relative change of f per relative change of the matrix: the largest singular value of the
-/// difference quotient, by power iteration.
+/// Returns the largest relative change of f per relative change of the matrix. This is the largest singular
+/// value of the difference quotient; power iteration finds it.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
@@ -242,7 +242,7 @@ double sensitivity(const F& f, const QuadMat& m) {
   return largest;
 }
 
-/// (f(x) - f(y)) / (x - y), or f'(x) if x = y. p is the exponent of pow.
+/// Returns (f(x) - f(y)) / (x - y). If x = y, returns f'(x). p is the exponent of pow.
 inline Quad quad_slope(sym3::Of f, double p, Quad x, Quad y) {
   const Quad d = x - y;
   const auto expm1_over = [](Quad t) { return t != 0 ? expm1q(t) / t : 1; };
@@ -284,7 +284,7 @@ inline QuadDerivative quad_derivative(sym3::Of f, double p, const QuadSym& s, co
   return {{entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)}, norm};
 }
 
-/// The error in u, relative to exact.norm times the norm of the direction.
+/// Returns the error in u, relative to exact.norm times the norm of the direction.
 template <class T>
 double derivative_error(const sym3::Sym3<T>& computed, const QuadDerivative& exact,
                         const QuadSym& direction) {

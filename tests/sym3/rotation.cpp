@@ -27,7 +27,7 @@ QuadVec vector_to_quad(const Vec3<T>& v) {
   return {v[0], v[1], v[2]};
 }
 
-/// A vector of length `angle`: along an axis, in a coordinate plane, or in a random direction.
+/// Returns a vector of length `angle`: along an axis, in a coordinate plane, or in a random direction.
 template <class T>
 Vec3<T> vector_of_angle(double angle, int i, Random& random) {
   const auto f = random_rotation(random);
@@ -65,7 +65,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
   return rounded;
 }
 
-/// The distance from w or, close to half a turn, from the equivalent vector w - 2 pi w / |w|.
+/// Returns the distance from w or, near half a turn, from w - 2 pi w / |w|, if this is nearer. In u.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
   const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);

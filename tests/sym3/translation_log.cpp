@@ -15,7 +15,7 @@ Vector random_vector(Random& random, double size) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-// phi(M) x by 120 terms of the series, in long double.
+// Returns phi(M) x. Adds 120 terms of the series in long double.
 Vector series(const Mat3<double>& m, const Vector& x) {
   std::array<long double, 3> term{x[0], x[1], x[2]}, sum = term;
   for (int n = 2; n <= 120; ++n) {

@@ -1,4 +1,4 @@
-// Results of batches do not depend on layouts, lengths, positions, other items or threads.
+// Results of batches must not depend on layouts, lengths, positions, other items or threads.
 #include "sym3/view.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ using sym3::SymView;
 
 namespace {
 
-/// Ordinary matrices, and some that need squarings or Jacobi's method.
+/// Returns ordinary matrices, and matrices that need squarings or Jacobi's method.
 template <class T>
 std::vector<Sym3<T>> mixture(std::size_t count) {
   auto all = paper_ensemble<T>(count, 5);

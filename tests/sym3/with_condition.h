@@ -8,8 +8,8 @@
 
 namespace viete::test {
 
-/// The middle eigenvalue is close to the smallest or to the largest one, or between them. The smallest
-/// eigenvalue is `size`, for half of the matrices times a factor from 0.001 to 1000.
+/// The middle eigenvalue is close to the smallest or to the largest eigenvalue, or between them. The smallest
+/// eigenvalue is `size`; in half of the matrices, it is multiplied by a factor from 0.001 to 1000.
 template <class T>
 std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double size = 1) {
   namespace ensembles = bench::ensembles;
@@ -21,7 +21,7 @@ std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double si
   });
 }
 
-/// Matrices with eigenvalues from 1 - size to 1 + size.
+/// Returns matrices with eigenvalues from 1 - size to 1 + size.
 inline std::vector<Sym3<double>> near_identity(double size, int count, Random& random) {
   std::vector<Sym3<double>> all;
   for (int i = 0; i < count; ++i) {

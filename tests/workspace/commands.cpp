@@ -148,14 +148,14 @@ TEST_CASE("stitching_is_an_edit_where_elements_have_maps_and_numbers_chosen_in_a
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK(test::run_command(w, "redo"));
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_harmonic"));  // keeps stitching
+  CHECK(test::run_command(w, "weights_harmonic"));  // stitching stays on
   CHECK(w.document.scheme.iterations == 7);
-  CHECK(test::run_command(w, "weights_mean_value"));  // does not support stitching
+  CHECK(test::run_command(w, "weights_mean_value"));  // these weights do not support stitching
   CHECK_FALSE(w.document.scheme.stitched());
   CHECK_FALSE(test::run_command(w, "toggle_stitched"));
   CHECK(test::run_command(w, "undo"));
   CHECK(w.document.scheme.iterations == 7);
-  // Consecutive changes of the constraints are one edit. They are kept while stitching is off.
+  // Consecutive changes of the constraints form one edit. While stitching is off, the constraints are kept.
   const auto edits = test::edit_count(w.document.history);
   for (const double radius : {0.01, 0.05, 0.1}) set_holding(w.document, {radius, 0});
   CHECK(test::edit_count(w.document.history) == edits + 1);

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file browser that shows a folder with files of several kinds.
+// A file browser. It shows a folder with files of several kinds.
 struct Listed : test::TemporaryFolder {
   FileBrowser browser;
 

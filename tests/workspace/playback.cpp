@@ -23,7 +23,7 @@ using test::distance, test::turned_cube;
 
 namespace {
 
-// A timeline with keys at rest (frame 1), half a turn (11) and twice the width (31); ten frames per second.
+// A timeline with keys at rest (frame 1), half a turn (11) and twice the width (31). Ten frames per second.
 struct Played {
   Workspace w = test::cube_workspace();
 
@@ -95,7 +95,7 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
-    // A full turn does not change the positions.
+    // The positions do not change after a full turn.
     deform::Pose pose = p.document().pose;
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);

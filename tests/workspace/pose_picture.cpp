@@ -30,7 +30,7 @@ PictureView view_of(const mesh::Surface& surface, workspace::PictureAngles angle
   return {angles, {surface.positions, {200, 100}, 10}};
 }
 
-// Positive for points in clockwise order on screen, where y points down.
+// Returns a positive area for points in clockwise order on screen, because y points down.
 float signed_area(const std::vector<glm::vec2>& points) {
   float sum = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -1,4 +1,4 @@
-// Random actions can be undone and redone with the same bits.
+// Makes random actions. Undo and redo must restore the exact states.
 #include <doctest/doctest.h>
 
 #include <random>
@@ -26,7 +26,7 @@ using namespace viete::workspace;
 
 namespace {
 
-// Makes random input: mouse, modifiers, keys and commands, also during drags.
+// Makes random input: mouse, modifiers, keys and commands. Also makes input during drags.
 class RandomUser {
 public:
   explicit RandomUser(unsigned seed) : random_(seed) {
@@ -141,7 +141,7 @@ private:
     test::run_command(w, tools[below(3)]);
     w.view.cage = true;
   }
-  // Selects with random tools, also over vertices and the gizmo. Brushes are sometimes cancelled.
+  // Selects with random tools, also over vertices and the gizmo. Sometimes cancels a brush.
   void select_otherwise() {
     static const char* const shapes[] = {"select_box", "select_lasso", "select_brush"};
     test::run_command(w, shapes[below(3)]);
@@ -245,7 +245,7 @@ struct Everything {
   bool operator==(const Everything&) const = default;
 };
 
-// Ignores the element kind of an empty selection, which is not part of the document.
+// Ignores the element kind of an empty selection, because this kind is not part of the document.
 Everything of(const Document& document) {
   const Selection& selection = document.selection;
   return {document.pose.positions, document.pose.turns,

@@ -41,14 +41,14 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_docum
   w.document = test::cube_document();
   set_radius(w.document, 0.3);
   begin_widget_edit(w);
-  set_radius(w.document, 0.4);  // merged with the edit before
+  set_radius(w.document, 0.4);  // becomes part of the previous edit
   cancel_widget_edit(w);
   CHECK(w.document.scheme.weighting.radius == 0.3);
   CHECK(w.document.history.can_undo());
   undo(w.document);
   CHECK_FALSE(w.document.history.can_undo());
   begin_widget_edit(w);
-  ++w.opened;  // as if another document was opened
+  ++w.opened;  // simulates that another document was opened
   w.brush.radius = 99;
   cancel_widget_edit(w);
   CHECK(w.brush.radius == 99);
@@ -68,7 +68,7 @@ TEST_CASE("a_repeated_message_is_counted_and_visible_again_and_the_last_200_stay
   CHECK(messages.all().back().times == 1002);
   messages.dismiss(1);
   messages.info("other");
-  messages.warn("again");  // not the same as the last message, so it is added
+  messages.warn("again");  // differs from the last message, so it is added
   CHECK(messages.all().size() == 3);
   CHECK(messages.revision() == 1005);
   for (int i = 0; i < 1000; ++i) messages.info(std::to_string(i));

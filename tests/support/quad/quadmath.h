@@ -1,4 +1,4 @@
-// Replaces libquadmath on arm64, where GCC lacks the library but long double has 113 bits.
+// Replaces libquadmath on arm64. GCC has no such library there, but long double has 113 bits.
 #pragma once
 
 #include <cfloat>
@@ -12,11 +12,11 @@ typedef long double __float128;
     return std::name(x);                      \
   }
 VIETE_QUAD(acos)
-VIETE_QUAD(asin) VIETE_QUAD(atan) VIETE_QUAD(atanh) VIETE_QUAD(cos) VIETE_QUAD(cosh) VIETE_QUAD(exp)
-    VIETE_QUAD(expm1) VIETE_QUAD(fabs) VIETE_QUAD(log) VIETE_QUAD(log1p) VIETE_QUAD(sin) VIETE_QUAD(sinh)
-        VIETE_QUAD(sqrt)
+VIETE_QUAD(asin)
+VIETE_QUAD(atan) VIETE_QUAD(atanh) VIETE_QUAD(cos) VIETE_QUAD(cosh) VIETE_QUAD(exp) VIETE_QUAD(expm1)
+    VIETE_QUAD(fabs) VIETE_QUAD(log) VIETE_QUAD(log1p) VIETE_QUAD(sin) VIETE_QUAD(sinh) VIETE_QUAD(sqrt)
 #undef VIETE_QUAD
-            inline long double atan2q(long double y, long double x) {
+        inline long double atan2q(long double y, long double x) {
   return std::atan2(y, x);
 }
 inline long double powq(long double x, long double p) {
