@@ -92,23 +92,6 @@ std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, bas
 
 }  // namespace
 
-std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine,
-                          const Weighting& weighting) {
-  const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
-  const double slots = n + slot_block - 1;
-  const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
-  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and adjacency of
-  // vertices
-  const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // weights; rest, offset, position, vertex, neighbours; rest in double
-  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
-  double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
-  if (entry(weighting.weights).on_surface)
-    bytes += surface_system_bytes(vertices) +
-             (engine == EngineKind::fused && vertices <= most_solved_vertices ? 4 * n * k : 0);
-  return static_cast<std::size_t>(std::min(0x1p63, bytes));
-}
-
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress) {
   return bind(model, cage, weighting, EngineKind::staged, nullptr, pool, progress);

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "deform/bind.h"
 #include "deform/bind_kernel.h"
 #include "deform/cage_state.h"
 #include "deform/factoring.h"
@@ -457,6 +456,23 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
   for (std::size_t slot = 0; slot < b.leaves.slot_count(); ++slot)
     set_slot(b.rest, slot, model.positions[b.leaves.order[slot]] - origin, b.unit);
   return b;
+}
+
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine,
+                          const Weighting& weighting) {
+  const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
+  const double slots = n + slot_block - 1;
+  const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
+  // weights; rest, offset and the frame's sums, stretches, position, normal; triangles and adjacency of
+  // vertices
+  const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
+  // weights; rest, offset, position, vertex, neighbours; rest in double
+  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
+  double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
+  if (entry(weighting.weights).on_surface)
+    bytes += surface_system_bytes(vertices) +
+             (engine == EngineKind::fused && vertices <= most_solved_vertices ? 4 * n * k : 0);
+  return static_cast<std::size_t>(std::min(0x1p63, bytes));
 }
 
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,

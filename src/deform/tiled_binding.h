@@ -102,6 +102,12 @@ TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighti
 /// True if compression is worth trying for these sizes. (Never for handles that only translate.)
 bool compressible(std::size_t vertices, std::size_t handles);
 
+/// Bytes that bind() requires before it begins, for n vertices and k handles; at most 2^63. An upper bound
+/// for the fused engine; it assumes a quarter of the weights' size if they can be compressed (affine maps
+/// only). Weights along the surface are computed for all vertices before compression.
+std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
+                          const Weighting& weighting = {});
+
 /// Computes weights leaf by leaf, in parallel; a full matrix of doubles never exists and, if compressed, no
 /// full matrix of floats. Weights with a radius are stored as lists. Others are compressed by `tolerance` (0:
 /// never) if a sample of leaves predicts cheaper frames. `storage` overrides both. The same bits for any

@@ -1,9 +1,9 @@
 #include "scene/document/binding_plan.h"
 
 #include "base/text.h"
-#include "deform/bind.h"
 #include "deform/binding.h"
 #include "deform/cage_state.h"
+#include "deform/tiled_binding.h"
 
 namespace viete::scene {
 
