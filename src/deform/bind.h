@@ -1,8 +1,6 @@
 // Binds a model to a cage.
 #pragma once
 
-#include <cstddef>
-
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
 
+#include "mesh/point_tree.h"
 #include "mesh/triangle.h"
 #include "mesh/triangle_tree.h"
 #include "mesh/union_find.h"
@@ -29,56 +28,15 @@ struct Neighbour {
   double squared_distance;
 };
 
-/// Vertices in cells of a grid, in lists by the hash of the cell.
-class Cells {
-public:
-  Cells(std::span<const mesh::Point> positions, std::span<const std::uint32_t> some, double radius)
-      : positions_(positions),
-        radius_(radius),
-        origin_(positions[some[0]]),
-        next_(positions.size(), none),
-        first_(std::bit_ceil(2 * some.size()), none) {
-    for (const auto v : some) next_[v] = std::exchange(first_[bucket(positions[v], 0, 0)], v);
-  }
-
-  /// Calls visit(v) at least once for every vertex within the radius of p.
-  template <class Visit>
-  void for_within(const mesh::Point& p, const Visit& visit) const {
-    for (unsigned k = 0; k < 8; ++k) {
-      for (auto v = first_[bucket(p, radius_, k)]; v != none; v = next_[v])
-        if (squared_norm(positions_[v] - p) <= radius_ * radius_) visit(v);
-    }
-  }
-
-private:
-  static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-
-  // Cells are slightly wider than a ball: it meets the cell of its lowest corner and the next along each
-  // axis.
-  std::size_t bucket(const mesh::Point& p, double below, unsigned next) const {
-    std::uint64_t h = 0;
-    for (std::size_t i = 0; i < 3; ++i, next /= 2) {
-      const double cell = std::floor((p[i] - origin_[i] - below) / (2.001 * radius_)) + (next & 1);
-      h = (h ^ std::bit_cast<std::uint64_t>(cell + 0.0)) * 0xbf58476d1ce4e5b9u, h ^= h >> 31;
-    }
-    return h & (first_.size() - 1);
-  }
-
-  std::span<const mesh::Point> positions_;
-  double radius_;
-  mesh::Point origin_;
-  std::vector<std::uint32_t> next_, first_;  // of each vertex, and of each bucket
-};
-
 /// Finds points near a vertex that are not joined to it.
 class Neighbours {
 public:
-  Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::span<const std::uint32_t> used)
+  Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::vector<std::uint32_t> used)
       : positions_(surface.positions),
         paths_(paths),
         size_(mesh::used_size(surface)),
         triangles_(mesh::proper_triangles(surface)),
-        cells_(positions_, used, touching * size_) {
+        vertex_tree_(positions_, std::move(used)) {
     const auto first = paths.part(triangles_[0][0]);
     if (std::ranges::any_of(triangles_, [&](const auto& t) { return paths.part(t[0]) != first; }))
       triangle_tree_.emplace(positions_, triangles_, nullptr, paths.parts());
@@ -124,7 +82,7 @@ private:
   // A near vertex of its own part without a short path to it.
   std::optional<Neighbour> nearest_fold(std::uint32_t vertex) const {
     std::optional<Neighbour> nearest;
-    cells_.for_within(positions_[vertex], [&](std::uint32_t b) {
+    vertex_tree_.for_within(positions_[vertex], touching * size_, [&](std::uint32_t b) {
       if (b == vertex || paths_.part(b) != paths_.part(vertex)) return;
       const double square = squared_norm(positions_[vertex] - positions_[b]);
       if (nearest && std::pair(square, b) > std::pair(nearest->squared_distance, nearest->triangle[0]))
@@ -138,7 +96,7 @@ private:
   const mesh::EdgePaths& paths_;
   double size_;
   std::vector<mesh::Triangle> triangles_;
-  Cells cells_;
+  mesh::PointTree vertex_tree_;
   std::optional<mesh::TriangleTree> triangle_tree_;  // only for several parts
 };
 

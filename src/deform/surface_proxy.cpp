@@ -3,14 +3,11 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "deform/cage_state.h"
-#include "deform/point_weights.h"
 #include "mesh/point_index.h"
 #include "mesh/point_tree.h"
 #include "mesh/triangle.h"
@@ -27,8 +24,9 @@ constexpr int most_halvings = 5;
 constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
 constexpr double fit_reach = 1.9;    // in mean distances to the neighbours
-// Regularises fits to few clusters, relative to the diagonal of the normal equations.
-constexpr double ridge_linear = 1e-4, ridge_quadratic = 1e-3;
+// Ridges, relative to the sum of factors, limit extrapolation where all clusters are on one side, as at tips.
+constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
+constexpr double least_facing = 0.1;  // at tips even the nearest clusters may face away
 
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -76,14 +74,12 @@ std::vector<std::uint32_t> owned_by_handles(const mesh::Surface& model,
     auto& n = number[sets.find(v)];
     if (n == none) n = static_cast<std::uint32_t>(parts.shares.size()), parts.shares.push_back(0);
     parts.of_vertex.push_back(n);
+    parts.shares[n] += 1.0 / static_cast<double>(place.size());
   }
-  for (const auto part : parts.of_vertex) parts.shares[part] += 1.0 / static_cast<double>(place.size());
   if (parts.shares.size() > 1) own_in_bodies(owned, model, parts, cage, elements, pool);
-  std::vector<std::uint32_t> all = owned.of_handle;
-  for (const auto& some : owned.elsewhere) all.insert(all.end(), some.begin(), some.end());
-  std::erase(all, none);
-  for (auto& v : all) v = place[v];
-  sort_unique(all);
+  std::vector<std::uint32_t> all;
+  for (std::size_t v = 0; v < place.size(); ++v)
+    if (owned.owners[v] > 0) all.push_back(place[v]);
   return all;
 }
 
@@ -357,11 +353,9 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
     const Vec3 d = surface_.positions[terms[i].cluster] - p;
     const double x = dot(u, d), y = dot(v, d);
     basis[i] << 1, x, y, x * x, x * y, y * y;
-    const double facing = std::max(0.0, dot(normals_[terms[i].cluster], normal) / norm(normal));
-    terms[i].factor *= facing;
+    terms[i].factor *= std::max(least_facing, dot(normals_[terms[i].cluster], normal) / norm(normal));
     m.selfadjointView<Eigen::Lower>().rankUpdate(basis[i], terms[i].factor);
   }
-  if (!(m(0, 0) > 0)) return take_own();
   for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
   const Vector6 fit = m.selfadjointView<Eigen::Lower>().ldlt().solve(Vector6::Unit(0));
   for (std::size_t i = 0; i < terms.size(); ++i) terms[i].factor *= fit.dot(basis[i]);

@@ -57,6 +57,22 @@ TEST_CASE("factors_of_a_proxy_sum_to_one_and_reproduce_positions") {
   CHECK(worst < 2e-3 * size);
 }
 
+TEST_CASE("values_of_a_proxy_are_not_extrapolated_at_sharp_edges") {
+  base::WorkerPool pool(1);
+  mesh::Surface model = ring(20'000);
+  for (auto& p : model.positions) p[2] *= 0.02;
+  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+  std::vector<deform::SurfaceProxy::Term> terms;
+  double worst = 0;
+  for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
+    proxy.terms(v, terms);
+    double sum = 0;
+    for (const auto& term : terms) sum += std::abs(term.factor);
+    worst = std::max(worst, sum);
+  }
+  CHECK(worst < 2);
+}
+
 TEST_CASE("weights_by_a_proxy_are_near_those_of_the_whole_model") {
   base::WorkerPool pool;
   const mesh::Surface model = ring(30'000);
