@@ -21,21 +21,21 @@ using Budget = std::map<std::string, std::size_t>;
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7213},      {"base", 2018},          {"bench", 5052},    {"blender", 591},
-    {"cages", 3522},   {"deform", 13139},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
+    {"cages", 3522},   {"deform", 13089},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
     {"formats", 8381}, {"interact", 2504}, {"library", 924},        {"mesh", 2956},     {"platform", 967},
     {"python", 1320},  {"render", 2191},   {"sym3", 6344},          {"ui", 6073},       {"workspace", 5889},
 };
-constexpr std::size_t all_lines_of_src = 79'821;
+constexpr std::size_t all_lines_of_src = 79'771;
 
 // support has the helpers of several folders.
 const Budget lines_of_tests = {
     {"analysis", 285}, {"app", 1096},     {"assets", 244},   {"base", 796},      {"bench", 611},
-    {"blender", 426},  {"cages", 961},    {"consumer", 507}, {"deform", 7000},   {"document", 3076},
+    {"blender", 426},  {"cages", 961},    {"consumer", 507}, {"deform", 7016},   {"document", 3076},
     {"files", 2279},   {"formats", 3348}, {"fuzz", 362},     {"interact", 1461}, {"mesh", 1703},
     {"platform", 295}, {"program", 7022}, {"python", 758},   {"releases", 113},  {"render", 958},
     {"rules", 693},    {"support", 1335}, {"sym3", 3663},    {"ui", 13},         {"workspace", 2162},
 };
-constexpr std::size_t all_lines_of_tests = 41'167;
+constexpr std::size_t all_lines_of_tests = 41'183;
 
 constexpr std::size_t words_of_readme = 885, words_of_manual_and_rooms = 14'693;
 
