@@ -17,8 +17,8 @@ std::vector<std::string> run_child(const std::vector<std::string>& words, base::
 /// Opens the page in a browser and returns at once. Throws base::Error if no browser can be started.
 void open_in_browser(const std::filesystem::path& page);
 
-/// Creates a short report in a subfolder of `state` (if empty: of the temporary folder) and opens it in the
-/// browser. program: `viete`. Returns the message for the user. Throws like run_child(). Thread-safe.
+/// Creates a short report in a subfolder of `state` and opens it in the browser. If `state` is empty, uses
+/// the temporary folder. program: path of `viete`. Returns a message. Throws like run_child(). Thread-safe.
 std::string create_and_show_report(const std::filesystem::path& program, const std::filesystem::path& state,
                                    base::Progress& progress);
 

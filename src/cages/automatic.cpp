@@ -221,7 +221,7 @@ private:
     return cage.shell();
   }
 
-  // Splits the edges whose split reduces the volume most, and collapses the edges that increase it least.
+  // Splits the edges whose split reduces the volume most. Then collapses the edges that increase it least.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();

@@ -58,12 +58,12 @@ struct WeightedPairs {
 };
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
-/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. The first step
-/// follows a tree of the smallest relative rotations, from the triangle with the smallest rotation of each
-/// part. Each connected set of changed triangles keeps its new logs if they reduce the sum. The second step
-/// tries, for each triangle, the branches nearest to its neighbours' logs. The sum never grows, and coherent
-/// logs keep all bits. Rotations near whole turns have no clear axis, so their logs cannot be coherent.
-/// Thread-safe. Takes O(n log n) time.
+/// Changes branches to reduce the weighted sum of the distances between neighbours' logs. In each part,
+/// the first step starts at the triangle with the smallest rotation. From there it follows a spanning tree of
+/// the smallest relative rotations. Each connected set of changed triangles keeps its new logs if they reduce
+/// the sum. The second step tries, for each triangle, the branches nearest to its neighbours' logs. The sum
+/// never grows, and coherent logs keep all bits. Rotations near whole turns have no clear axis, so their logs
+/// cannot be coherent. Thread-safe. Takes O(n log n) time.
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 

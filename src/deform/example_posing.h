@@ -29,8 +29,8 @@ inline constexpr double holding = std::numeric_limits<double>::infinity(), usual
 inline constexpr std::size_t most_pins = 1000;
 
 struct PosingSettings {
-  /// Strength of the force that keeps the examples' weights near their initial values (usually 0), relative
-  /// to the elastic energy of one unit of the model's area.
+  /// How strongly the examples' weights are kept near their initial values (usually 0). Their term is scaled
+  /// by the model's area, as the elastic energy is.
   double restraint = 1e-3;
   /// How freely triangles may rotate away from the blend, from 0 to 1. If there are no examples, 1 is ARAP.
   double freedom = 0.3;
@@ -104,8 +104,8 @@ private:
   base::AlignedVector<double> gradients_;
   std::vector<std::uint32_t> part_of_pin_;
   std::vector<std::uint32_t> pinned_parts_;  // parts with pins, in ascending order
-  // Matrix [pin, then pinned part][pin] that converts the pins' distances from their targets to forces at the
-  // pins, and to translations of the parts.
+  // Matrix with one column per pin, and one row per pin, then one per pinned part. Multiplied by the pins'
+  // distances from their targets, it gives the forces at the pins, then the translations of the parts.
   std::vector<double> forces_;
 
   std::vector<double> weights_, usual_weights_;  // usual_weights_: see begin()

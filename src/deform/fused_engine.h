@@ -38,7 +38,7 @@ public:
   std::span<const FrameVertex> vertices() const override { return vertices_; }
   /// Runs the first half of a frame: sums rows [vertex][column] times shares, in the file's order and unit.
   void blend(const CageState& state, std::span<double> sums);
-  /// Runs the second half of a frame for these positions, relative to the rows' origin: fills vertices().
+  /// Runs the second half of a frame: fills vertices() from positions relative to the origin of the rows.
   void show(std::span<const Vec3> positions);
   /// Returns true if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }

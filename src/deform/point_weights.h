@@ -51,8 +51,8 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
-/// Returns the fraction of the blended motion that a point makes. `total` is the sum of the point's weights
-/// before normalisation, which is less than 1 if all elements are almost a radius away.
+/// Returns how much of the blended motion a point follows, 0 to 1. `total` is the sum of its weights before
+/// normalisation. This sum is less than 1 if all elements are almost a radius away.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }

@@ -39,7 +39,7 @@ public:
   /// Returns the number of recorded edits. drop_last() decreases it by one.
   unsigned long recorded() const { return recorded_; }
 
-  /// Call this after the file was overwritten with the cage `by`. Clears this path in other cages.
+  /// Call this after saving the cage `by` to `file`. All other cages of the history with this path lose it.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }

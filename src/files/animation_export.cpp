@@ -157,9 +157,9 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// The ends of all linear pieces. If the model is not at rest at an end, the end has a morph target.
+// Frames at which linear pieces begin or end. Each has a morph target, unless the model is at rest in it.
 struct MorphPlan {
-  std::vector<double> frames;        // the frames of the ends
+  std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`
   std::vector<char> moves;           // for each vertex, true if it leaves its rest position
 

@@ -296,7 +296,7 @@ private:
     const auto take = [&](const fs::path& file) {
       const std::size_t before = all_.shapes.size();
       add(file);
-      // The folder may contain the model at rest.
+      // The folder may contain the model at rest, which is no shape: drops it.
       if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
       return all_.shapes.size() > before;
     };

@@ -46,7 +46,7 @@ struct Group {
 struct Attributes {
   std::vector<Vec2> texture_points;           ///< (u, v); v increases upwards
   std::vector<std::uint32_t> corner_texture;  ///< for each corner an index into texture_points, or mesh::none
-  std::vector<mesh::Vec3> normals;            ///< as in the file; the length may differ from 1
+  std::vector<mesh::Vec3> normals;            ///< as in the file; not always unit vectors
   std::vector<std::uint32_t> corner_normal;   ///< for each corner an index into normals, or mesh::none
   std::vector<Color> colors;                  ///< one per vertex
   std::vector<Color> polygon_colors;          ///< one per polygon

@@ -182,8 +182,8 @@ private:
     }
   }
 
-  // Returns true if the buffer may be overwritten, because the file that `path` replaces refers to it.
-  // Buffers of the file that was read must not be overwritten.
+  // Returns true if the old file at `path`, which will be replaced, refers to this buffer. Then the buffer
+  // may be overwritten too. Returns false for buffers of the file that was read.
   bool is_of_older_result(const fs::path& path, const fs::path& buffer) const {
     std::error_code failed;
     for (const GltfBuffer& own : file_.buffers) {

@@ -59,7 +59,7 @@ public:
 
   // Returns the normal for an original line. An unmoved normal has the same bits as before.
   const mesh::Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
-  // Returns the normals of the lines that are added for an original line.
+  // Returns the normals of the `vn` lines that are added after an original `vn` line.
   std::span<const mesh::Vec3> added(std::size_t line) const {
     return std::span(values_).subspan(first_[line] + 1, first_[line + 1] - first_[line] - 1);
   }

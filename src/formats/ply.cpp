@@ -22,8 +22,8 @@ namespace viete::formats {
 
 namespace {
 
-// Returns the colour scale of a type. Some text files declare bytes as wider integers, so integers of more
-// than two bytes have the scale of bytes.
+// Returns the factor that maps colour values of this type to 0..1. Integers of more than two bytes use 1/255,
+// because some text files declare bytes as wider integers.
 double part_of_largest(NumberType type) {
   return with_type(type, [](auto number) {
     using Number = decltype(number);

@@ -1,4 +1,4 @@
-// Prints numbers in the style of a text file, and checks positions before writing.
+// Prints numbers in the style of a given text file, and checks positions before writing.
 #pragma once
 
 #include <cmath>

@@ -28,7 +28,7 @@ std::string advice_on(std::string_view word) {
     return "its sign is a typographic dash: use the ASCII minus sign -";
   if (holds("#") || holds("ind") || holds("IND"))
     return "it means an invalid number: repair it, or export the file again";
-  if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write it in decimals";
+  if (word.starts_with("0x") || word.starts_with("-0x")) return "it is hexadecimal: write a decimal number";
   const std::string_view signs = "+-";
   for (std::size_t i = 1; i < word.size(); ++i) {
     if (signs.find(word[i]) == std::string_view::npos) continue;

@@ -130,10 +130,10 @@ public:
   /// Interpolates the sequence of shapes: 0 is the first shape, 1 the second, 0.5 is halfway. If `straight`
   /// is true, vertices move along straight lines.
   std::vector<Point3> between(double at, bool straight = false) const;
-  /// Example-based posing: moves `vertices` to `places`. All other vertices follow blends of the shapes. If
-  /// `firmness` is infinite, the places are exact; 0.3 pulls as strongly as neighbouring vertices do. If
-  /// `freedom` is 0, the result follows the shapes; 1 is as rigid as possible. If `weights` is not null, it
-  /// gets the weight of each shape.
+  /// Example-based posing: moves `vertices` to `places`. All other vertices follow blends of the shapes.
+  /// `firmness`: infinite makes the places exact; 1 is about the stiffness between neighbours; 0.3 is soft.
+  /// `freedom`: 0 follows the shapes exactly; 1 is as rigid as possible. If `weights` is not null, it gets
+  /// the weight of each shape.
   std::vector<Point3> pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
                            double firmness = 1e300, double freedom = 0.3,
                            std::vector<double>* weights = nullptr, const Watch& watch = {}) const;

@@ -50,7 +50,7 @@ public:
   bool asked_to_close();
 
   void set_title(const std::string& title);
-  /// If `full`, fills the screen with most of the window. Otherwise restores the previous place and size.
+  /// If `full`, fills the screen that contains most of the window. Otherwise restores place and size.
   void set_full_screen(bool full);
   bool full_screen() const;
   void present(render::Framebuffer& framebuffer);

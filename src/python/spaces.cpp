@@ -72,7 +72,7 @@ void define_spaces(py::module_& m) {
              py::arg("firmness") = std::numeric_limits<double>::infinity(), py::arg("freedom") = 0.3,
              "Example-based posing: moves some vertices (a list of indices) to places (p, 3); all others "
              "follow blends of the shapes. Returns (positions (n, 3), weights).\n\nfirmness: infinite makes "
-             "places exact; 0.3 pulls about as strongly as neighbouring vertices do. freedom: 0 follows the "
+             "places exact; 1 is about the stiffness between neighbours; 0.3 is soft. freedom: 0 follows the "
              "shapes, 1 is as rigid as possible. At most 1000 vertices, each once. The time grows at least "
              "with the square of their number. Raises Error.");
   py::class_<Poses> poses(m, "PoseSpace", "Blends poses of a cage in log space.");

@@ -70,7 +70,7 @@ struct Coefficients {
 };
 
 /// Computes the recurrence above. a[k] are the coefficients of the polynomial; the last one is 1. Each step
-/// must wait for the previous step. Meanwhile, each step calls beside(step, z_{k+2}) for other work.
+/// needs the result of the previous step. While waiting, it calls beside(step, z_{k+2}) for other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;

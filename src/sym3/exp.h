@@ -25,9 +25,9 @@ enum class Method {
   /// and NaN.
   diag,
 
-  /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues closer
-  /// than 1e-6 count as equal; their number decides between three cases. There is no useful error bound,
-  /// because x, y and z lose digits if eigenvalues are close. The error is about 1e3 u on the paper's
+  /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues within
+  /// 1e-6 count as equal. The number of distinct eigenvalues selects one of three cases. There is no useful
+  /// error bound: x, y and z lose digits if eigenvalues are close. The error is about 1e3 u on the paper's
   /// ensemble. For three eigenvalues 1e-6 apart it is up to 4e-3 in double, and unlimited in float, where
   /// 1e-6 is the rounding level. If a term of x, y or z overflows, the result has infinities and NaN.
   sd,

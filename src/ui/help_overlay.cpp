@@ -98,7 +98,7 @@ void give_back(const Context& ui, const workspace::Keymap& plain, const workspac
   const std::string preset = workspace::text(plain.of(command));
   const std::string name(command.name);
   if (button(ui, ("Reset##" + name).c_str(), "key/" + name + "/reset",
-             "Reset to the key of the keymap: " + (preset.empty() ? "none" : preset), {back_width, 0}))
+             "Use the keymap's default key again: " + (preset.empty() ? "none" : preset), {back_width, 0}))
     keymap.take_back(command.name);
 }
 

@@ -53,9 +53,9 @@ public:
   void tint(std::span<const glm::vec2> corners, ImU32 color);
   /// Thin closed line without halo.
   void outline(std::span<const glm::vec2> corners, ImU32 color);
-  /// Tinted fan between the center and a line, up to a full circle.
+  /// Tinted fan between the centre and a line, up to a full circle.
   void fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color);
-  /// Centered text, a letter or a word.
+  /// Centred text, a letter or a word.
   void letter(const glm::vec2& center, const char* text, ImU32 color, float size = 13);
 
 private:

@@ -44,7 +44,7 @@ void panel_map(const Context& ui) {
   if (wanted == analysis::Field::none)
     return note(ui, "Choose a measure of the deformation to colour the model.");
   if (workspace::shown_field(w) == analysis::Field::none)
-    return note(ui, "Not available here: this map needs a cage and the blend Log space.");
+    return note(ui, "Not available here: this map needs a cage and the blend \"Log space\".");
   const bool needs_selection = wanted == analysis::Field::influence && w.document.selection.empty();
   note_within(
       ui, 2,

@@ -26,7 +26,7 @@ inline constexpr Condition without_drag{[](const Workspace& w) { return C(w) && 
 
 inline constexpr Condition always{[](const Workspace&) { return true; }, ""};
 inline constexpr Condition uses_method{[](const Workspace& w) { return w.document.scheme.exponential(); },
-                                       "This blend uses no exponential; choose the blend Log space first."};
+                                       "This blend uses no exponential; choose \"Log space\" first."};
 inline constexpr Condition has_maps{
     [](const Workspace& w) { return w.document.scheme.has_maps(); },
     "Not available for this deformer: it uses the vertices of the cage, not its faces."};

@@ -111,8 +111,8 @@ void add_file_commands(CommandTable& table) {
               browse_to_save(w, Purpose::save_model, w.document.model.path, "_deformed.obj");
             });
   table.add("stop_work", {"Cancel current task", "Cancel"},
-            "Stop reading, making a cage or binding. The document stays as it is.", {Key::escape}, is_working,
-            passing([](Workspace& w) { w.requests.stop_work = true; }));
+            "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
+            {Key::escape}, is_working, passing([](Workspace& w) { w.requests.stop_work = true; }));
   table.add("stop_export", {"Cancel export", "Cancel"},
             "Stop the export. Each file is either complete or unchanged.", is_exporting,
             passing([](Workspace& w) { w.requests.stop_export = true; }));
@@ -163,8 +163,8 @@ void add_animation_file_commands(CommandTable& table) {
             [](Workspace& w) { browse_beside(w, Purpose::shapes, w.document.model.path); });
   table.heading("Time");
   table.add("import_animation", "Import animation",
-            "Import keys from numbered posed cages, a point cache of cage or model (PC2, MDD) or animated "
-            "morph targets (glTF).",
+            "Import keys from numbered files of the posed cage, a point cache (PC2, MDD) of cage or model, "
+            "or animated morph targets (glTF).",
             can_import_shapes, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",

@@ -70,7 +70,7 @@ enum class Answer { save, cancel, proceed };
 struct Question {
   enum class Kind {
     close,         ///< closing the program with edits that could not be saved for recovery
-    open,          ///< opening another document with edits that could not be saved for recovery
+    open,          ///< opening another document while this one has edits that could not be saved for recovery
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing

@@ -74,8 +74,8 @@ struct RealSession {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// Saves the session by a key after all other events, and reads it. Tries again until the window gets the
-  /// keys.
+  /// Presses Ctrl+S, which the window handles after all earlier events, and reads the saved session. Presses
+  /// it again if the window missed it.
   files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };

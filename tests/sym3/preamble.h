@@ -14,8 +14,8 @@ namespace viete::test {
 using namespace bench::ensembles;
 using sym3::Sym3;
 
-/// Calls check(spread, lowest) for several lowest eigenvalues. exp neither overflows nor underflows for these
-/// values.
+/// Calls check(spread, lowest) for each spread, with several values of the lowest eigenvalue. exp neither
+/// overflows nor underflows for these values.
 template <class T, class Check>
 void for_spreads(std::initializer_list<double> spreads, const Check& check) {
   const double least = sizeof(T) == 8 ? -700 : -80, most = sizeof(T) == 8 ? 705 : 87;

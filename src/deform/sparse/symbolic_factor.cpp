@@ -48,8 +48,8 @@ private:
     }
   }
 
-  // Returns positions in which each subtree is contiguous and parents follow their children. The last child
-  // is directly before its parent, and the child's subtree directly before the child.
+  // Returns positions in which each subtree is contiguous and ends with its root. The last child is directly
+  // before its parent; the rest of the child's subtree is directly before the child.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
     std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
