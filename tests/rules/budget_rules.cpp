@@ -33,11 +33,12 @@ const Budget lines_of_tests = {
     {"blender", 426},  {"cages", 961},    {"consumer", 507}, {"deform", 7016},   {"document", 3076},
     {"files", 2279},   {"formats", 3348}, {"fuzz", 362},     {"interact", 1461}, {"mesh", 1703},
     {"platform", 295}, {"program", 7022}, {"python", 758},   {"releases", 113},  {"render", 958},
-    {"rules", 693},    {"support", 1335}, {"sym3", 3664},    {"ui", 13},         {"workspace", 2162},
+    {"rules", 694},    {"support", 1335}, {"sym3", 3664},    {"ui", 13},         {"workspace", 2162},
 };
-constexpr std::size_t all_lines_of_tests = 41'184;
+constexpr std::size_t all_lines_of_tests = 41'185;
 
-constexpr std::size_t words_of_readme = 884, words_of_manual_and_rooms = 14'688;
+// The README has the time of 12.8 million vertices since its last value.
+constexpr std::size_t words_of_readme = 897, words_of_manual_and_rooms = 14'688;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
