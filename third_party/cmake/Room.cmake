@@ -74,7 +74,7 @@ endfunction()
 option(VIETE_UNITY "Compile sources in batches, in rooms that allow it" ON)
 set(VIETE_BATCH 24 CACHE STRING "Number of sources per batch")
 
-# Lower optimisation for targets without heavy computation: compiles in two thirds of the time of -O3.
+# Lower optimisation for targets without heavy computation: compiles in two thirds of the time.
 function(viete_quickly_compiled target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
@@ -87,8 +87,6 @@ function(viete_compiled target unity quick)
   endif()
   if(quick)
     viete_quickly_compiled(${target})
-  else()
-    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O2>)  # kernels: see VIETE_KERNEL_OPTIONS
   endif()
 endfunction()
 
