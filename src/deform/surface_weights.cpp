@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <numeric>
-#include <string>
 
 #include "base/error.h"
 #include "base/memory.h"

@@ -21,11 +21,11 @@ using Budget = std::map<std::string, std::size_t>;
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7213},      {"base", 2018},          {"bench", 5052},    {"blender", 591},
-    {"cages", 3522},   {"deform", 13089},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
-    {"formats", 8381}, {"interact", 2504}, {"library", 924},        {"mesh", 2956},     {"platform", 967},
+    {"cages", 3522},   {"deform", 13085},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
+    {"formats", 8381}, {"interact", 2504}, {"library", 924},        {"mesh", 2959},     {"platform", 967},
     {"python", 1320},  {"render", 2191},   {"sym3", 6344},          {"ui", 6073},       {"workspace", 5889},
 };
-constexpr std::size_t all_lines_of_src = 79'771;
+constexpr std::size_t all_lines_of_src = 79'770;
 
 // support has the helpers of several folders.
 const Budget lines_of_tests = {
