@@ -38,7 +38,7 @@ std::array<double, 3> sample_frames(const std::vector<int>& frames) {
 }
 
 std::string engine_text(const AnimatedModel& model) {
-  if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double";
+  if (model.precision() == AnimatedModel::Precision::exact) return "deformed in double precision";
   return "deformed in float, error up to " + at_most(model.fast_error()) + " of the cage's diagonal";
 }
 
@@ -342,7 +342,7 @@ AnimationReport write_frames(const AnimationExport& what, base::WorkerPool& pool
   AnimationReport report{.frames = frames.size()};
   notes.add(other_files_note(name, frames));
   report.notes = notes.take();
-  report.summary = base::counted(frames.size(), "frame") + ", deformed in double";
+  report.summary = base::counted(frames.size(), "frame") + ", deformed in double precision";
   return report;
 }
 

@@ -60,7 +60,7 @@ const PointCacheHead& writable(const fs::path& path, const PointCacheHead& head)
     throw base::Error(path.string(),
                       "there are " + base::counted(head.seconds.size(), "time") + " for " +
                           base::counted(head.frames, "frame"),
-                      "pass one time per frame");
+                      "give one time value for each frame");
   return head;
 }
 

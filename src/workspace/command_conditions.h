@@ -106,10 +106,10 @@ inline constexpr Condition has_outside{
     [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
     "The cage encloses all vertices of the model."};
 inline constexpr Condition is_making{[](const Workspace& w) { return w.making.open; },
-                                     "Choose Make cage first."};
+                                     "Choose \"Make cage\" first."};
 inline constexpr Condition is_wishing{
     [](const Workspace& w) { return w.making.open && !w.making.closing; },
-    "Choose Make cage first. If you have confirmed a cage already, wait until it is computed."};
+    "Choose \"Make cage\" first. If the cage is confirmed already, wait until it is computed."};
 inline constexpr Condition has_cage_beside{
     [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
     "The model's folder contains no cage for the model."};

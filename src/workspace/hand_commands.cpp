@@ -101,9 +101,8 @@ void add_hand_commands(CommandTable& table) {
             grab<interact::Tool::select, interact::Shape::bend>);
   table.add("twist", {"Twist selection", "Twist"}, "Twist the selection between its ends by any angle.",
             can_shape, grab<interact::Tool::select, interact::Shape::twist>);
-  table.add("taper", {"Taper selection", "Taper"},
-            "Scale the cross sections of the selection, most at its far end.", can_shape,
-            grab<interact::Tool::select, interact::Shape::taper>);
+  table.add("taper", {"Taper selection", "Taper"}, "Scale the selection, increasingly towards its far end.",
+            can_shape, grab<interact::Tool::select, interact::Shape::taper>);
   table.add("smooth", {"Smooth selection", "Smooth"},
             "Move the selection towards the mean of its neighbours.", can_shape,
             grab<interact::Tool::select, interact::Shape::smooth>);

@@ -92,7 +92,7 @@ TEST_CASE("animate_writes_models_caches_morph_targets_and_pictures") {
   const AnimatedFiles files;
   Outcome outcome = files.animate("-o f_##.ply --step 4");
   CHECK_MESSAGE(outcome.code == 0, outcome.text);
-  CHECK(mentions(outcome, "f_##.ply: 5 frames, deformed in double"));
+  CHECK(mentions(outcome, "f_##.ply: 5 frames, deformed in double precision"));
   CHECK(names_of(files.path(), ".ply") ==
         std::set<std::string>{"f_01.ply", "f_05.ply", "f_09.ply", "f_13.ply", "f_17.ply"});
   for (const char* name : {"a.pc2", "a.mdd"}) {

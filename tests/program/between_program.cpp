@@ -76,7 +76,7 @@ TEST_CASE("shapes_that_were_named_come_out_with_their_very_numbers") {
 
 TEST_CASE("between_writes_numbered_models_caches_and_morph_targets_of_any_shapes") {
   const ShapeFiles f;
-  CHECK(mentions(f.done("between s_#.obj -o 'f_##.ply'"), "f_##.ply: 25 frames, deformed in double"));
+  CHECK(mentions(f.done("between s_#.obj -o 'f_##.ply'"), "f_##.ply: 25 frames, deformed in double precision"));
   CHECK(base::NumberedName(f / "f_##.ply").find().size() == 25);
   for (const std::string name : {"c.pc2", "c.mdd"}) {
     f.done("between rest.obj a.obj b.obj -o " + name + " --frames 9 --rate 12");
