@@ -13,7 +13,7 @@ namespace viete::deform {
 /// between instruction sets with and without fused multiply-add.
 struct FrameKernel {
   TileKernel forms[row_forms];  ///< one per RowForm
-  /// Copies the ghosts, then writes the position times unit and the unit normal of each slot to
+  /// Copies the ghosts. Then writes position * run.unit and the normalized normal of each slot to
   /// vertices[order[slot]]. If the triangles have no area, the normal is (0, 0, 1). If no slot or ghost
   /// changed, does nothing. Several threads may process different leaves at once.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
