@@ -14,8 +14,7 @@ struct BindKernel {
   /// Fills `rows` with inverse distance weights of 16 points. If a distance is too small or too large for
   /// float precision, returns false and leaves `rows` undefined.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Writes cut_off_weights() of eight points to weights [triangle][8 lanes], and the sums to totals [8
-  /// lanes].
+  /// Writes cut_off_weights() of eight points to weights [triangle][lane], and their totals to totals [lane].
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// Fills `rows`, including RowJob::totals, with cut-off weights of 16 points. If a distance or a total is
   /// too small for float precision, returns false and leaves `rows` undefined.
@@ -33,7 +32,6 @@ struct BindKernel {
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
 };
 
-/// The binding kernel for the instruction set of `kernel`.
 const BindKernel& bind_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

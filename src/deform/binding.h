@@ -84,7 +84,7 @@ void drop_whole(Vector& shares) {
 inline std::span<const float> values(const Mask& mask) {
   return mask ? std::span<const float>(*mask) : std::span<const float>();
 }
-/// Returns the products of shares and mask values. An empty argument means that all of the values are 1.
+/// Returns the products of shares and mask values. If an argument is empty, its values count as 1.
 Shares product(Shares shares, std::span<const float> mask);
 
 /// Returns warnings about mean value coordinates: an open cage, flipped or ignored triangles, and vertices

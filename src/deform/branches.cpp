@@ -23,7 +23,7 @@ constexpr double turn = 2 * std::numbers::pi;
 // turn away, two branches are equally near, and rounding errors must not decide.
 constexpr double half_turn_tie = 1e-2;
 // Another branch of the root is rejected if its roughness exceeds rougher * (old roughness) + rougher_at_rest
-// radians. The second term allows for rounding errors, if all rotations are equal.
+// radians. The second term is for equal rotations: their roughness consists of rounding errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
@@ -97,7 +97,7 @@ bool better(const Branching& a, const Branching& b) {
   return a.to_leader < b.to_leader - half_turn_tie;
 }
 
-// Tries three branches of the root's log: the branch nearest to the reference, and one turn more or less.
+// Tries three branches of the root's log: the nearest to the reference, one turn more, and one turn less.
 Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchors& anchors) {
   const Vec3 log = nearest_branch(principal[tree.maps[0]], anchors.reference);
   Branching best = follow(tree, log, principal, anchors);
@@ -238,7 +238,7 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
 namespace {
 
 constexpr int most_sweeps = 30;
-constexpr double better_by = 1e-9;  // least improvement in radians; larger than rounding errors
+constexpr double better_by = 1e-9;  // least improvement in radians per weight; larger than rounding errors
 
 std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];

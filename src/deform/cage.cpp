@@ -128,7 +128,7 @@ GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
 
 namespace {
 
-// Returns N / sqrt|N| for N = u x v, or 0 if N is 0. Scales u and v first to avoid overflow and underflow.
+// Returns N / sqrt(|N|) for N = u x v, or 0 if N is 0. First scales u and v to avoid overflow and underflow.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};

@@ -35,21 +35,22 @@ Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
 
-/// The rest cage, with all data that do not depend on the pose. Its elements are its triangles.
+/// The rest cage, with all data that do not depend on the pose. The elements are the triangles.
 struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
   std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex
   std::vector<mesh::Edge> edges;         ///< edges of the polygons, without duplicates
   std::vector<Vec3> centers;             ///< rest centroid of each element
   std::vector<RestBasis> bases;          ///< one per element; undefined if the element has no area
-  std::vector<std::uint8_t> degenerate;  ///< 1: the element has no area; identity map, weight 0
+  std::vector<std::uint8_t> degenerate;  ///< 1: the element has no area; its map is I, its weight 0
   /// Pairs of elements that share an edge, sorted; see dual_graph(). Elements without area are skipped.
   std::vector<mesh::Edge> dual_edges;
   /// The central element of each connected part of the dual graph, see graph_parts().
   std::vector<std::uint32_t> roots;
-  std::vector<std::uint32_t> parts;  ///< index into roots per element; roots.size() for elements without area
-  double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
-  double size = 0;                   ///< mesh::used_size(), the unit of radii
+  std::vector<std::uint32_t>
+      parts;             ///< per element, an index into roots; roots.size() for elements without area
+  double diagonal = 0;   ///< diagonal of the rest bounding box, the unit of tolerances
+  double size = 0;       ///< mesh::used_size(), the unit of radii
   double contact = 0;    ///< a point this near to an element counts as touching; about the rounding error
   bool closed = false;   ///< true: every edge has two triangles, in opposite directions along the edge
   mesh::OneSided sides;  ///< consistently oriented triangles for mean value coordinates
@@ -63,9 +64,9 @@ struct FinError : base::Error {
   using base::Error::Error;
 };
 
-/// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is flat without open
-/// edges. Cage::warnings lists other defects: triangles without area, and open, nonmanifold or misoriented
-/// edges.
+/// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is flat and has no open
+/// edge (see DualGraph). Cage::warnings lists other defects: triangles without area, and open, nonmanifold or
+/// misoriented edges.
 Cage make_cage(mesh::Surface surface);
 
 /// A placeholder for a missing cage: two vertices at opposite corners of the box, and no elements. With the
@@ -107,7 +108,8 @@ struct GraphParts {
 };
 /// Returns the connected parts of a graph without skipped elements, in the order of their lowest elements.
 /// The centre of a part is the element with the smallest distance to its farthest element; ties: the lowest
-/// index. In a part of more than 4,096 elements, the centre is the middle of a long path (linear time).
+/// index. In a part of more than 4,096 elements, the centre is the middle of a long path, found in linear
+/// time.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

@@ -41,9 +41,9 @@ struct Rows {
   std::size_t count() const { return values.size() / columns(); }
 };
 
-/// Computes the maps, logs and rows of a pose, which do not depend on the model. During a drag, computes only
-/// the maps of elements with moved vertices, and keeps the origin. The rows of other elements keep all bits
-/// unless their logs change, for example to another branch. Not thread-safe.
+/// Computes the maps, logs and rows of a pose, without the model. During a drag, computes only the maps of
+/// elements with moved vertices, and keeps the origin. The rows of other elements keep all bits unless their
+/// logs change, for example to another branch. Not thread-safe.
 class CageState {
 public:
   /// cage must not be null.
@@ -54,7 +54,7 @@ public:
 
   /// Throws base::Error unless pose.positions has one entry per cage vertex.
   void set_pose(const Pose& pose);
-  /// Until end_drag(), poses must differ from the last pose only in these vertices.
+  /// Until end_drag(), all cage vertices except these must keep the positions of the last pose.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
   /// Sets the amounts for the next poses. If they change, the next pose computes all elements again.
@@ -70,7 +70,6 @@ public:
   unsigned long resting_revision() const { return resting_revision_; }
   /// The report of the last pose. If the rows do not use logs, the report contains only turns.
   const LogReport& report() const { return report_; }
-  /// Computing times of the last pose.
   const LinkTimes& times() const { return times_; }
 
 private:

@@ -89,7 +89,7 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // so show() fits rotations to positions_
+  work_.ways.resize(shape.size());  // makes show() fit rotations to positions_
 }
 
 std::size_t ExamplePosing::blocks() const {
@@ -345,7 +345,7 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
 }
 
 // Computes positions_. If settings.freedom is positive and a previous solution exists, fits rotations to this
-// solution. Then returns the largest change of a position / sqrt(area), otherwise 0.
+// solution, and returns the largest change of a position / sqrt(area). Otherwise returns 0.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();

@@ -1,5 +1,5 @@
-// Posing by examples: finds a shape that moves given vertices to targets and is near a blend of examples. R.
-// W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005.
+// Posing by examples: finds a shape that moves given vertices to targets and is near a blend of examples.
+// R. W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005.
 #pragma once
 
 #include <cstddef>

@@ -14,8 +14,8 @@ struct Factors {
   base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of (factor * row of the pivot)
 };
 
-/// Computes a row interpolative decomposition with pivoting. Takes the largest residual row as next pivot
-/// until the residual rows of the first `vertices` slots have norms of at most `tolerance`. If this needs
+/// Computes a row interpolative decomposition with pivoting. Takes the row with the largest residual as next
+/// pivot until the residuals of the first `vertices` slots have norms of at most `tolerance`. If this needs
 /// more than `most` pivots, returns empty factors. Overwrites `rows`.
 Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                     const BindKernel& kernel);

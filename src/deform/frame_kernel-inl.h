@@ -32,14 +32,14 @@ constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 template <std::size_t Columns>
 using Sums = hn::Vec<Tag>[vectors_at_once][Columns];
 
-// Returns the index of vector number `group` in an array of tiles with `rows` cache lines each.
+// Returns the index at which vector `group` begins in an array of tiles with `rows` cache lines each.
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag());
   return lane / line_lanes * rows * line_lanes + lane % line_lanes;
 }
 
 static HWY_INLINE void prefetch_next(const float* array, std::size_t vector, std::size_t rows) {
-  // An integer, because a pointer must not point beyond the array.
+  // `next` is an integer, because a pointer must not point beyond the array.
   const auto next = reinterpret_cast<std::uintptr_t>(array + index_of(vector, rows));
   const std::size_t ahead = index_of(vector + vectors_at_once, rows) - index_of(vector, rows);
 #pragma GCC unroll 24

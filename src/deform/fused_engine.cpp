@@ -13,7 +13,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t few = 4;  // a drag uses cached sums if at most a quarter of the handles move
+constexpr std::size_t few = 4;               // a drag uses cached sums if at most 1 / few of the handles move
 constexpr std::size_t skeleton_block = 256;  // slots per task
 
 void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
@@ -327,7 +327,7 @@ void FusedEngine::pack_whole(std::size_t leaf) {
 
 // Writes the weights of the moving handles in a leaf. Uncompressed weights are copied. Compressed weights are
 // a product F * P of factors F and the pivots' weights P. (For a dense leaf, F are the weights and P is the
-// identity.) The blend kernel multiplies F by the moving handles' columns of P, used as its table. Each call
+// identity.) The blend kernel computes F * P, with the moving handles' columns of P as its table. Each call
 // processes as many handles as a row has columns. The last table is padded with 0.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;

@@ -18,11 +18,10 @@ namespace viete::deform {
 ///
 /// If at most a quarter of the handles move in a drag, the cost is proportional to the number of moved
 /// handles. The first frame of the drag stores the sums of all other handles. Later frames add the moved
-/// rows, and skip leaves where no moved handle has weight. Up to float rounding, the results equal full
-/// frames.
+/// rows, and skip leaves where no moved handle has weight. Up to rounding, the results equal full frames.
 ///
-/// If weights are not compressed, vertices where no moved handle has weight keep all bits. (This does not
-/// hold if the origin of the pose or the mean of the rows changes, see pose_origin.)
+/// Vertices where no moved handle has weight keep all bits under two conditions: weights are not compressed,
+/// and the pose's origin (see pose_origin) and the mean of the rows do not change.
 ///
 /// Moment forms (see moments.h) need uncompressed weights. With these forms, the first frame also computes
 /// data that do not depend on the pose, and takes three times as long as later frames.

@@ -7,12 +7,12 @@ namespace viete::deform {
 
 namespace {
 
-// Added to each squared motion, relative to the largest squared motion. A resting vertex therefore has 1e14
-// times the weight of the vertex that moves most.
+// Added to the ratio: squared motion of a vertex / largest squared motion. A resting vertex therefore has
+// 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
 // Smaller singular values of a fitted map are ignored: the fixed point would be too far away to matter.
 constexpr double least_motion = 1e-4;
-// Directions are ignored if the vertices have less than this part of the largest spread in this direction.
+// Directions with less than this part of the largest spread of the vertices are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
@@ -31,7 +31,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Returns the inverse of a symmetric matrix, with 0 for the inverses of its small eigenvalues.
+// Returns the inverse of a symmetric matrix, but with 0 for the inverses of small eigenvalues.
 Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
   Eigen::Vector3d inverse{0, 0, 0};

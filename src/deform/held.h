@@ -11,7 +11,7 @@ namespace viete::deform {
 
 struct HangingParts {
   mesh::Adjacency vertices;  ///< vertices of each connected part
-  std::vector<bool> loose;   ///< true for a vertex without triangles, which belongs to no part
+  std::vector<bool> loose;   ///< true: the vertex has no triangles and belongs to no part
 
   std::size_t count() const { return vertices.starts.size() - 1; }
 };
@@ -22,7 +22,7 @@ struct HangingParts {
 /// moves least: for a rotation, a point on the axis.
 using Held = std::vector<double>;
 
-/// Returns the anchors of the motion by the displacements `ways` from the positions `from`. `squares`:
+/// Returns the anchors of a motion with the displacements `ways` from the positions `from`. `squares` are the
 /// squared lengths of `ways`, or sums of squared lengths.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);

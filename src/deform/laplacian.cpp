@@ -65,8 +65,7 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
 
 namespace {
 
-constexpr double least_excess =
-    1e-5;  // least (a + b - c) for the sides a, b, c of a triangle, in mean edge lengths
+constexpr double least_excess = 1e-5;    // least a + b - c for triangle sides a, b, c, in mean edge lengths
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
 constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
@@ -151,7 +150,7 @@ private:
     return true;
   }
 
-  // Half-edge i of triangle t gets the index 3 t + i. If the surface is doubled, the half-edges of the back
+  // Half-edge i of triangle t gets the index 3 * t + i. If the surface is doubled, the half-edges of the back
   // sides follow, with opposite directions.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());

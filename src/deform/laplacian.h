@@ -18,8 +18,8 @@ bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
 /// For each corner k, returns half the cotangent h_k of the angle. h_k is the weight of the opposite edge ij
 /// in the Dirichlet energy of a function f: sum h_k * (f_i - f_j)^2 / 2 = area * |grad f|^2 / 2. Lengths may
-/// be from 1e-300 to 1e300. A thin triangle uses a larger area (see thin_triangle), so |h_k| <= 1 / (2 *
-/// thin_triangle). If all corners coincide, all h_k are 0. Otherwise the energy is never negative, and is
+/// be from 1e-300 to 1e300. A thin triangle uses a larger area (see thin_triangle), so |h_k| is at most 0.5 /
+/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the energy is never negative, and is
 /// positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
@@ -32,18 +32,18 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
 
 struct IntrinsicLaplacian {
-  /// As stiffness_matrix(), and without positive entries off the diagonal.
+  /// Has the properties of stiffness_matrix(). In addition, no entry off the diagonal is positive.
   SparseMatrix stiffness;
   std::vector<double> masses;  ///< area around each vertex divided by the total area; 0 without triangles
 };
 
 /// Returns cotangent weights of the intrinsic Delaunay triangulation (A. Bobenko and B. Springborn, Discrete
-/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Then solutions of L u
-/// = 0 obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian for
-/// Nonmanifold Triangle Meshes (SGP 2020). Lengthens all edges by up to 1e-5 of the mean edge, so that every
-/// triangle has an area. Doubles the surface (front and back, joined at the edges) if it has a boundary,
-/// nonmanifold edges or inconsistent orientation. Otherwise weights could be negative there. Unlike the
-/// paper, joins the sides around an edge of three or more triangles in file order, not by angle.
+/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Then harmonic
+/// functions obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
+/// for Nonmanifold Triangle Meshes (SGP 2020). Lengthens all edges by up to 1e-5 of the mean edge, so that
+/// every triangle has an area. Doubles the surface (front and back, joined at the edges) if it has a
+/// boundary, nonmanifold edges or inconsistent orientation. Otherwise weights could be negative there. Unlike
+/// the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

@@ -14,8 +14,8 @@ namespace viete::deform {
 inline constexpr std::size_t leaf_slots = 512;
 inline constexpr std::size_t slot_block = 32;  ///< the number of slots is a multiple of this number
 
-/// Slot s contains vertex order[s] of the file. Leaf l has the slots [512 l, 512 (l + 1)). Only the last leaf
-/// may be smaller; its last vertex is repeated up to a multiple of 32 slots. In each leaf, vertices are
+/// Slot s contains vertex order[s] of the file. Leaf l has the slots [512 * l, 512 * (l + 1)). Only the last
+/// leaf may be smaller; its last vertex is repeated up to a multiple of 32 slots. In each leaf, vertices are
 /// sorted by their number of triangles, so that neighbouring slots have rings of equal length.
 struct Leaves {
   std::vector<std::uint32_t> order;  ///< slot_count() entries
@@ -58,7 +58,7 @@ struct Rings {
   std::vector<std::uint32_t> ghosts;
   std::vector<std::uint32_t> neighbour_starts;  ///< size: number of leaves + 1
   std::vector<std::uint16_t> neighbours;        ///< [group][neighbour][slot of the group]
-  std::vector<std::uint16_t> lengths;  ///< number of neighbours per group, plus closed_ring if it is closed
+  std::vector<std::uint16_t> lengths;  ///< neighbours per group; closed_ring is added if the group is closed
 
   /// A vertex with so many neighbours that 16-bit indices could overflow. In its group, the vertex has an
   /// empty ring. `neighbours` is an open ring of indices of positions.

@@ -329,7 +329,7 @@ void LogSpace::spread_places(Work& work) const {
   for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
 }
 
-// Replaces logs by fitted rotations in doubtful triangles: adds the changes of their pulls to work.right.
+// Moves rotations of doubtful triangles towards fitted rotations: adds changes of pulls to work.right.
 void LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
   Block block(*this, work, terms);
   for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {

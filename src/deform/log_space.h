@@ -37,7 +37,6 @@ struct LogVector {
   std::vector<Doubt> doubts;  ///< only triangles with area
 };
 
-/// A vector and its factor in a sum.
 struct LogTerm {
   const LogVector* vector;
   double factor;
@@ -106,12 +105,13 @@ public:
   /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// Solves the Poisson problem. work.right is the right-hand side, and must be 0 except at places, see
-  /// place(). Writes the solution to work.ways. One vertex of each part does not move. Solves three columns
-  /// at once.
+  /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.
+  /// work.right must be 0 except at places (see place()). One vertex of each part does not move. Solves three
+  /// columns at once.
   void solve(Work& work) const;
 
-  /// The triangles with area: their corners, half cotangents and indices in the mesh.
+  /// The triangles with area: corners, half cotangents and indices in the mesh. place() returns the first
+  /// vertex at the position of `vertex`.
   std::span<const mesh::Triangle> corners() const { return corners_; }
   std::span<const Vec3> cotangents() const { return cotangents_; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
