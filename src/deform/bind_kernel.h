@@ -24,7 +24,7 @@ struct BindKernel {
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Writes weights [handle][8 lanes] as floats to eight lanes of rows.rows. Computes rows.sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
-  /// Subtracts from each row its projection on the unit row: coefficients[slot] * unit_row. Writes the
+  /// Subtracts from each row its part along the unit row: coefficients[slot] * unit_row. Writes the
   /// coefficients, and the squared norms of the residual rows to squared_norms [slot].
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
   /// Replaces each slot's coefficients u [tile][pivot][lane] by factors f with u = f * lower. The slot's row

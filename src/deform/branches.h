@@ -47,7 +47,7 @@ struct Branches {
 ///
 /// A log can have whole turns only about the axis of its rotation. If turns[part] is longer than half a turn
 /// and has another axis, Branches::turns keeps the whole turns of turns[part]. If the logs of this part are
-/// then not coherent, the part gets its logs for turns of 0. Takes O(k log k) time for k elements.
+/// then not coherent, the part gets the logs for turns[part] = 0. Takes O(k log k) time for k elements.
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
@@ -60,7 +60,7 @@ WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const doub
 
 /// Changes branches to reduce the sum of weight * (distance of the two logs) over all pairs. Does nothing if
 /// there are no torn pairs. The first step follows spanning_forest() from the triangle with the smallest
-/// rotation in each part. A connected set of changed triangles keeps the new logs if they reduce the sum. The
+/// rotation in each part. A connected set of changed triangles keeps the new logs if the sum is reduced. The
 /// second step visits the triangles of torn pairs and tries the branches nearest to their neighbours' logs.
 /// Rotations near whole turns have no clear axis, so their logs may remain torn. Thread-safe. O(n log n).
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,

@@ -59,7 +59,7 @@ struct Cage {
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Thrown if three, five or more (an odd number of) triangles share an edge, and all of them have an area.
+/// Thrown if an edge has an odd number of triangles, at least three, and all these triangles have an area.
 struct FinError : base::Error {
   using base::Error::Error;
 };
@@ -91,7 +91,7 @@ struct DualGraph {
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges that cause a FinError: a fin is attached there, which is a surface with the outside on both sides.
+  /// Edges that cause a FinError. Each is the end of a fin: a surface with the outside on both sides.
   std::vector<mesh::Edge> fins;
 };
 

@@ -57,7 +57,7 @@ public:
   /// Until end_drag(), all cage vertices except these must keep the positions of the last pose.
   void begin_drag(std::span<const std::uint32_t> vertices);
   void end_drag();
-  /// Sets the amounts for the next poses. If they change, the next pose computes all elements again.
+  /// Sets the amounts for the next poses. If the amounts change, the next pose computes all elements again.
   void set_amounts(const Amounts& amounts);
   /// If `keep`, the origin of the next poses is the middle of the rest cage; otherwise pose_origin().
   void keep_origin(bool keep);

@@ -400,8 +400,8 @@ void ExamplePosing::reach_targets() {
   }
 }
 
-// Translates each part without pins to the mean of its linearly blended positions. Loose vertices get their
-// linearly blended positions.
+// Translates each part without pins to the part's mean position in the linear blend. Loose vertices get their
+// positions in the linear blend.
 void ExamplePosing::place_other_parts() {
   const LogSpace& logs = space_.logs();
   const auto straight = [&](std::size_t v) {

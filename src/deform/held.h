@@ -1,4 +1,4 @@
-// The anchors of a moving shape's parts. Logs do not contain translations; anchors determine them.
+// The anchors of a moving shape's parts. Anchors determine translations, which logs do not contain.
 #pragma once
 
 #include <span>
@@ -27,7 +27,7 @@ using Held = std::vector<double>;
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 
-/// Translates each part in `ways` so that the anchor has the displacement that it has in `straight`.
+/// Translates each part in `ways` so that its anchor has equal displacements in `ways` and `straight`.
 void hold(const HangingParts& parts, const Held& held, std::span<const Vec3> straight, std::span<Vec3> ways);
 
 /// Translates each part in `ways` so that the mean displacement of the part is 0.

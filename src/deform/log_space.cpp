@@ -49,8 +49,8 @@ public:
   Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
-  // For `count` triangles from triangles_[first] on, computes the pull of each side: its term in the
-  // right-hand side at the side's first end. The term at the second end is the negative pull.
+  // For `count` triangles from triangles_[first] on, computes the pull of each side: the side's term in the
+  // right-hand side of the equations, at the first end. The second end gets the negative pull.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
