@@ -36,8 +36,8 @@ void allocate(Binding& binding) {
   }
 }
 
-// Writes the weights of the vertices [begin, end). Returns the number of vertices without mean value
-// coordinates. handles has the rest positions of the handles relative to origin.
+// Writes weights, shares and offsets of the vertices [begin, end) to `b`. Returns the number of vertices
+// without mean value coordinates. `handles` are the handles' rest centres relative to `origin`.
 std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
                       std::size_t end, Binding& b) {
   std::size_t failed = 0;
@@ -50,7 +50,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // already solved
+      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // `row` contains the solution
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }
@@ -59,7 +59,7 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
 
 void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding& b, base::WorkerPool& pool,
                            base::Progress* progress) {
-  constexpr double factored = 0.3;  // the progress after factorization, which takes about 30 % of the time
+  constexpr double factored = 0.3;  // progress after factorization: about 30 % of the time
   if (b.vertices > most_solved_vertices) {
     const ProxyWeights proxy(model, cage, b.weighting, pool, progress, factored);
     std::atomic<std::size_t> done{0};

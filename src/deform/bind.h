@@ -7,14 +7,14 @@
 
 namespace viete::deform {
 
-/// Binds a model for the staged engine. The time is proportional to vertices times handles. The result does
-/// not depend on the number of threads. Throws base::Cancelled. Throws base::Error if free memory is
-/// insufficient, if the model has no vertices, or if the weights are along the surface and the model has no
-/// triangles.
+/// Binds a model for the staged engine, in time proportional to vertices * handles. The result does not
+/// depend on the number of threads. Throws base::Cancelled. Throws base::Error if memory is insufficient, if
+/// the model has no vertices, or if the weights need triangles that are missing.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
-/// Binds a model for any engine. `known` is null, or a binding of this model and cage to share data with.
+/// Binds a model for any engine. If `known` is not null, reuses known->tiles. `known` must be a binding of
+/// the same model, cage and weighting.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
 

@@ -8,17 +8,18 @@ namespace viete::deform {
 
 inline constexpr std::size_t bind_lanes = 8;  ///< the number of points that a kernel processes at once
 
-/// A triangle in its own coordinates, see distance_triangle.h. The first edge is the longest. The x axis runs
-/// along this edge, y points inward, and z is the normal. A point p has the coordinates axes * p - shift.
+/// A triangle in local coordinates, made by distance_triangle(). The first edge is the longest. The x axis
+/// runs along this edge, y points inward, and z is the normal. A point p has the local coordinates axes * p -
+/// shift. WeightJob::shifts has the shift of each triangle.
 template <class T>
 struct DistanceTriangle {
   T axes[3][3];
   T length[3];  ///< edge lengths
-  /// Coefficients for the second and the third edge. For a point (x, y), along . (x, y, 1) is the coordinate
-  /// along the edge, and inward . (x, y, 1) is the distance from the edge's line, positive inside.
+  /// Coefficients for the second and the third edge. For a point (x, y), dot(along, (x, y, 1)) is the
+  /// coordinate along the edge. dot(inward, (x, y, 1)) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< infinity if the triangle has no area, so that every point is outside; otherwise 0
-  T near;           ///< (about 1/16 of the longest edge)^2; smaller squared distances are inaccurate in float
+  T outside;        ///< an inside point has at least this inward distance; infinity without area, else 0
+  T near;           ///< smaller squared distances are inaccurate in float; about (longest edge / 16)^2
   bool degenerate;  ///< true: the triangle has no area, and its weight is 0
 };
 
@@ -27,21 +28,21 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< lower limit of squared distances; only for inverse distance weights
-  T cut;            ///< 1 / r for the radius r of cut-off weights
+  T least_square;   ///< smaller squared distances are raised to this; only for inverse distance weights
+  T cut;            ///< 1 / (radius of cut-off weights)
   const T* points;  ///< [3][lane]
 };
 
 /// The corner indices of a cage triangle, and for each corner the index of the opposite edge.
 struct MeanValueTriangle {
   std::uint32_t corner[3], edge[3];
-  double sign[3];  ///< 1 if the triangle traverses the edge from its first to its second corner, else -1
+  double sign[3];  ///< 1 if the triangle traverses edge[k] from the lower to the higher index, else -1
 };
 
 struct MeanValueJob {
   const double (*corners)[3];  ///< positions, scaled so that the cage's diagonal is 1
   std::size_t corner_count;
-  const std::uint32_t (*edges)[2];  ///< corner indices, the lower one first
+  const std::uint32_t (*edges)[2];  ///< corner indices, the lower index first
   std::size_t edge_count;
   const MeanValueTriangle* triangles;  ///< only triangles with area
   std::size_t triangle_count;
@@ -64,7 +65,7 @@ struct RowJob {
 
 /// The weights of a leaf during compression.
 struct LeafRows {
-  float* rows;  ///< [tile][column][16 lanes], aligned; overwritten with the residuals
+  float* rows;  ///< [tile][column][16 lanes], aligned; take_out() replaces the rows by residuals
   std::size_t tiles, columns;
 };
 

@@ -18,8 +18,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
-constexpr float farthest = 1e24f;           // limit of squared distances for float, in cage diagonals
-constexpr std::size_t summed_at_once = 16;  // short partial sums keep the rounding errors of floats small
+constexpr float farthest = 1e24f;           // limit of squared distances for float, in squared cage diagonals
+constexpr std::size_t summed_at_once = 16;  // few terms per partial sum have small rounding errors
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
 using PointV = hn::Vec<PointTag>;
@@ -32,7 +32,6 @@ static HWY_INLINE Points<D> load_points(D d, const hn::TFromD<D>* at, std::size_
   return {hn::LoadU(d, at), hn::LoadU(d, at + stride), hn::LoadU(d, at + 2 * stride)};
 }
 
-// Returns axis . p - shift.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shift) {
   return hn::MulAdd(
@@ -40,21 +39,20 @@ static HWY_INLINE hn::Vec<D> along(D d, const Points<D>& p, const T* axis, T shi
       hn::MulAdd(p.y, hn::Set(d, axis[1]), hn::MulSub(p.z, hn::Set(d, axis[2]), hn::Set(d, shift))));
 }
 
-// Returns c . (x, y, 1).
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V linear(D d, const hn::TFromD<D>* c, V x, V y) {
   return hn::MulAdd(hn::Set(d, c[0]), x, hn::MulAdd(hn::Set(d, c[1]), y, hn::Set(d, c[2])));
 }
 
-// Returns the squared distance from an edge to a point with the coordinates `along` and `beside` the edge.
+// Returns the squared distance from an edge to the point (along, beside) in coordinates of the edge.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<D> length) {
   const V beyond = hn::Sub(along, hn::Min(hn::Max(along, hn::Zero(d)), hn::Set(d, length)));
   return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
-// Returns the squared distance from a point to a triangle. If the point projects into the triangle, this is
-// the distance to the plane, otherwise the distance to the nearest edge. On an edge, these are equal.
+// Returns the squared distance from a point to a triangle. This is the squared distance z^2 to the plane. If
+// the point's projection is outside, adds the projection's squared distance to the nearest edge.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
                                               const T* shift) {
@@ -121,7 +119,6 @@ static HWY_INLINE CutOffSum<hn::Vec<D>> cut_off_lanes(D d, const WeightJob<T>& j
   return sum;
 }
 
-// Returns 1 / sum, or 0 if the sum is 0.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V share_of_sum(D d, V sum) {
   return hn::IfThenElseZero(hn::Gt(sum, hn::Zero(d)), hn::Div(hn::Set(d, 1), sum));
@@ -141,7 +138,7 @@ static void cut_off(const WeightJob<double>& job, double* weights, double* total
   }
 }
 
-// Writes weight(i) to job.rows[i] from `lane` on, for every handle i, and the weighted sums of the handles.
+// For every handle i, writes weight(i) to job.rows[i] from `lane` on. Computes job.sums.
 template <class Weight>
 static HWY_INLINE void fill_rows(const RowJob& job, std::size_t lane, const Weight& weight) {
   const PointTag d;
@@ -173,15 +170,15 @@ static void to_rows(const double* weights, const RowJob& job) {
 using RowTag = hn::CappedTag<float, row_lanes>;
 using RowV = hn::Vec<RowTag>;
 
-// Returns 1 / x with an error of at most two ulp. Improves the processor's estimate by one third-order step,
-// which takes a third of the time of a division.
+// Returns 1 / x with an error of at most two ulp. Improves the processor's estimate by one third-order step.
+// This takes a third of the time of a division.
 static HWY_INLINE RowV inverse(RowV x) {
   const RowTag d;
   const RowV y = hn::ApproximateReciprocal(x), e = hn::NegMulAdd(x, y, hn::Set(d, 1.0f));
   return hn::MulAdd(y, hn::MulAdd(e, e, e), y);
 }
 
-// Multiplies the weights of each lane by the lane's factor and recomputes the weighted sums.
+// Multiplies the weights of each lane by shares[lane], and computes out.sums from the new weights.
 static void normalise_rows(const float* shares, const RowJob& out) {
   const hn::Rebind<float, PointTag> half;
   for (std::size_t l = 0; l < row_lanes; l += hn::Lanes(half)) {
@@ -240,7 +237,7 @@ static bool cut_off_rows(const WeightJob<float>& job, const RowJob& out) {
   return true;
 }
 
-// Returns the dot products of 16 rows with a unit row. Four separate sums hide the latency of additions.
+// Returns each row's dot product with a unit row. Four separate sums hide the latency of additions.
 static HWY_INLINE RowV product_with(const float* rows, std::size_t columns, const float* unit_row) {
   const RowTag d;
   RowV s[4] = {hn::Zero(d), hn::Zero(d), hn::Zero(d), hn::Zero(d)};

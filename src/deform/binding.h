@@ -19,39 +19,40 @@ namespace viete::deform {
 
 struct TiledBinding;
 
-/// One factor s per vertex, from 0 (the vertex stays at rest) to 1 (full motion), in the model's order. If
-/// the vector is empty, all factors are 1. The sums over the handles are multiplied by s. For weights w, rest
-/// centres c and posed centres c', a vertex x has the offset s (x - sum w c) and the centre s sum w c' + (1 -
-/// s) x. If there are shares, the origin of all poses is the middle of the rest cage.
+/// One factor s per vertex, in the model's order: 0 keeps the vertex at rest, 1 is full motion. If the vector
+/// is empty, all factors are 1. All sums over handles are multiplied by s. Let w be the weights of the vertex
+/// x, c the handles' rest centres, and c' the posed centres. Then x has the offset s * (x - sum w * c) and
+/// the centre s * (sum w * c') + (1 - s) * x. If there are shares, the origin of all poses is the middle of
+/// the rest cage.
 using Shares = std::vector<double>;
 
 /// Factors from 0 to 1 that users paint on vertices; null if all are 1. A mask does not change the binding.
 using Mask = std::shared_ptr<const std::vector<float>>;
 
-/// The vertex positions that the cage deforms, or null for the rest positions. Weights ignore this shape.
+/// Vertex positions to deform instead of the rest positions, or null. Weights are always computed at rest.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
-/// The weights of n vertices for k handles, with the model at rest.
+/// The weights and the rest positions of a model that is bound to a cage.
 struct Binding {
   Weighting weighting;
   std::size_t vertices = 0, handles = 0;
-  std::shared_ptr<const TiledBinding> tiles;  ///< for the fused and the stitched engine; null if missing
-  std::vector<mesh::Point> rest;              ///< x, the model's positions
+  std::shared_ptr<const TiledBinding> tiles;  ///< for the fused and the stitched engine; may be null
+  std::vector<mesh::Point> rest;              ///< rest positions of the model
   std::vector<std::string> warnings;
 
-  // Only the staged engine uses the members below. In bindings for other engines, they are empty.
+  // Only the staged engine uses the members below. For other engines, the members below are empty.
   Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
-  std::vector<double> weights;  ///< n rows of k weights; a row sums to 1, or to 0 if the vertex's share is 0
+  std::vector<double> weights;  ///< [vertex][handle]; a row sums to 1, or to 0 if the vertex's share is 0
   Shares shares;                ///< empty unless weights are partial (see Weighting)
-  std::vector<mesh::Point> offsets;       ///< rest position minus the weighted mean of the handles' centres
+  std::vector<mesh::Point> offsets;  ///< rest position minus the weighted mean of the handles' rest centres
   std::vector<mesh::Triangle> triangles;  ///< triangles of the model
   mesh::Adjacency around;
 };
 
-/// Returns the displacements of a shape's vertices from rest, or an empty vector if shape is null.
+/// Returns the vertices' displacements from `rest` to `shape`. If `shape` is null, returns an empty vector.
 std::vector<Vec3> ways_of(const SharedShape& shape, std::span<const mesh::Point> rest);
 
-/// A view of a binding's vertices, with the shares and the shape of a frame. The viewed data must outlive it.
+/// The vertices of a binding with the current shares and shape. Refers to data that must outlive this object.
 struct VertexBlock {
   const Binding& binding;
   std::span<const double> shares{};  ///< see Shares
@@ -67,7 +68,6 @@ private:
   }
 };
 
-/// Returns the values of the given vertices, or an empty vector if `values` is empty.
 template <class T, class Indices>
 std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   std::vector<T> some;
@@ -76,7 +76,6 @@ std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
   return some;
 }
 
-/// Clears the vector if all shares are 1.
 template <class Vector>
 void drop_whole(Vector& shares) {
   if (std::ranges::all_of(shares, [](auto s) { return s == 1; })) shares.clear();
@@ -85,15 +84,15 @@ void drop_whole(Vector& shares) {
 inline std::span<const float> values(const Mask& mask) {
   return mask ? std::span<const float>(*mask) : std::span<const float>();
 }
-/// Multiplies each share by the mask's value. If an argument is empty, all of its values count as 1.
+/// Returns the products of shares and mask values. If an argument is empty, its values count as 1.
 Shares product(Shares shares, std::span<const float> mask);
 
-/// Returns warnings about mean value coordinates: an open cage, flipped or ignored triangles, and the number
-/// `failed` of vertices without coordinates. If weights are of another kind, returns no warnings.
+/// Returns warnings about mean value coordinates: an open cage, flipped or ignored triangles, and vertices
+/// without coordinates (their number is `failed`). For other weights, returns no warnings.
 std::vector<std::string> weight_warnings(const Cage& cage, Weights weights, std::size_t failed,
                                          std::size_t vertices);
 
-/// Returns the memory need of a binding with this many bytes, and the error text for insufficient memory.
+/// Returns `bytes` as the memory need of a binding, with the error text for insufficient memory.
 base::MemoryNeed binding_memory(double bytes, std::size_t vertices, std::size_t handles);
 
 }  // namespace viete::deform

@@ -15,28 +15,25 @@ namespace {
 
 using Rotations = std::span<const sym3::Mat3<double>>;
 
-// A rotation by the angle theta about the unit vector n has the logs (theta + 2 pi k) n for all integers k.
-// These logs are called branches. Logs are blended linearly, so neighbours need logs near each other. A
-// spanning forest connects the elements by the pairs with the smallest relative rotations. Every element uses
-// the branch nearest to its parent's log. For the root of each part, three branches are tried: the branch
-// nearest to the reference, and this branch plus and minus one turn.
+// A rotation by the angle theta about the unit vector n has the logs (theta + 2 * pi * k) * n for all
+// integers k. These logs are called branches. Blending is linear, so neighbours need logs near each other.
 
 constexpr double turn = 2 * std::numbers::pi;
-// If the reference is half a turn away, two branches are equally near, and rounding would choose one at
-// random. Two distances count as equal if their difference is smaller than this number of radians.
+// Distances count as equal if they differ by less than this number of radians. If the reference is half a
+// turn away, two branches are equally near, and rounding errors must not decide.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root may multiply the distances between neighbours' logs by at most `rougher`, and
-// add at most `rougher_at_rest` radians. For rigid rotations, all distances are rounding errors, which need
-// the second limit.
+// Another branch of the root is rejected if its roughness exceeds rougher * (old roughness) + rougher_at_rest
+// radians. The second term is for equal rotations: their roughness consists of rounding errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
-// Logs are not coherent if neighbours are this many times farther apart than they are without turns.
+// Limit of the ratio: distance between neighbours' logs / the same distance without whole turns. Above this
+// limit, logs are not coherent.
 constexpr double incoherent = 3;
-// A margin in radians against rounding, for comparisons that must not be true by mistake.
+// A margin in radians: with it, rounding errors cannot make a comparison true.
 constexpr double to_spare = 1e-6;
 
-// The maps connected to a root; each parent comes before its children.
+// Indices of the maps connected to a root. Each parent comes before its children.
 struct Tree {
   std::vector<std::uint32_t> maps, parents;  // parents are indices into maps
 };
@@ -54,7 +51,7 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Two logs for comparison with a tree's logs: the turns of the tree's part, the mean log of the first part.
+// Two logs to compare with a tree's logs: the part's entry of `turns`, and the mean log of the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -91,8 +88,8 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
   return b;
 }
 
-// Returns true if `a` is smooth enough and nearer to the reference than `b`. If `a` and `b` are equally near
-// to the reference, compares the distances to the leader.
+// Returns true if `a` is not much rougher than `b` and is nearer to the reference. If `a` and `b` are equally
+// near to the reference, compares the distances to the leader.
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -100,7 +97,7 @@ bool better(const Branching& a, const Branching& b) {
   return a.to_leader < b.to_leader - half_turn_tie;
 }
 
-// Returns the best of three branches of the root's log.
+// Tries three branches of the root's log: the nearest to the reference, one turn more, and one turn less.
 Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchors& anchors) {
   const Vec3 log = nearest_branch(principal[tree.maps[0]], anchors.reference);
   Branching best = follow(tree, log, principal, anchors);
@@ -113,17 +110,17 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| are at most half a turn.
+// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| must be at most half a turn.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// Returns true if every log stays principal for any forest. This needs two conditions. First, the principal
-// log of each element must be the branch nearest to the neighbours' principal logs. Second, the principal log
-// must be the branch nearest to all references and to the leader. Let r be the length of the longest
-// reference. The distance between a principal log v and a reference is at most |v| + r. Another branch has at
-// least the length 2 pi - |v| and the distance 2 pi - |v| - r. This distance is larger if |v| + r < pi.
+// Returns true if every log stays principal for any forest. This needs two conditions. First, between
+// neighbours, the nearest branch must be the principal log. Second, the principal log must be the branch
+// nearest to all references and to the leader. Let v be a principal log, and r the length of the longest
+// reference. The distance between v and a reference is at most |v| + r. Another branch has at least the
+// length 2 * pi - |v|, so its distance is at least 2 * pi - |v| - r. This distance is larger if |v| + r < pi.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -154,7 +151,6 @@ double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b) {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// Uses Kruskal's algorithm.
 std::vector<mesh::Edge> spanning_forest(std::span<const mesh::Edge> edges, Rotations rotations) {
   std::vector<std::pair<double, std::uint32_t>> order(edges.size());
   for (std::uint32_t n = 0; n < edges.size(); ++n) {
@@ -187,7 +183,8 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
   return result;
 }
 
-// Returns true if a part's mean log and turns may differ in the axis or in the number of whole turns.
+// Returns false if `turn_of_part` is at most half a turn. Otherwise returns true if `mean` has another axis
+// or fewer whole turns.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;
@@ -195,7 +192,6 @@ bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   return norm(mean - dot(mean, axis) * axis) > off_axis || whole_turns(turn_of_part, mean) > 0;
 }
 
-// Returns for each part the sum of the squared distances between neighbours' logs.
 std::vector<double> roughness(const Cage& cage, std::span<const Vec3> logs) {
   std::vector<double> rough(cage.roots.size());
   for (const auto& [a, b] : cage.dual_edges) rough[cage.parts[a]] += squared_norm(logs[a] - logs[b]);
@@ -242,13 +238,13 @@ Branches choose_branches(const Cage& cage, Rotations rotations, std::span<const 
 namespace {
 
 constexpr int most_sweeps = 30;
-constexpr double better_by = 1e-9;  // in radians, larger than rounding errors
+constexpr double better_by = 1e-9;  // least improvement in radians per weight; larger than rounding errors
 
 std::uint32_t other(const mesh::Edge& pair, std::uint32_t t) {
   return pair[0] == t ? pair[1] : pair[0];
 }
 
-// Returns logs along a spanning forest that starts at the triangle with the smallest rotation of each part.
+// Returns logs along a spanning forest. In each part, the triangle with the smallest rotation keeps its log.
 // Every other triangle gets the branch nearest to its parent's log.
 std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations,
                             std::span<const Vec3> start) {
@@ -270,8 +266,8 @@ std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations
   return logs;
 }
 
-// Compares `logs` with `others`. For each connected set of triangles with different logs, uses `others` if
-// they reduce the weighted sum of distances.
+// Copies `others` to `logs` on each connected set of differing triangles, if this reduces the weighted sum of
+// distances.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());
@@ -315,7 +311,7 @@ bool is_torn(const mesh::Edge& pair, std::span<const Vec3> logs) {
   return norm(logs[pair[0]] - logs[pair[1]]) > std::numbers::pi;
 }
 
-// Improves the triangles of torn pairs until they no longer change.
+// Calls follow_neighbours() for the triangles of torn pairs until no log changes, up to most_sweeps times.
 void smooth(const WeightedPairs& neighbours, std::vector<Vec3>& logs) {
   for (int sweep = 0; sweep < most_sweeps; ++sweep) {
     bool changed = false;

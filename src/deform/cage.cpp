@@ -28,7 +28,7 @@ void sort_unique(std::vector<mesh::Edge>& pairs) {
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
 }
 
-// A breadth-first search from `start` through the connected part of `start`.
+// Breadth-first search through the part that is connected to `start`.
 struct Sweep {
   std::vector<std::uint32_t> order, distance, parent;
 
@@ -80,7 +80,7 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
   for (const auto& [i, j] : pairs) {
     if (skip[i] && skip[j]) clusters.join(i, j);
   }
-  std::vector<mesh::Edge> kept, rim;  // a pair in rim is a cluster of skipped elements and a neighbour
+  std::vector<mesh::Edge> kept, rim;  // rim: pairs (cluster of skipped elements, neighbour)
   for (const auto& [i, j] : pairs) {
     if (!skip[i] && !skip[j]) kept.push_back({i, j});
     if (skip[i] != skip[j]) rim.push_back({clusters.find(skip[i] ? i : j), skip[i] ? j : i});
@@ -128,7 +128,7 @@ GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
 
 namespace {
 
-// Returns N / sqrt|N| for N = u x v, or 0 if N is 0. Scales u and v first to avoid overflow and underflow.
+// Returns N / sqrt(|N|) for N = u x v, or 0 if N is 0. First scales u and v to avoid overflow and underflow.
 Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   const double size = std::max(largest_abs(u), largest_abs(v));
   if (!(size > 0)) return {0, 0, 0};
@@ -137,7 +137,7 @@ Vec3 scaled_normal(const Vec3& u, const Vec3& v) {
   return length > 0 ? (size / std::sqrt(length)) * area : Vec3{0, 0, 0};
 }
 
-// Returns the corner between the two shorter edges. Their cross product has the smallest rounding error.
+// Returns the corner between the two shorter edges: their cross product has the smallest rounding error.
 int best_corner(std::span<const mesh::Point> positions, const mesh::Triangle& t) {
   int best = 0;
   double longest = -1;
@@ -236,7 +236,7 @@ double thickness(const Cage& cage) {
   return most - least;
 }
 
-// Throws base::Error if the cage is flat and closed, because it has no inside. A flat open cage is valid.
+// Throws base::Error for a flat closed cage, which has no inside. A flat open cage is valid.
 void refuse_squashed(const Cage& cage, const DualGraph& graph) {
   if (graph.open > 0 || thickness(cage) > flat_shape) return;
   throw base::Error("", "the cage is squashed flat: it encloses no volume",

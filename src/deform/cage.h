@@ -17,66 +17,67 @@ namespace viete::deform {
 using mesh::cross, mesh::dot, mesh::largest_abs, mesh::norm, mesh::relative_to, mesh::squared_norm;
 using mesh::Vec3;
 
-/// The edges u and v of a triangle at one corner, and n = N / sqrt|N| for N = u x v. If N is 0, n is 0.
+/// Two edges u and v of a triangle at one corner, and n = N / sqrt(|N|) for N = u x v. If N is 0, n is 0.
 struct TriangleBasis {
   Vec3 u, v, n;
 };
 TriangleBasis triangle_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle,
                              int corner);
 
-/// The basis (see TriangleBasis) of an element at rest, and the dual basis: the rows of [u v n]^-1.
+/// The basis (see TriangleBasis) of an element at rest. The dual vectors are the rows of [u v n]^-1.
 struct RestBasis {
   int corner = 0;
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns x / sqrt|x| for an area vector x, or 0 if x is 0. A square of this side length has the area |x|.
+/// Returns area / sqrt(|area|), or 0 if `area` is 0. The square of the result's length is the area |area|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
 
-/// The rest cage, with all data that do not depend on the pose. Its elements are its triangles.
+/// The rest cage, with all data that do not depend on the pose. The elements are the triangles.
 struct Cage {
   mesh::Surface surface;                 ///< rest positions and triangles
   std::vector<std::uint8_t> unused;      ///< one per vertex: 1 if no polygon uses the vertex
   std::vector<mesh::Edge> edges;         ///< edges of the polygons, without duplicates
   std::vector<Vec3> centers;             ///< rest centroid of each element
   std::vector<RestBasis> bases;          ///< one per element; undefined if the element has no area
-  std::vector<std::uint8_t> degenerate;  ///< 1: the element has no area, the identity as map, and weight 0
+  std::vector<std::uint8_t> degenerate;  ///< 1: the element has no area; its map is I, its weight 0
   /// Pairs of elements that share an edge, sorted; see dual_graph(). Elements without area are skipped.
   std::vector<mesh::Edge> dual_edges;
-  /// The centre of each connected part of the dual graph, see graph_parts(). choose_branches() starts there.
+  /// The central element of each connected part of the dual graph, see graph_parts().
   std::vector<std::uint32_t> roots;
-  std::vector<std::uint32_t> parts;  ///< index into roots per element; roots.size() for elements without area
-  double diagonal = 0;               ///< diagonal of the rest bounding box, the unit of tolerances
-  double size = 0;                   ///< mesh::used_size(), the unit of radii
+  std::vector<std::uint32_t>
+      parts;             ///< per element, an index into roots; roots.size() for elements without area
+  double diagonal = 0;   ///< diagonal of the rest bounding box, the unit of tolerances
+  double size = 0;       ///< mesh::used_size(), the unit of radii
   double contact = 0;    ///< a point this near to an element counts as touching; about the rounding error
-  bool closed = false;   ///< true: every edge has two triangles, which traverse it in opposite directions
-  mesh::OneSided sides;  ///< sides for mean value coordinates
+  bool closed = false;   ///< true: every edge has two triangles, in opposite directions along the edge
+  mesh::OneSided sides;  ///< consistently oriented triangles for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
 
   std::size_t element_count() const { return centers.size(); }
 };
 
-/// Thrown if an edge belongs to three, five or more (an odd number of) triangles that all have an area.
+/// Thrown if an edge has an odd number of triangles, at least three, and all these triangles have an area.
 struct FinError : base::Error {
   using base::Error::Error;
 };
 
-/// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is closed and flat.
-/// Open, flat, inside-out and self-touching surfaces are valid; Cage::warnings lists these defects.
+/// Throws FinError. Throws base::Error if no triangle has an area, or if the surface is flat and has no open
+/// edge (see DualGraph). Cage::warnings lists other defects: triangles without area, and open, nonmanifold or
+/// misoriented edges.
 Cage make_cage(mesh::Surface surface);
 
-/// A placeholder for a missing cage: two vertices at corners of the box, and no elements. With the scheme
-/// no_motion() the model stays at rest, and probes can move it. The box must not be empty.
+/// A placeholder for a missing cage: two vertices at opposite corners of the box, and no elements. With the
+/// scheme no_motion(), only probes move the model. The box must not be empty.
 Cage no_cage(const mesh::Bounds& box);
 
 /// The longest valid turn vector in a file, in radians.
 inline constexpr double largest_turn = 1e6;
 
 /// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
-/// logs of a part's elements are the branches nearest to this vector. A missing vector counts as 0, which
-/// gives the smallest rotations.
+/// logs of a part's elements are the branches nearest to this vector. If a vector is missing, 0 is used.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
@@ -90,24 +91,25 @@ struct DualGraph {
   std::size_t open = 0;           ///< edges with one triangle
   std::size_t nonmanifold = 0;    ///< edges with three or more triangles
   std::size_t misoriented = 0;    ///< edges that two triangles traverse in the same direction
-  /// Edges that cause a FinError. A fin (a surface with the outside on both sides) ends at such an edge.
+  /// Edges that cause a FinError. Each is the end of a fin: a surface with the outside on both sides.
   std::vector<mesh::Edge> fins;
 };
 
-/// Connects elements with a common edge. Vertices at one position count as one. skip: see without_skipped().
+/// Connects elements with a common edge. Welds vertices at equal positions. skip: see without_skipped().
 DualGraph dual_graph(const mesh::Surface& surface, std::span<const std::uint8_t> skip);
 
-/// Removes all pairs with skipped elements. The neighbours of each cluster of skipped elements stay connected
-/// by a chain of new pairs. Returns pairs i < j, sorted and unique.
+/// Removes all pairs with skipped elements. If skipped elements form a cluster, a chain of new pairs connects
+/// the neighbours of the cluster. Returns pairs i < j, sorted and unique.
 std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span<const std::uint8_t> skip);
 
 struct GraphParts {
   std::vector<std::uint32_t> centers;
   std::vector<std::uint32_t> of;  ///< index into centers per element; centers.size() for skipped elements
 };
-/// Returns the connected parts of a graph without skipped elements, sorted by their lowest elements. The
-/// centre of a part is the lowest element of those with the least eccentricity. If a part has more than 4,096
-/// elements, the centre is the middle of a long path, which takes linear time to find.
+/// Returns the connected parts of a graph without skipped elements, in the order of their lowest elements.
+/// The centre of a part is the element with the smallest distance to its farthest element; ties: the lowest
+/// index. In a part of more than 4,096 elements, the centre is the middle of a long path, found in linear
+/// time.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t log_columns = log_shape.columns;
 static_assert(sizeof(MapLog) == log_columns * sizeof(double));
 
-constexpr double cloud_radius = 0.1;  // relative to the root mean square of the edge lengths
+constexpr double cloud_radius = 0.1;  // moment_length() divided by the root mean square of the edge lengths
 
 // Returns the length l of moments.h.
 double moment_length(const Cage& cage) {
@@ -30,7 +30,7 @@ double moment_length(const Cage& cage) {
   return cloud_radius * std::sqrt(sum / static_cast<double>(cage.edges.size()));
 }
 
-// Writes D and d of RowForm::maps. rest_center is relative to the middle of the rest cage.
+// Writes D and d of RowForm::maps to `row`. rest_center is relative to the middle of the rest cage.
 void write_map_row(const AffineMap& map, const Vec3& rest_center, std::span<double> row) {
   for (int r = 0; r < 3; ++r) {
     double from_center = 0;
@@ -47,8 +47,8 @@ void write_log_row(const MapLog& log, std::span<double> row) {
   std::ranges::copy(log.center, row.begin() + log_shape.first_length);
 }
 
-// Writes p / l, l A (row by row) and p'. Here p is the rest centre, l the length, A the linear part of the
-// patch's map, and p' the posed centre relative to the pose's origin.
+// Writes rest_center / length (3 numbers), length * map.linear (9 numbers, by rows) and map.center (3
+// numbers), see RowForm::affine_moments.
 void write_moment_row(const AffineMap& map, const Vec3& rest_center, double length, std::span<double> row) {
   for (int i = 0; i < 3; ++i) row[i] = rest_center[i] / length;
   for (int i = 0; i < 9; ++i) row[3 + i] = length * map.linear[i];
@@ -213,8 +213,8 @@ void CageState::write_row_of(std::uint32_t h) {
   form_ == RowForm::logs ? write_log_row(log, row) : write_map_row(map_of(log), rest_centers_[h], row);
 }
 
-// Returns true if the logs of elements without moved vertices did not change. (Their branches can change if
-// the neighbours' logs change.) Logs that are equal as floats count as unchanged.
+// Returns true if the logs outside moving_ did not change, compared as floats. (The branch of a log can
+// change with its neighbours' logs.)
 bool CageState::others_stayed() const {
   const auto* now = reinterpret_cast<const double*>(logs_.data());
   const auto* before = reinterpret_cast<const double*>(logs_before_.data());

@@ -108,7 +108,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);
   ran_ = kind;
-  // If no probe moves the model, engines skip the layer, so the probes must follow the model here.
+  // If no probe moves the model, engines skip the layer. Therefore the probes follow the model here.
   if (!layer_.moves()) layer_.carry(positions_at(vertices(), layer_.anchors()), origin());
 }
 

@@ -18,13 +18,12 @@
 namespace viete::deform {
 
 /// A bound model with the engines that its binding allows. Stitched schemes use the stitched engine. Method
-/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. All other frames
-/// use the staged engine. Not thread-safe. The cage and the binding are constant, so other threads can read
-/// them.
+/// `fast` and schemes without exponentials use the fused engine if the binding has tiles. Otherwise, the
+/// staged engine is used. Not thread-safe. Other threads can read the constant cage and binding.
 class Deformer {
 public:
-  /// cage and binding must not be null, and the binding must be for this cage and this scheme's weights.
-  /// stitching must be for this scheme. If the scheme is not stitched or stitching is not ready, pass null.
+  /// `cage` and `binding` must not be null, and the binding must be for this cage and the scheme's weights.
+  /// `stitching` must be for this scheme, or null if the scheme is not stitched or stitching is not ready.
   Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, const Scheme& scheme,
            base::WorkerPool& pool, std::shared_ptr<const Stitching> stitching = nullptr);
 
@@ -41,17 +40,16 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// If `all`, every method uses the staged engine for blends with exponentials, to compare computing times.
+  /// If `all`, method `fast` also uses the staged engine for blends with exponentials, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// Until end_drag(), poses must differ from the last pose only in these cage vertices. During a drag, the
-  /// cost of a fused frame is proportional to the number of moved handles.
+  /// See CageState::begin_drag(). The cost of a fused frame in a drag is proportional to the moved handles.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
-  /// engine(method) is nullopt, the fused engine must exist and is used.
+  /// engine(method) is nullopt, uses the fused engine, which must then exist.
   void deform(const Pose& pose, sym3::Method method);
 
   /// Vertices of the last frame, in the file's order, relative to origin(); empty before the first frame.
@@ -63,14 +61,14 @@ public:
   LinkTimes times() const;
 
   /// Return copies of all positions and normals of the last frame. The staged engine gives double precision,
-  /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves them.
+  /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
-  /// The matrices exponentiated in the last frame, for at most `limit` vertices spread evenly over the model.
-  /// Computes exact weights again, in one or two microseconds per matrix. Empty if there are no exponentials.
+  /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model.
+  /// Computes exact weights again (one or two microseconds per vertex). Empty without exponentials.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
-  /// Returns deform::sampled_error(), or 0 after a staged frame. After a stitched frame, returns the error of
-  /// the blended vertices before stitching and probes.
+  /// Returns deform::sampled_error() of the last frame; 0 after a staged frame. After a stitched frame,
+  /// measures the blended vertices before stitching and probes.
   double sampled_error() const;
 
 private:

@@ -20,16 +20,16 @@ public:
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// All setters apply to the next frames. If there is a mask or weights are partial, the state must keep its
-  /// origin, see CageState::keep_origin().
+  /// All setters apply to the next frames. If there is a mask or weights are partial, call
+  /// CageState::keep_origin(true).
   virtual void set_mask(const Mask& mask) = 0;
-  /// ways: displacement of each vertex from rest to the shape; empty if all are 0. Must outlive the frames.
+  /// `ways`: displacement of each vertex from rest to the shape; empty if all are 0. Used by the next frames.
   virtual void set_shape(std::span<const Vec3> ways) = 0;
-  /// layer: probes that move the model after the cage, or null. Must outlive the frames.
+  /// `layer`: probes that move the model after the cage, or null. Used by the next frames.
   void set_layer(ProbeLayer* layer) { layer_ = layer; }
   /// Computes one frame. The state must have the cage, elements and blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;
-  /// The last frame's vertices in file order, relative to the rows' origin. Undefined before the first frame.
+  /// Vertices of the last frame in file order, relative to Rows::origin. Undefined before the first frame.
   virtual std::span<const FrameVertex> vertices() const = 0;
   const LinkTimes& times() const { return times_; }
 

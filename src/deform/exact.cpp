@@ -21,7 +21,7 @@ std::size_t handle_block(std::size_t handles) {
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
 }
 
-// Returns a binding of the vertices [begin, end) without triangles.
+// Returns the part of a binding for the vertices [begin, end), without triangles.
 Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   const auto rows = [&](const auto& values, std::size_t length) {
     const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };
@@ -47,7 +47,6 @@ const mesh::Surface& with_vertices(const mesh::Surface& model) {
   return model;
 }
 
-// Returns true if all weights, offsets and rest positions take less than a quarter of the free memory.
 bool has_room_to_keep(std::size_t vertices, std::size_t handles) {
   const double bytes = static_cast<double>(vertices) * (8.0 * static_cast<double>(handles) + 56);
   return bytes < 0.25 * base::free_memory().value_or(0);

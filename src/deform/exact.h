@@ -25,16 +25,16 @@ struct ExactModel {
   std::vector<mesh::Point> positions;  ///< one per vertex
   LogReport report;                    ///< as CageState::report()
   std::vector<std::string> warnings;   ///< as Binding::warnings
-  double exp_error = 0;                ///< largest error of all vertices, see place_vertices()
+  double exp_error = 0;                ///< largest error of an exponential, see place_vertices()
 };
 
-/// Deforms one model by any number of poses. The results differ from the staged engine's by at most 1e-12 of
-/// the cage's diagonal. The number of threads and earlier poses do not change the results. Needs memory for
-/// the positions and about a megabyte per thread (more if the cage has over 10,000 elements). Weights along
-/// the surface also need memory for the weights of all vertices. Not thread-safe.
+/// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
+/// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
+/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
+/// Weights along the surface also need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// `kept`: keeps all weights for the next pose if the weights need less than a quarter of the free memory.
+  /// `kept`: keeps all weights for later poses if the weights need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
   /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
@@ -43,8 +43,8 @@ public:
                 sym3::Method method, base::WorkerPool& pool, Weights weights, const Mask& mask = nullptr,
                 base::Progress* progress = nullptr);
 
-  /// Deforms the shape (null: the rest model) by the cage, and the result by the probes, see ProbeLayer.
-  /// Throws base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
+  /// Deforms `shape` (null: the rest model) by the cage, and then by the probes, see ProbeLayer. Throws
+  /// base::Error if the pose does not have one position per cage vertex, and base::Cancelled.
   ExactModel deform(const Pose& pose, const Probes& probes = {}, const SharedShape& shape = nullptr,
                     base::Progress* progress = nullptr);
 
@@ -64,9 +64,9 @@ private:
   CageState state_;
   Weigher weigher_;
   std::optional<Stitching> stitching_;
-  std::vector<double> sums_;      // row sums of all vertices, only for stitching
+  std::vector<double> sums_;      // weighted sums of rows for all vertices, only for stitching
   Shares shares_;                 // shares of all vertices, only for stitching
-  Binding surface_weights_;       // all vertices; empty unless the weights are along the surface
+  Binding surface_weights_;       // weights of all vertices; empty unless the weights are along the surface
   std::vector<BoundPart> parts_;  // one per block; empty unless weights are kept
   ProbeLayer layer_;
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate

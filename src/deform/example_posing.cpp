@@ -24,9 +24,9 @@ using Mat = sym3::Mat3<double>;
 constexpr std::size_t blocks_at_once = 128;  // fixed, so that sums do not depend on the number of threads
 constexpr double longest_step = 0.7;         // largest change of a weight, and of the rotation in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
-constexpr double at_rest = 1e-5;  // solve() ends after a shorter step
+constexpr double at_rest = 1e-5;  // solve() ends after a step below this size
 
-// Returns true if the rotation nearest to a matrix is unique.
+// Returns true if the rotation nearest to `m` is unique.
 bool tells_rotation(const Mat& m) {
   const auto singular = sym3::eigenvalues(sym3::polar(m).stretch);
   return singular[0] + singular[1] > 1e-6 * singular[2];
@@ -53,8 +53,8 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 
 }  // namespace
 
-// The positions of the pinned vertices in the blend of examples, without the translations of the parts, and
-// the derivatives of these positions by the weights and by the rotation.
+// `places`: positions of the pinned vertices in the blend of examples, without the translations of the parts.
+// `changes`: derivatives of `places` by the weights and then by the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
@@ -89,14 +89,13 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // show() will fit rotations to positions_
+  work_.ways.resize(shape.size());  // makes show() fit rotations to positions_
 }
 
 std::size_t ExamplePosing::blocks() const {
   return (space_.logs().corners().size() + plane_size - 1) / plane_size;
 }
 
-// Fills groups_ in the layout of PlaneKernel::derive.
 void ExamplePosing::fill_groups() {
   const LogSpace& logs = space_.logs();
   const std::size_t numbers = numbers_of_group();
@@ -159,8 +158,9 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   fill_stiffness();
 }
 
-// Computes q = sum_k c_k e_k (z_a - z_b) for each triangle and each column z of columns_. The sum is over the
-// edges e_k from b to a, and c_k are half cotangents.
+// Computes q = triangle area * gradient of z, for each triangle and each column z of columns_. The formula is
+// q = sum_k c_k * e_k * (z_a - z_b), where edge e_k runs from vertex b to vertex a, and c_k is half the
+// cotangent for edge e_k.
 void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -181,10 +181,10 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// Computes forces_ from the equations (1 / c + Z) f + t = d for the forces f at the pins. d is the distance
-// from a pin's free position to its target. The forces of each part must sum to 0. Here c is the firmness, Z
-// are the pins' rows of columns_, and t is the translation of the part. If hard constraints contradict each
-// other, the solution is the least squares solution.
+// Computes forces_ from linear equations for the forces f at the pins and the translations t of the parts.
+// For each pin: f / c + Z f + t = d, where c is the firmness, and d is the vector from the pin's position in
+// the blend to the target. Z has the pins' rows of columns_. For each part, the forces sum to 0. If hard
+// constraints contradict each other, the least squares solution is used.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -219,8 +219,7 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
-// Returns the contribution of the blocks [begin, end) to the pins' positions and their derivatives by
-// weights.
+// Returns the sums over the blocks [begin, end): [map][pin][3], see reach_of_pins().
 std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
   const PlaneKernel& kernel = plane_kernel(sym3::kernel());
   const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
@@ -246,7 +245,7 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
-  // Sums over all triangles: [example][pin][3]. The blend itself follows the last example.
+  // Sums over all triangles: [example][pin][3]. The entry after the last example is the blend.
   std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
@@ -268,7 +267,7 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
     for (std::size_t e = 0; e < m; ++e)
       reach.changes.block<3, 1>(Eigen::Index(3 * k), Eigen::Index(e)) =
           column(times(g, at(e) + leftovers_[e][pins_[k].vertex]));
-    Eigen::Matrix3d about;  // the derivative by the rotation: the matrix of a cross product
+    Eigen::Matrix3d about;  // derivative by the rotation, as matrix of a cross product
     about << 0, place[2], -place[1], -place[2], 0, place[0], place[1], -place[0], 0;
     reach.changes.block<3, 3>(Eigen::Index(3 * k), Eigen::Index(m)) = about;
   }
@@ -345,8 +344,8 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
   return most;
 }
 
-// Computes positions_. If settings.freedom is 0, returns 0. Otherwise fits rotations, and returns the largest
-// change of a position divided by the square root of the area.
+// Computes positions_. If settings.freedom is positive and a previous solution exists, fits rotations to this
+// solution, and returns the largest change of a position / sqrt(area). Otherwise returns 0.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -375,7 +374,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
   return std::sqrt(farthest / std::max(area_, 1e-300));
 }
 
-// Moves the pins towards their targets by forces. The other vertices of the pins' parts follow.
+// Moves the pins towards the targets. All other vertices of the pinned parts follow.
 void ExamplePosing::reach_targets() {
   Eigen::MatrixXd off(pins_.size(), 3);
   for (std::size_t k = 0; k < pins_.size(); ++k)
@@ -401,7 +400,8 @@ void ExamplePosing::reach_targets() {
   }
 }
 
-// Moves each part without pins to the mean of its linearly blended positions. Loose vertices move linearly.
+// Translates each part without pins to the part's mean position in the linear blend. Loose vertices get their
+// positions in the linear blend.
 void ExamplePosing::place_other_parts() {
   const LogSpace& logs = space_.logs();
   const auto straight = [&](std::size_t v) {

@@ -1,4 +1,4 @@
-// Posing by examples: moves given vertices to their targets with a shape near the blends of examples.
+// Posing by examples: finds a shape that moves given vertices to targets and is near a blend of examples.
 // R. W. Sumner, M. Zwicker, C. Gotsman, J. Popovic, Mesh-based inverse kinematics, 2005.
 #pragma once
 
@@ -16,54 +16,54 @@ namespace viete::deform {
 /// A vertex that is pulled to a target position.
 struct PosingPin {
   std::uint32_t vertex;
-  /// Strength of the pull: 1 is about the stiffness between neighbours, infinity is a hard constraint.
+  /// Strength of the pull: 1 is about the stiffness between neighbours, infinity makes a hard constraint.
   double firmness;
 
   friend bool operator==(const PosingPin&, const PosingPin&) = default;
 };
 
-/// The firmness of a hard constraint, and the usual firmness of a soft constraint.
+/// Values of PosingPin::firmness: `holding` for a hard constraint, `usual_pull` for a soft constraint.
 inline constexpr double holding = std::numeric_limits<double>::infinity(), usual_pull = 0.3;
 
 /// The maximum number of pins. With more pins, solving the dense system would take minutes.
 inline constexpr std::size_t most_pins = 1000;
 
 struct PosingSettings {
-  /// How strongly the examples' weights are kept near their initial values (usually 0). Their term is scaled
-  /// by the model's area, as the elastic energy is.
+  /// How strongly the weights w of the examples stay near their initial values w0, see ExamplePosing.
   double restraint = 1e-3;
-  /// How freely triangles may rotate away from the blend, from 0 to 1. If there are no examples, 1 is ARAP.
+  /// From 0 (triangles rotate as in the blend) to 1 (triangles rotate freely; ARAP if there are no examples).
   double freedom = 0.3;
 };
 
 /// Finds the examples' weights w, a global rotation G and positions x that minimize
 ///
-///     sum_t area_t |(grad x - G M_t(w)) T_t|^2 + sum_k c_k |x_k - target_k|^2 + restraint area |w - w0|^2
+///     sum_t area_t * |(grad x - G M_t(w)) T_t|^2 + sum_k c_k * |x_k - target_k|^2
+///         + restraint * area * |w - w0|^2
 ///
-/// without the part of the first sum that does not depend on the pins. M_t(w) is the blend of the maps of
-/// triangle t (see LogSpace), T_t the projection onto its plane, c_k the firmness of pin k, and w0 the
-/// initial weights. Weights may be below 0 and above 1. The pins' columns of the inverse Laplacian eliminate
-/// x. Gauss-Newton steps with exact derivatives find w and G; one step per frame is enough while dragging.
-/// Not thread-safe. Results do not depend on the number of threads.
+/// Only the part of the first sum that depends on the pins is used. M_t(w) is the blend of the maps of
+/// triangle t (see LogSpace), T_t the projection onto the plane of triangle t, and c_k the firmness of pin k.
+/// Weights may be below 0 and above 1. The pins' columns of the inverse Laplacian eliminate x. Gauss-Newton
+/// steps with exact derivatives find w and G. While dragging, one step per frame is enough. Not thread-safe.
+/// Results do not depend on the number of threads.
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
   ExamplePosing(const ShapeSpace& space, std::vector<const LogVector*> examples, base::WorkerPool& pool);
 
-  /// Replaces the pins. Weights, rotation and positions do not change. Each vertex may occur once. Takes some
-  /// milliseconds per pin. Throws base::Error before any change if there are more than most_pins pins, a
-  /// vertex has no triangle with area, or memory is insufficient.
+  /// Replaces the pins. Weights, rotation and positions do not change. Two pins must not have the same
+  /// vertex. Takes some milliseconds per pin. Throws base::Error before any change if there are more than
+  /// most_pins pins, if a vertex has no triangle with area, or if memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 
-  /// Returns how strongly each vertex follows a small move of these pins (given by index) while other pins
-  /// stay: the vertex's displacement divided by the targets' displacement, for constant weights and rotation.
+  /// Returns the displacement of each vertex per displacement of the targets, if the targets of these pins
+  /// (given by index) move and all other pins stay. Weights and rotation are constant.
   std::vector<double> reach(std::span<const std::size_t> pins) const;
 
-  /// Makes one step towards the targets (one per pin) and returns its size: the largest change of a weight,
-  /// of the rotation in radians, and of a fitted position divided by the square root of the area.
+  /// Makes one step towards the targets (one per pin). Returns the size of the step, which is the maximum of
+  /// three changes: of a weight, of the rotation in radians, and of a fitted position / sqrt(model area).
   double step(std::span<const mesh::Point> targets, const PosingSettings& settings);
-  /// Makes at most `most` steps, until the size of a step is below 1e-5. Returns the number of steps.
-  /// progress may be null. Throws base::Cancelled.
+  /// Makes steps until a step is smaller than 1e-5, up to `most` steps. Returns the number of steps. progress
+  /// may be null. Throws base::Cancelled.
   int solve(std::span<const mesh::Point> targets, const PosingSettings& settings, int most,
             base::Progress* progress = nullptr);
 
@@ -72,7 +72,7 @@ public:
   /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
   /// Restarts from the weights (one per example) and from `shape`, the blend of the examples. Later steps
-  /// keep the weights near these values.
+  /// keep the weights near these initial values.
   void begin(std::vector<double> weights, std::span<const mesh::Point> shape);
 
 private:
@@ -94,21 +94,21 @@ private:
   const ShapeSpace& space_;
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
-  std::vector<std::vector<Vec3>> leftovers_;  // leftovers of each example, rotated back by its whole turn
+  std::vector<std::vector<Vec3>> leftovers_;  // per example: leftovers, rotated by the inverse whole turn
   base::AlignedVector<double> groups_;        // input of PlaneKernel::derive for all triangles
   double area_ = 0;
 
   std::vector<PosingPin> pins_;
-  std::vector<std::vector<double>> columns_;  // one column of the inverse Laplacian per pin, [vertex]
-  // Gradients of columns_ times area, along u and v: [block][pin][2][triangle].
+  std::vector<std::vector<double>> columns_;  // per pin: a column of the inverse Laplacian, [vertex]
+  // Triangle area * gradient of columns_, along the axes u and v: [block][pin][2][triangle].
   base::AlignedVector<double> gradients_;
   std::vector<std::uint32_t> part_of_pin_;
   std::vector<std::uint32_t> pinned_parts_;  // parts with pins, in ascending order
-  // Matrix with one column per pin, and one row per pin, then one per pinned part. Multiplied by the pins'
-  // distances from their targets, it gives the forces at the pins, then the translations of the parts.
+  // Matrix by rows: one column per pin, one row per pin, then one row per pinned part. Its product with the
+  // vectors from pins to targets is the force at each pin, then the translation of each pinned part.
   std::vector<double> forces_;
 
-  std::vector<double> weights_, usual_weights_;  // usual_weights_: see begin()
+  std::vector<double> weights_, usual_weights_;  // usual_weights_: the initial weights w0
   Vec3 turn_{0, 0, 0};
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};
@@ -117,7 +117,7 @@ private:
   bool turns_ = false;                  // true if turn_ is initialized
   LogSpace::Work work_;
   std::vector<mesh::Point> positions_, before_;
-  std::vector<Vec3> left_;  // leftovers of the blend, rotated by turn_
+  std::vector<Vec3> left_;  // blend of leftovers_, rotated by turn_
 };
 
 }  // namespace viete::deform

@@ -1,4 +1,4 @@
-// Compression: writes the weights of a leaf as linear combinations of a few of its rows.
+// Compression: expresses the weights of a leaf as linear combinations of a few rows of the leaf.
 #pragma once
 
 #include <cstddef>
@@ -10,13 +10,13 @@
 namespace viete::deform {
 
 struct Factors {
-  std::vector<std::size_t> pivots;     ///< slots of the rows to combine; empty if more than `most` are needed
+  std::vector<std::size_t> pivots;     ///< slots of the pivot rows; empty if more than `most` are needed
   base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of (factor * row of the pivot)
 };
 
-/// Computes a row interpolative decomposition with pivoting: eliminates the largest remaining row until the
-/// norms of the residuals of the first `vertices` slots are at most `tolerance`. If this needs more than
-/// `most` rows, returns empty factors. Overwrites `rows`.
+/// Computes a row interpolative decomposition with pivoting. Takes the row with the largest residual as next
+/// pivot until the residuals of the first `vertices` slots have norms of at most `tolerance`. If this needs
+/// more than `most` pivots, returns empty factors. Overwrites `rows`.
 Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                     const BindKernel& kernel);
 

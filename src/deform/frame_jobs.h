@@ -9,45 +9,46 @@
 
 namespace viete::deform {
 
-/// The number of vertices of a tile. A cache line of 64 bytes contains one number for each vertex.
+/// The number of vertices of a tile. For each quantity, a tile has one cache line (64 bytes).
 template <class T>
 inline constexpr std::size_t tile_lanes = 64 / sizeof(T);
 inline constexpr std::size_t lanes = tile_lanes<float>;
 
 /// Consecutive tiles with one common table. All arrays are aligned to 64 bytes.
 struct TileRun {
-  std::size_t tiles = 0;                  ///< must be even
-  std::size_t rows = 0;                   ///< rows of weights per tile
-  const float* weights = nullptr;         ///< [tile][row][lane]
-  const float* table = nullptr;           ///< [row][column]
-  const float* base = nullptr;            ///< initial values of the sums, [tile][sum][lane]; null: 0
-  const float* mean = nullptr;            ///< [RowShape::with_mean]: `place` adds it to the sums; null: 0
-  const float* shares = nullptr;          ///< [tile][lane], used by `place`, see Shares; null: all 1
-  const std::uint32_t* listed = nullptr;  ///< the table's row for each row of weights; null: row i for row i
+  std::size_t tiles = 0;           ///< must be even
+  std::size_t rows = 0;            ///< rows of weights per tile
+  const float* weights = nullptr;  ///< [tile][row][lane]
+  const float* table = nullptr;    ///< [row][column]
+  const float* base = nullptr;     ///< initial values of the sums, [tile][sum][lane]; null: 0
+  const float* mean = nullptr;     ///< [RowShape::with_mean]: `place` adds these numbers to the sums; null: 0
+  const float* shares = nullptr;   ///< [tile][lane], see Shares: `place` multiplies by these; null: all 1
+  const std::uint32_t* listed = nullptr;  ///< table row for each row of weights; null: row i for row i
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
-/// The number of values per vertex: n, s, dual and scale of RestMoment, with lengths in units of l.
+/// Values per vertex: n (3), s (3), dual (3) and scale (1) of RestMoment. Lengths are in units of l.
 inline constexpr std::size_t rest_moment_lines = 10;
 
-/// The positions of one leaf as x y z x: first the slots, then the ghosts (copies of other leaves' slots).
+/// The job of ring_vertices() for one leaf. Each position is stored as x y z x. The leaf's positions are its
+/// slots, followed by its ghosts (copies of slots of other leaves).
 struct RingRun {
   float* positions;                 ///< all positions of the model
-  std::size_t first, slots, count;  ///< the leaf's first position; number of slots; slots plus ghosts
+  std::size_t first, slots, count;  ///< first: index of the leaf's first position; count: slots plus ghosts
   std::size_t vertices;             ///< the number of slots without padding
   bool moved;                       ///< true if slots moved since normals were last computed
-  const std::uint32_t* ghosts;      ///< for each ghost, the index of the position that it copies
+  const std::uint32_t* ghosts;      ///< for each ghost, the index of the original position
   std::size_t ghosts_left;          ///< the number of ghosts in this and all later leaves; limits prefetching
   const std::uint32_t* order;
   const std::uint16_t *neighbours, *lengths;  ///< as in Rings, for this leaf
   float unit;
 };
 
-/// Computes sums or positions from weights, for one row form.
+/// Functions that compute sums or positions from weights, for one row form.
 struct TileKernel {
-  std::size_t sums;  ///< the number of sums per vertex: the columns of a row, except for moment forms
+  std::size_t sums;  ///< sums per vertex: the number of columns of a row, except for moment forms
   /// Writes the weighted sums of rows to sums [tile][sum][lane].
   void (*blend)(const TileRun& run, float* sums);
-  /// Writes positions to out [slot] as x y z x. rest and offsets [tile][3][lane]: x and o of RowForm.
+  /// Writes positions to out [slot] as x y z x. `rest` and `offsets` are x and o of RowForm, [tile][3][lane].
   void (*place)(const TileRun& run, const float* rest, const float* offsets, float* out);
 };
 

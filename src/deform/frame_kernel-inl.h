@@ -32,15 +32,14 @@ constexpr std::size_t lines_ahead = HWY_TARGET <= HWY_AVX3 ? 32 : 16;
 template <std::size_t Columns>
 using Sums = hn::Vec<Tag>[vectors_at_once][Columns];
 
-// Returns the index of a group of lanes (one vector) in an array of tiles with `rows` cache lines each.
+// Returns the index at which vector `group` begins in an array of tiles with `rows` cache lines each.
 static HWY_INLINE std::size_t index_of(std::size_t group, std::size_t rows) {
   const std::size_t lane = group * hn::Lanes(Tag());
   return lane / line_lanes * rows * line_lanes + lane % line_lanes;
 }
 
-// Prefetches the data of the next vectors in an array with `rows` cache lines per tile.
 static HWY_INLINE void prefetch_next(const float* array, std::size_t vector, std::size_t rows) {
-  // The address is an integer because it may be beyond the array.
+  // `next` is an integer, because a pointer must not point beyond the array.
   const auto next = reinterpret_cast<std::uintptr_t>(array + index_of(vector, rows));
   const std::size_t ahead = index_of(vector + vectors_at_once, rows) - index_of(vector, rows);
 #pragma GCC unroll 24
@@ -185,7 +184,7 @@ static HWY_INLINE Vector3 load_offset(const TileRun& run, const float* offsets, 
   return {hn::Mul(o.x, share), hn::Mul(o.y, share), hn::Mul(o.z, share)};
 }
 
-// A batch hides latency: each operation runs for all of its vectors before the next operation starts.
+// A batch has vectors_at_once vectors. Each operation runs for the whole batch, to hide latency.
 #if HWY_TARGET <= HWY_AVX3
 using Batch = lanes::Two<hn::Vec<Tag>>;
 
@@ -221,7 +220,7 @@ static HWY_INLINE void store_positions(const Vector3& p, std::size_t group, floa
 }
 #endif
 
-// Each RowForm has a function object that computes positions from sums of rows and rest positions or offsets.
+// For each RowForm, a function object computes positions from the sums and from rest positions or offsets.
 struct ByLogs {
   static constexpr RowShape shape = log_shape;
 

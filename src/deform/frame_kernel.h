@@ -13,16 +13,15 @@ namespace viete::deform {
 /// between instruction sets with and without fused multiply-add.
 struct FrameKernel {
   TileKernel forms[row_forms];  ///< one per RowForm
-  /// Copies the ghosts, then writes the position times unit and the unit normal of each slot to
-  /// vertices[order[slot]]. If the triangles have no area, the normal is (0, 0, 1). If no slot or ghost
-  /// changed, does nothing. Several threads may process different leaves at once.
+  /// Copies the ghosts. Then writes position * run.unit and the normal of each slot to vertices[order[slot]].
+  /// A normal has length 1; it is (0, 0, 1) if the triangles have no area. If no slot or ghost changed, does
+  /// nothing. Several threads may process different leaves at once.
   void (*ring_vertices)(const RingRun& run, FrameVertex* vertices);
   /// Writes the normal of a vertex of high valence (see Rings), which ring_vertices() does not compute.
   void (*ring_high_valence)(const float* positions, const std::uint32_t* neighbours, std::size_t length,
                             std::uint32_t position, FrameVertex& vertex);
 };
 
-/// The frame kernel for the instruction set of `kernel`.
 const FrameKernel& frame_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

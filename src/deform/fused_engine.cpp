@@ -13,10 +13,9 @@ namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t few = 4;               // a drag is incremental if at most a quarter of the handles move
+constexpr std::size_t few = 4;               // a drag uses cached sums if at most 1 / few of the handles move
 constexpr std::size_t skeleton_block = 256;  // slots per task
 
-// Converts sums [tile][column][lane] to a table [slot][column].
 void to_rows(const float* sums, std::size_t slots, std::size_t columns, float* table) {
   for (std::size_t s = 0; s < slots; ++s) {
     const float* from = sums + s / lanes * lanes * columns + s % lanes;
@@ -41,8 +40,8 @@ struct TileLines {
   }
 };
 
-// Fills moment rows so that the first three sums are sum v (p - near), and the fourth sum is sum v. Here v
-// are weights, p are the handles' rest centres, and `near` are the first three rest moments of the slot.
+// Fills moment rows for the blend kernel. The first three sums become sum v * (p - near), the fourth sum v.
+// Here v are weights, p rest centres of the handles, and `near` the first three rest moments of the slot.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -50,7 +49,7 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Fills moment rows so that the first nine sums are sum v ((p - middle)(p - near)^T + I).
+// Fills moment rows for the blend kernel. The first nine sums become sum v * ((p - middle)(p - near)^T + I).
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -164,7 +163,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
   times_[Link::blend] = watch.lap_ms() - times_[Link::skeleton];
 }
 
-// Applies the share of one slot to its sums, see apply_shares().
+// Applies the share of a slot to the sums of this slot, see apply_shares().
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
@@ -246,10 +245,10 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   }
 }
 
-// Sets mean_, the mean of the rows. If this mean is subtracted from the rows, rotations of the whole cage are
+// Sets mean_, the mean of the rows. With this mean subtracted from the rows, rotations of the whole cage are
 // exact (see RowShape::with_mean). The mean does not change during a drag. For uncompressed weights, the mean
-// is rounded to a multiple of 0.5. Edits rarely change this mean, so vertices that an edit does not influence
-// keep all bits.
+// is rounded to a multiple of 0.5. Edits rarely change the rounded mean, so vertices that an edit does not
+// influence keep all bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -259,7 +258,7 @@ void FusedEngine::choose_mean() {
   }
 }
 
-// Decides whether this frame uses cached sums, and if so, copies the rows of the moving handles.
+// Decides whether this frame uses cached sums. If so, copies the rows of the moving handles.
 void FusedEngine::follow_drag(const CageState& state) {
   const Handles moving = state.moving();
   dragging_ = false;
@@ -326,10 +325,10 @@ void FusedEngine::pack_whole(std::size_t leaf) {
   }
 }
 
-// Writes the columns W_m of a leaf's weights W for the moving handles m. Compressed weights are W = F P, with
-// factors F and the weights P of the pivots, so W_m = F P_m. For a dense leaf, F = W and P = I. The blend
-// kernel computes this product with P_m as its table, for as many handles at once as a row has columns; the
-// last columns are padded with 0. Uncompressed weights are copied.
+// Writes the weights of the moving handles in a leaf. Uncompressed weights are copied. Compressed weights are
+// a product F * P of factors F and the pivots' weights P. (For a dense leaf, F are the weights and P is the
+// identity.) The blend kernel computes F * P, with the moving handles' columns of P as its table. Each call
+// processes as many handles as a row has columns. The last table is padded with 0.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);
@@ -385,7 +384,8 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Returns the kernel's input in this frame: all rows, or only the moving rows and the sums of all other rows.
+// Returns the kernel's input: the cached sums and the rows of moving handles, if the leaf has moving handles
+// in a drag; otherwise all rows.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;

@@ -14,17 +14,17 @@
 namespace viete::deform {
 
 /// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
-/// The frames differ by at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
+/// The positions differ by at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
 ///
-/// The cost of a drag is proportional to the number of moved handles. The first frame of a drag stores the
-/// sums of all other handles, and later frames add the moved rows. Errors do not accumulate. Leaves where no
-/// moved handle has weight are skipped. Up to float rounding, the results equal full frames.
+/// If at most a quarter of the handles move in a drag, the cost is proportional to the number of moved
+/// handles. The first frame of the drag stores the sums of all other handles. Later frames add the moved
+/// rows, and skip leaves where no moved handle has weight. Up to rounding, the results equal full frames.
 ///
-/// If weights are not compressed, a vertex where no moved handle has weight keeps all bits while the origin
-/// of the pose (see pose_origin) and the mean of the rows do not change.
+/// Vertices where no moved handle has weight keep all bits under two conditions: weights are not compressed,
+/// and the pose's origin (see pose_origin) and the mean of the rows do not change.
 ///
-/// Moment forms (see moments.h) need uncompressed weights. With these forms, the first frame takes three
-/// times as long as later frames, because it computes the data that do not depend on the pose.
+/// Moment forms (see moments.h) need uncompressed weights. With these forms, the first frame also computes
+/// data that do not depend on the pose, and takes three times as long as later frames.
 class FusedEngine : public Engine {
 public:
   /// binding must not be null.
@@ -36,13 +36,14 @@ public:
   /// Always uses method `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// Runs the first half of a frame: sums rows [vertex][column] times shares, in the file's order and unit.
+  /// First half of a frame: writes the sums of rows, with shares, to sums [vertex][column] in file order.
+  /// Lengths have the unit of the rows.
   void blend(const CageState& state, std::span<double> sums);
-  /// Runs the second half of a frame: fills vertices() from positions relative to the origin of the rows.
+  /// Second half of a frame: fills vertices() from positions relative to the origin of the rows.
   void show(std::span<const Vec3> positions);
   /// Returns true if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }
-  /// Returns the bytes of weights or factors that the last frame read.
+  /// Returns the bytes of weights, factors and cached data that the last frame read.
   std::size_t bytes() const;
 
 private:
@@ -82,7 +83,7 @@ private:
   const FrameKernel& kernel_;
   const TileKernel& tiles_;  // the functions for form_
   RowForm form_;
-  std::size_t columns_, sums_;                 // columns of a row, and sums per vertex
+  std::size_t columns_, sums_;                 // columns_: columns of a row; sums_: sums per vertex
   std::vector<double> entries_;                // [handle][column], lengths divided by the binding's unit
   base::AlignedVector<float> table_;           // [handle][column], entries_ minus mean_
   std::array<float, most_columns> mean_{};     // [column]
@@ -94,7 +95,7 @@ private:
   base::AlignedVector<FrameVertex> vertices_;
   base::AlignedVector<float> shares_;          // [slot]; empty: all 1
   base::AlignedVector<float> rest_, offsets_;  // the binding's values plus the shape; empty without a shape
-  std::vector<std::uint8_t> leaf_moved_;       // [leaf] 1 if its slots moved in this frame
+  std::vector<std::uint8_t> leaf_moved_;       // [leaf]: 1 if slots of the leaf moved in this frame
   std::vector<std::uint32_t> slots_;           // slot of each vertex; only filled if there are probes
   ProbeTiles probes_;
   bool dragging_ = false;

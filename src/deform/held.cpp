@@ -7,20 +7,19 @@ namespace viete::deform {
 
 namespace {
 
-// The square of this part of the largest motion is added to each vertex's squared motion. A resting vertex
-// therefore has 1e14 times the weight of the vertex that moves most.
+// Added to the ratio: squared motion of a vertex / largest squared motion. A resting vertex therefore has
+// 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
-// If a map rotates and stretches less than this, the map's fixed point is too far away to matter.
+// Smaller singular values of a fitted map are ignored: the fixed point would be too far away to matter.
 constexpr double least_motion = 1e-4;
-// If the spread of vertices in a direction is less than this part of the largest spread, the direction is
-// ignored.
+// Directions with less than this part of the largest spread of the vertices are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-// The affine map mean + slope (x - center) that best fits the displacements of weighted vertices.
+// The affine map mean + slope * (x - center) that best fits the displacements of weighted vertices x.
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // inverse covariance of the positions
@@ -32,7 +31,7 @@ double smooth_step(double from, double to, double x) {
   return t * t * (3 - 2 * t);
 }
 
-// Returns the inverse of a symmetric matrix in the directions of its large eigenvalues, and 0 elsewhere.
+// Returns the inverse of a symmetric matrix, but with 0 for the inverses of small eigenvalues.
 Eigen::Matrix3d inverse_where_large(const Eigen::Matrix3d& m) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m);
   Eigen::Vector3d inverse{0, 0, 0};

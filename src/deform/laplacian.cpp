@@ -11,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-// Returns the sides opposite to the corners, scaled to a size near 1. If the corners coincide, all are 0.
+// Returns the sides opposite to the corners, scaled to a size near 1. If all corners coincide, returns 0.
 std::array<Vec3, 3> scaled_sides(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c) {
   std::array<Vec3, 3> sides{c - b, a - c, b - a};
   const double largest = std::max({largest_abs(sides[0]), largest_abs(sides[1]), largest_abs(sides[2])});
@@ -65,7 +65,7 @@ SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
 
 namespace {
 
-constexpr double least_excess = 1e-5;    // excess of two sides over the third, in mean edge lengths
+constexpr double least_excess = 1e-5;    // least a + b - c for triangle sides a, b, c, in mean edge lengths
 constexpr double least_weight = 1e-10;   // smaller weights are rounding errors
 constexpr std::size_t most_flips = 100;  // per half-edge; prevents an endless loop
 using mesh::none;
@@ -95,7 +95,6 @@ public:
     for (std::uint32_t h = 0; h < next_.size(); h += 3) set_area(h);
   }
 
-  // Flips edges until no weight is negative.
   void make_delaunay() {
     std::vector<std::uint32_t> open;
     std::vector<bool> listed(next_.size(), false);
@@ -151,7 +150,7 @@ private:
     return true;
   }
 
-  // Half-edge i of triangle t gets the index 3 t + i. If the surface is doubled, the half-edges of the back
+  // Half-edge i of triangle t gets the index 3 * t + i. If the surface is doubled, the half-edges of the back
   // sides follow, with opposite directions.
   void add_triangles(const std::vector<mesh::Triangle>& triangles) {
     const auto front = static_cast<std::uint32_t>(3 * triangles.size());
@@ -168,8 +167,9 @@ private:
     }
   }
 
-  // Pairs half-edges. On a doubled surface, each triangle has a forward half-edge on its front and a backward
-  // half-edge on its back. The twin of a forward half-edge is the next triangle's backward half-edge.
+  // Pairs the half-edges at edge e. On a doubled surface, each triangle has a forward half-edge on one side
+  // and a backward half-edge on the other. A forward half-edge is paired with the next triangle's backward
+  // half-edge.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {
@@ -198,7 +198,7 @@ private:
     for (double& l : length_) l = mean > 0 ? l / mean : 1;
   }
 
-  // Adds one length to all edges, so that every triangle has an area.
+  // Adds the same length to all edges, so that every triangle has an area.
   void lengthen() {
     double missing = 0;
     for (std::uint32_t h = 0; h < next_.size(); ++h)
@@ -229,7 +229,7 @@ private:
     return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area_[h] / l};
   }
 
-  // Replaces the triangles abc and bad with the common edge ab by the triangles cdb and dca with the edge cd.
+  // Replaces the triangles abc and bad by cdb and dca: flips the common edge ab to the edge cd.
   void flip(std::uint32_t h) {
     const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
     const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);

@@ -10,40 +10,40 @@
 
 namespace viete::deform {
 
-/// A triangle is thin if twice its area divided by the square of its longest side is less than this ratio. A
-/// thin triangle is treated as if its ratio were this number.
+/// A triangle is thin if 2 * area / (longest side)^2 is at most this number. Computations then use the area
+/// for which the ratio equals this number.
 inline constexpr double thin_triangle = 1e-6;
 
 bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
-/// Returns half the cotangent h_k of the angle at each corner k. h_k is the weight of the opposite edge ij in
-/// the triangle's Dirichlet energy: 1/2 sum h_k |f_i - f_j|^2 = area / 2 |grad f|^2. Lengths may be from
-/// 1e-300 to 1e300. |h_k| is at most 1 / (2 thin_triangle); this limit multiplies the energy of a thin
-/// triangle by (true area) / (assumed area). If all corners coincide, all values are 0. Otherwise the energy
-/// is never negative, and positive for some f.
+/// For each corner k, returns half the cotangent h_k of the angle. h_k is the weight of the opposite edge ij
+/// in the Dirichlet energy of a function f: sum h_k * (f_i - f_j)^2 / 2 = area * |grad f|^2 / 2. Lengths may
+/// be from 1e-300 to 1e300. A thin triangle uses a larger area (see thin_triangle), so |h_k| is at most 0.5 /
+/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the energy is never negative, and is
+/// positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
-/// Returns the matrix K with f^T K f = sum over triangles of area |grad f|^2, for every f that is linear on
+/// Returns the matrix K with f^T K f = sum over triangles of area * |grad f|^2, for every f that is linear on
 /// each triangle (M. Meyer et al., Discrete Differential-Geometry Operators, 2003; U. Pinkall, K. Polthier,
-/// 1993). K is symmetric (both halves are stored) and positive semi-definite, and its rows sum to 0. For
-/// scale and thin triangles, see half_cotangents(). Every vertex has a diagonal entry (0 without triangles).
-/// Triangles that repeat a corner are ignored. Works for nonmanifold meshes. Thread-safe.
+/// 1993). K is symmetric (both halves are stored) and positive semi-definite. The rows of K sum to 0. For the
+/// valid lengths and thin triangles, see half_cotangents(). Every vertex has a diagonal entry (0 without
+/// triangles). Triangles that repeat a corner are ignored. Works for nonmanifold meshes. Thread-safe.
 SparseMatrix stiffness_matrix(std::span<const mesh::Point> positions,
                               std::span<const mesh::Triangle> triangles);
 
 struct IntrinsicLaplacian {
-  /// Has the properties of stiffness_matrix(), and no positive entry off the diagonal.
+  /// Has the properties of stiffness_matrix(). In addition, no entry off the diagonal is positive.
   SparseMatrix stiffness;
   std::vector<double> masses;  ///< area around each vertex divided by the total area; 0 without triangles
 };
 
 /// Returns cotangent weights of the intrinsic Delaunay triangulation (A. Bobenko and B. Springborn, Discrete
-/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Therefore, solutions
-/// of L u = 0 obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
-/// for Nonmanifold Triangle Meshes (SGP 2020): lengthens all edges by up to 1e-5 of the mean edge, so that
-/// every triangle has an area. Doubles a surface with a boundary, nonmanifold edges or inconsistent
-/// orientation, and joins the two sides, so that no weight is negative at such edges. Unlike the paper, joins
-/// the sides around an edge of three or more triangles in file order, not by angle.
+/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Then harmonic
+/// functions obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
+/// for Nonmanifold Triangle Meshes (SGP 2020). Lengthens all edges by up to 1e-5 of the mean edge, so that
+/// every triangle has an area. Doubles the surface (front and back, joined at the edges) if it has a
+/// boundary, nonmanifold edges or inconsistent orientation. Otherwise weights could be negative there. Unlike
+/// the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

@@ -63,11 +63,11 @@ Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::
 
 namespace {
 
-using Opposite = std::array<std::uint32_t, 2>;  // the edge of a triangle opposite to the vertex
+using Opposite = std::array<std::uint32_t, 2>;  // the edge opposite to a vertex in a triangle
 
 // The largest numbers of triangles and neighbours of a vertex in a group. With these limits, a leaf has at
-// most 512 (1 + 63) = 2^15 positions, so 16 bits are enough for an index times 4 / index_floats = 2. One fan
-// of 60 triangles has 61 neighbours; several fans have more.
+// most 512 * (1 + 63) = 2^15 positions, so 16 bits are enough for index * 4 / index_floats = 2 * index. One
+// fan of 60 triangles has 61 neighbours; several fans have more.
 constexpr std::size_t most_valence = 60, most_neighbours = 63;
 
 // Collects the opposite edges around a vertex and orders them into fans of triangles.
@@ -76,7 +76,7 @@ public:
   void add(const Opposite& edge) { edges_.push_back(edge); }
   std::size_t size() const { return edges_.size(); }
 
-  // Writes the vertices along the fans to `out`, with `self` between fans, and removes the edges.
+  // Writes the vertices along the fans to `out`, with `self` between fans. Removes all edges.
   void chain(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     while (!edges_.empty()) {
@@ -90,7 +90,7 @@ public:
     }
   }
 
-  // Does what chain() does, but each triangle is a separate fan. Takes linear instead of quadratic time.
+  // Like chain(), but makes each triangle a separate fan. Takes linear instead of quadratic time.
   void list(std::uint32_t self, std::vector<std::uint32_t>& out) {
     out.clear();
     for (const Opposite& edge : edges_) out.insert(out.end(), {edge[0], edge[1], self});
@@ -110,7 +110,7 @@ private:
     return i;
   }
 
-  // Returns the first edge of an open fan, or any edge if all fans are closed.
+  // Returns the index of the first edge of an open fan, or 0 if all fans are closed.
   std::size_t start() const {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::size_t j = 0;

@@ -8,8 +8,8 @@
 
 namespace viete::deform {
 
-/// `fused` combines blend, exp and apply in one pass. `skeleton` blends pivots (see LeafFactors).
-/// `triangle_maps` and `solve` are the iterations of stitching. `probes` moves the model by probes.
+/// A step in the computation of a frame. `fused` combines blend, exp and apply in one pass. `skeleton` blends
+/// pivots (see LeafFactors). `triangle_maps` and `solve` are the iterations of stitching.
 enum class Link { maps, log_maps, blend, exp, apply, skeleton, fused, triangle_maps, solve, probes, normals };
 inline constexpr std::size_t link_count = 11;
 

@@ -49,13 +49,13 @@ public:
   Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
-  // Computes the pull of each side of the triangles on the side's first end. The pull on the second end is
-  // the negative pull. Uses the block of triangles that starts at `first` in triangles_.
+  // For `count` triangles from triangles_[first] on, computes the pull of each side: the side's term in the
+  // right-hand side of the equations, at the first end. The second end gets the negative pull.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
   }
-  // Computes the pulls for a list of indices of triangles_.
+  // Does the same for a list of indices into triangles_.
   void pull_by_logs(std::span<const std::uint32_t> places) {
     if (places.size() < size) std::fill_n(gathered_[0], 12 * plane_stride, 0.0);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -67,8 +67,8 @@ public:
   }
 
   // Computes the pulls for the rotations that best fit the displacements. Call pull_by_logs() for these
-  // triangles first. The best rotation of a triangle is the nearest to sum_k c_k e'_k (S e_k)^T. Here e_k are
-  // the sides at rest, e'_k the sides now, c_k the half cotangents, and S is the stretch.
+  // triangles first. The best rotation of a triangle is the nearest to sum_k c_k * e'_k (S e_k)^T. Here e_k
+  // are the sides at rest, e'_k the displaced sides, c_k the half cotangents, and S is the stretch.
   template <class At>
   void pull_by_fit(std::size_t count, const At& at) {
     for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);
@@ -101,7 +101,7 @@ private:
     return {pulls[3 * side][triangle], pulls[3 * side + 1][triangle], pulls[3 * side + 2][triangle]};
   }
 
-  // Sets the lanes without triangles to finite numbers.
+  // Sets all lanes to 0, so that lanes without triangles have finite numbers.
   void fill_up() {
     for (Plane* planes : {logs_, rotations_, posed_}) std::fill_n(planes[0], 9 * plane_stride, 0.0);
     std::fill_n(stretches_[0], 6 * plane_stride, 0.0);
@@ -116,7 +116,7 @@ private:
     }
   }
 
-  // Adds up the logs of consecutive triangles.
+  // Adds the sum of factor * logs over all terms to `sums`, for consecutive triangles.
   void add_logs(std::uint32_t first, std::size_t count, double* sums) const {
     constexpr std::size_t at_once = 8;
     ScaledRows rows[at_once];
@@ -170,7 +170,7 @@ LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* pro
       places_(first_at_place(rest_)),
       factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
-// Returns the stiffness matrix of the places (see places_), with one fixed place in each part.
+// Fills the data of triangles. Returns the stiffness matrix of the places, with one fixed place per part.
 SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   index_of_.resize(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -267,7 +267,7 @@ void LogSpace::follow_fitted(std::span<const LogTerm> terms, double share, base:
   solve(work);
 }
 
-// Computes work.right. The factor `share` moves the rotations towards fitted rotations.
+// Computes work.right. If `share` is positive, moves rotations by this factor towards fitted rotations.
 void LogSpace::load(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work) const {
   add_pulls(
       [&](std::size_t first, std::size_t count, const auto& take) {
@@ -329,7 +329,7 @@ void LogSpace::spread_places(Work& work) const {
   for (const auto v : copies_) work.ways[v] = work.ways[places_[v]];
 }
 
-// Adds the changes of doubtful triangles' pulls that the fitted rotations cause.
+// Moves rotations of doubtful triangles towards fitted rotations: adds changes of pulls to work.right.
 void LogSpace::fit_doubtful(std::span<const LogTerm> terms, Work& work) const {
   Block block(*this, work, terms);
   for (std::size_t first = 0; first < work.doubtful.size(); first += Block::size) {

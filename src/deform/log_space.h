@@ -1,5 +1,5 @@
-// Converts shapes of a triangle mesh to vectors of logs, which can be added and scaled, and back. Half of a
-// half turn becomes a quarter turn. Linear interpolation of positions would collapse the shape.
+// Converts shapes of a triangle mesh to vectors of logs, and back. Vectors can be added and scaled: half of a
+// half turn is a quarter turn. With linear interpolation of positions, a half turn would collapse the shape.
 #pragma once
 
 #include <array>
@@ -26,10 +26,10 @@ struct LogVector {
   /// Per vertex: the shape minus the shape reconstructed from the logs, without translation.
   std::vector<Vec3> leftovers;
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
-  std::vector<Vec3> turns;   ///< per part of a cage: its mean rotation vector; empty for other meshes
+  std::vector<Vec3> turns;   ///< per part of a cage: the mean rotation vector; empty for other meshes
   std::vector<Vec3> wholes;  ///< per part: a rotation vector that is applied in addition to the logs
-  /// A triangle whose log is far from its neighbours' logs. share, from 0 to 1, is how far the triangle's
-  /// rotation moves towards the rotation that best fits the positions.
+  /// A triangle whose log is far from its neighbours' logs. `share` is from 0 to 1: the rotation of the
+  /// triangle moves by this factor towards the rotation that best fits the positions.
   struct Doubt {
     std::uint32_t triangle;
     double share;
@@ -37,7 +37,6 @@ struct LogVector {
   std::vector<Doubt> doubts;  ///< only triangles with area
 };
 
-/// A vector and its factor in a sum.
 struct LogTerm {
   const LogVector* vector;
   double factor;
@@ -45,19 +44,20 @@ struct LogTerm {
 
 /// Converts logs of one mesh to shapes. Thread-safe: constant after construction.
 ///
-/// The target map of triangle t is M_t = exp(W) exp(Y_t) exp(X_t), with the whole turn W of its part, the
-/// rotation vector Y_t and the log of stretch X_t. The positions p minimize
+/// The target map of triangle t is M_t = exp(W) exp(Y_t) exp(X_t). W is the whole turn of the triangle's
+/// part, Y_t the rotation vector and X_t the log of stretch. The positions p minimize
 ///
-///     sum_t area_t |(grad p - M_t) T_t|^2.
+///     sum_t area_t * |(grad p - M_t) T_t|^2.
 ///
 /// T_t projects onto the triangle's plane at rest. This is a Poisson problem (Y. Yu et al., Mesh editing with
 /// Poisson-based gradient field manipulation, 2004); the matrix is factored once. Vertices at one position
-/// count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area, so a vector
-/// also stores the difference between its shape and p. Shapes are therefore reproduced up to rounding.
+/// count as one vertex. Logs cannot represent triangles that collapse, mirror or have no area. Therefore a
+/// vector also stores the difference between its shape and p, and reproduces the shape up to rounding.
 ///
-/// A second step moves the rotations of doubtful triangles towards rotations that best fit the positions, and
-/// solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007). This step keeps edge
-/// lengths if the rotations of neighbours differ strongly. Held determines the parts' translations.
+/// A second step moves the rotations of doubtful triangles (see LogVector::Doubt) towards rotations that best
+/// fit the positions, and solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007).
+/// This keeps edge lengths if the rotations of neighbours differ strongly. Held determines the parts'
+/// translations.
 class LogSpace {
 public:
   struct Mesh {
@@ -67,7 +67,7 @@ public:
     std::span<const std::uint32_t> parts;      ///< per triangle, an index into LogVector::wholes
     std::size_t part_count = 0;
   };
-  /// The buffers of one thread. If a thread reuses them, no memory is allocated.
+  /// The buffers of one thread. Reuse avoids allocations.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
     std::vector<Vec3> wholes;                // whole turns of the sum, per part
@@ -85,30 +85,33 @@ public:
   const HangingParts& parts() const { return parts_; }
 
   LogVector at_rest() const;
-  /// Computes ways and leftovers of a vector from its logs and wholes.
+  /// Computes vector.ways and vector.leftovers for the shape `positions`, from vector.logs and vector.wholes.
   void complete(std::span<const mesh::Point> positions, base::WorkerPool& pool, LogVector& vector) const;
 
-  /// Returns the anchors of a motion from a shape along a sum of vectors; continuous in the factors.
+  /// Returns the anchors of the motion that adds `terms` to the shape `from`; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
   /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
-  /// Computes the shape of a sum, independent of the number of threads. positions.size() == rest().size().
+  /// Computes the shape of a sum. positions.size() must be rest().size(). The number of threads does not
+  /// change the result.
   void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, Work& work,
              std::span<mesh::Point> positions) const;
-  /// Does one step of shape(): sets work.ways to the displacements that fit the sum's logs, without
-  /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole replaces the sum's
-  /// whole turns.
+  /// The first step of shape(): sets work.ways to the displacements that fit the sum's logs, without
+  /// leftovers. One vertex of each part does not move. If `whole` is not null, *whole is used as whole turn
+  /// of all parts.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// Does what follow() does, and moves rotations by a factor `share` (0 to 1) to a best fit of work.ways.
+  /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards a best fit of work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
-  /// Solves the Poisson problem for the right-hand side work.right, which may be nonzero only at places, and
-  /// writes the solution to work.ways. One vertex of each part does not move. Solves three columns at once.
+  /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.
+  /// work.right must be 0 except at places (see place()). One vertex of each part does not move. Solves three
+  /// columns at once.
   void solve(Work& work) const;
 
-  /// The triangles with area: their corners, half cotangents and indices in the mesh.
+  /// The triangles with area: corners, half cotangents and indices in the mesh. place() returns the first
+  /// vertex at the position of `vertex`.
   std::span<const mesh::Triangle> corners() const { return corners_; }
   std::span<const Vec3> cotangents() const { return cotangents_; }
   std::span<const std::uint32_t> triangles() const { return triangles_; }
@@ -149,7 +152,7 @@ private:
   std::vector<Vec3> cotangents_;          // half cotangents of triangles_, one per corner
   base::AlignedVector<double> sides_;     // sides and half cotangents, block by block, see PlaneKernel::pull
   std::vector<std::uint32_t> places_;     // per vertex: its place, which is the first vertex at its position
-  mesh::Adjacency around_;                // per place: 3 i + corner for each index i of triangles_
+  mesh::Adjacency around_;  // per place: 3 * i + k for each corner k of triangles_[i] at the place
   HangingParts parts_;
   std::vector<std::uint32_t> copies_;    // vertices that are not places
   std::vector<std::uint32_t> grounded_;  // one fixed place per part
