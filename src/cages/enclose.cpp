@@ -14,7 +14,8 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// Returns the displacement of each cage vertex that moves the cage outward.
+// Returns one displacement per cage vertex. The displacements move the cage outward, past the points
+// `outside`.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
@@ -56,7 +57,8 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Tests only the vertices that were outside. After all of these are inside, tests all vertices again.
+  // Later rounds test only the vertices that were outside before. If no vertex is left, tests all vertices
+  // again.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);
