@@ -11,7 +11,6 @@
 
 namespace viete::document {
 
-/// Settings of the mask brush.
 struct Brush {
   static constexpr float least_radius = 4, largest_radius = 400;
 
@@ -44,8 +43,8 @@ std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedM
 /// The number of steps between mask values 0 and 1. Session files have the same steps.
 inline constexpr int mask_steps = 255;
 
-/// One stroke of the brush, from press to release of the mouse button. If a stroke paints a vertex twice, the
-/// effect is that of painting it once.
+/// One stroke of the brush, from press to release of the mouse button. In one stroke, painting a vertex twice
+/// has the same effect as painting it once.
 class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
@@ -54,7 +53,7 @@ public:
   /// it decreases to 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// If the stroke changed the mask, records the stroke as one undoable edit.
+  /// Records the stroke as one undoable edit, if it changed the mask.
   void commit(Document& document);
   /// Restores the mask from before the stroke.
   void cancel(Document& document) const;

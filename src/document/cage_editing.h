@@ -8,7 +8,7 @@ namespace viete::document {
 /// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, each vertex returns to its pose, plus the change of its rest
+/// Begin and end cage editing. At the end, each vertex returns to its pose, moved by the change of its rest
 /// position. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);

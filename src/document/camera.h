@@ -81,7 +81,7 @@ public:
   void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
   void pan(const glm::vec2& pixels, const Viewport& viewport);
-  /// If `steps` is positive, zooms in. A point under the cursor does not move if it has the target's depth.
+  /// If `steps` is positive, zooms in. A point under the cursor, at the depth of the target, does not move.
   void zoom(float steps, const glm::vec2& cursor, const Viewport& viewport);
 
   /// Animates the camera to a new target, without a change of direction and distance.

@@ -20,7 +20,7 @@ struct EditStep {
 };
 
 /// The undo and redo lists. Each entry has the complete state of the document before an edit. If the entries
-/// need more than 256 MB, drops the oldest entries, but changes of the selection before all other edits.
+/// need more than 256 MB, drops the oldest change of the selection or, if there is none, the oldest edit.
 class History {
 public:
   /// Adds an edit. `before` is the state before the edit.
@@ -28,18 +28,18 @@ public:
 
   /// Adds a change of the selection. The revision stays, because a selection need not be saved.
   void record_selection(DocumentState before);
-  /// Replaces the selection in the state before the last edit. Requires can_undo().
+  /// Replaces the selection in the stored state before the last edit. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// Increases the revision. Call this after a change that belongs to the last edit.
   void extend_last() { ++revision_; }
-  /// Removes the last edit, and restores the redo list from before it. Returns the state before the edit.
-  /// Requires can_undo().
+  /// Removes the last edit, and restores the redo list from before this edit. Returns the state before the
+  /// edit. Requires can_undo().
   DocumentState drop_last();
   /// Returns the number of recorded edits. drop_last() decreases it by one.
   unsigned long recorded() const { return recorded_; }
 
-  /// Call this after saving the cage `by` to `file`. All other cages of the history with this path lose it.
+  /// Call this after saving the cage `by` to `file`. Removes this path from all other cages of the history.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }

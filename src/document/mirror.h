@@ -29,11 +29,12 @@ struct Mirror {
 };
 
 /// Finds the mirror of the cage at rest. If `choice` is none or no plane fits, returns nullopt. Two vertices
-/// are partners if each is nearest to the mirror image of the other, within 2 % of the cage's diagonal. For
-/// x, y and z, tests the planes at 0 and in the middle of the cage, and takes the plane with more pairs.
+/// are partners if each vertex is nearest to the mirror image of the other, within 2 % of the cage's
+/// diagonal. For x, y and z, tests two planes: at 0, and in the middle of the cage. Takes the plane with more
+/// pairs.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
-/// Returns the corners of a rectangle in the mirror plane. It is slightly larger than the projected points.
+/// Returns the corners of a rectangle in the mirror plane, slightly larger than the projection of the points.
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 struct MirrorCache {

@@ -17,7 +17,8 @@ SharedPose shared_pose(const Document& document);
 
 // The next three functions do not record an edit.
 
-/// Sets the pose of shape, cage and unlocked probes. If the pose is not the mix, also call end_mix().
+/// Sets the pose of shape, cage and unlocked probes. If the pose does not come from the mix, also call
+/// end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
 /// Moves each pin to the position of its vertex in the shape.
 void move_pins_to_shape(Document& document);
@@ -48,10 +49,10 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
 /// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
-/// false. If the current pose comes from keys, `played` has the weights of all poses.
+/// false. If the current pose comes from keys, `played` must have the weights of all named poses.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
-/// Sets all weights to 0. Returns false under the conditions of set_weight().
+/// Sets all weights to 0. Can return false like set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
 /// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
 bool set_straight(Document& document, VectorCache& vectors, bool straight);

@@ -30,10 +30,11 @@ struct AxisWidget {
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 
-/// Returns the widget. If the view is too small for it, returns nullopt.
+/// Returns the widget. If the view is too small for the widget, returns nullopt.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
-/// Animates the camera to the side of the ball or, if the camera is already there, to the opposite side.
+/// Animates the camera to the view from the ball's side. If it is the current view, animates to the opposite
+/// view.
 void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

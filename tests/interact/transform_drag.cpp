@@ -53,7 +53,6 @@ struct Drag {
   }
 };
 
-// Moves the cursor on a circle around the center.
 void go_round(Drag& d, double degrees, float radius = 100) {
   const glm::vec2 center = d.center();
   const int steps = static_cast<int>(std::abs(degrees) / 10);
