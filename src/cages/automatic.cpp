@@ -252,8 +252,7 @@ private:
     return found.sound();
   }
 
-  // `outside` has one vertex per component of the model outside the cage. Stores all vertices of the
-  // components.
+  // Stores all vertices of the components outside the cage. `outside` has one vertex per component.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
     mesh::UnionFind parts = mesh::parts_by_triangles(model_.positions.size(), model_.triangles);

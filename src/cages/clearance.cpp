@@ -46,9 +46,8 @@ private:
     return std::sqrt(squared);
   }
 
-  // If the block is far from the model, computes only the distance of its center, and gives all nodes lower
-  // bounds. Otherwise divides the block into eight blocks. `below` is an upper bound of the center's
-  // distance.
+  // If the block is far from the model, gives each node a lower bound of its distance. Otherwise divides the
+  // block into eight blocks. `below` is an upper bound of the distance from the block's center.
   void measure_block(const Index3& low, std::size_t size, double below) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (low[k] >= grid_.size[k]) return;
@@ -86,7 +85,6 @@ private:
   std::vector<float> values_;
 };
 
-// Calls visit(index) for each neighbour of a node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   const Index3 at = grid.node(index);

@@ -27,7 +27,6 @@ void for_box(const Index3& low, const Index3& high, Visit&& visit) {
   }
 }
 
-/// A regular grid of nodes.
 struct Grid {
   Point origin{};
   double step = 1;

@@ -23,7 +23,6 @@ mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// An editable list of polygons.
 class Polygons {
 public:
   explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
@@ -147,8 +146,7 @@ Vec3 area_of(const Polygons& cage, const Polygon& p) {
   return sum;
 }
 
-// Returns the boundary of the polygons as one loop. If the boundary is not a single loop, returns an empty
-// polygon.
+// Returns the boundary of the polygons. If it is not a single loop, returns an empty polygon.
 Polygon rim_of(const std::vector<Polygon>& polygons) {
   std::set<std::array<std::uint32_t, 2>> sides;
   for (const Polygon& p : polygons) {
@@ -336,8 +334,7 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // Moves all vertices along the sum of the normals. If the normals cancel, moves each vertex along the
-  // normal of its own polygons.
+  // If the normals cancel, moves each vertex along the normal of its own polygons.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {

@@ -48,8 +48,7 @@ Edited extrude(const mesh::Surface& cage, std::span<const std::uint32_t> polygon
 /// Divides each triangle into four triangles, and each other polygon into one quad per corner. The shape does
 /// not change. If a polygon is not star-shaped around its center, divides the polygon into triangles first.
 Edited subdivide(const mesh::Surface& cage);
-/// Cuts the cage at the plane. Keeps the side to which the normal points, and adds the mirror image of this
-/// side.
+/// Cuts the cage at the plane. Keeps the side to which the normal points, and adds its mirror image.
 Edited mirrored(const mesh::Surface& cage, const Plane& plane);
 
 }  // namespace viete::cages

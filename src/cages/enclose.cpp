@@ -14,8 +14,7 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// Returns one displacement per cage vertex. The displacements move the cage outward, past the points
-// `outside`.
+// Returns a displacement for each cage vertex, to move the cage outward past the points `outside`.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
@@ -57,8 +56,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Later rounds test only the vertices that were outside before. If no vertex is left, tests all vertices
-  // again.
+  // Tests only vertices that were outside in the last round. If none is left, tests all vertices again.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

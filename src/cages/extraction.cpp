@@ -179,8 +179,7 @@ namespace {
 
 using Quad = std::array<std::uint32_t, 4>;
 
-// Joins two triangles to a quad. The triangles' common edge connects the first and the third corner of the
-// quad.
+// Returns a quad of two triangles. Their common edge connects the quad's first and third corner.
 Quad quad_of(const mesh::Triangle& s, const mesh::Triangle& t) {
   std::size_t i = 0;
   while (std::ranges::find(t, s[i]) != t.end()) ++i;

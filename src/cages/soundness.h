@@ -14,7 +14,6 @@
 
 namespace viete::cages {
 
-/// The defects of a cage.
 struct Soundness {
   std::size_t open_edges = 0;           ///< edges that do not have two triangles of equal orientation
   std::size_t pinched_vertices = 0;     ///< vertices at which triangles meet without a shared edge
@@ -27,9 +26,9 @@ struct Soundness {
   }
 };
 
-/// Checks a cage. `positions` and `triangles` are those of the model, and `tree` contains the same triangles.
-/// Exact, except that a model vertex may be outside by 1e-9 of the cage's diagonal. `progress` may be null.
-/// Throws base::Cancelled.
+/// Checks a cage. `positions` and `triangles` belong to the model; `tree` contains the triangles. Exact, but
+/// a model vertex may be outside by 1e-9 of the cage's diagonal. `progress` may be null. Throws
+/// base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);

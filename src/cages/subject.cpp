@@ -31,8 +31,7 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // Returns the largest distance from a mirrored sample to the model. If a distance is above `most`, stops
-  // early.
+  // Returns the largest distance from a mirrored sample to the model. Stops early at a distance above `most`.
   double error(const Plane& plane, double most) const {
     double worst = 0;
     for (const Point& p : points_) {

@@ -80,7 +80,6 @@ private:
     if (to != x) cage_.move(v, to);
   }
 
-  // Returns the quality of the worse triangle.
   static double worth(const mesh::Corners& s, const mesh::Corners& t) {
     return std::min(quality(s), quality(t));
   }

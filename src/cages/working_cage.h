@@ -76,15 +76,13 @@ public:
   /// the normals cancel. If the star is on the mirror plane, the result is parallel to this plane.
   Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Returns a position for the star's vertex that fits and encloses less volume than x. If none is found,
-  /// returns x.
+  /// Returns a position for the star's vertex that fits and encloses less volume than x. Otherwise returns x.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
   /// Returns the volume that the cage gains if the star, with its vertex at x, replaces the old triangles.
   double added_volume(const Star& star, const Point& x) const;
   /// True if the star fits with its vertex at x.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if the two triangles `now` fit as replacements of the two triangles `replaced`, which have a common
-  /// edge.
+  /// True if the triangles `now` fit as replacements of the triangles `replaced`, which have a common edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
@@ -112,7 +110,6 @@ private:
   bool passes_over_a_point(std::span<const FaceId> replaced) const;
   static bool cross(const Candidate& s, const Candidate& t);
   bool crosses(std::span<const Candidate> now, std::span<const FaceId> replaced);
-  // A triangle in the search grid.
   struct Placed {
     Candidate triangle{};
     mesh::Bounds box{};

@@ -20,20 +20,17 @@ struct ShapeTerm {
   double factor;
 };
 
-/// If `held` is not null, blends shapes in log space; `held` sets the translation of the result. If `held` is
-/// null, blends vertex positions linearly. If a vertex is at rest in all terms, keeps its exact rest
-/// position.
+/// If `held` is null, blends vertex positions linearly. Otherwise blends in log space, and `held` sets the
+/// translation. If a vertex is at rest in all terms, keeps its exact rest position.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If the rest shape has equal x everywhere and no term changes x, sets x of all positions to this value.
-/// Does the same for y and z.
+/// If x is equal at all rest vertices and no term changes x, keeps x exactly. The same for y and z.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// Returns the rest shape plus the weighted shapes. If `straight` is true, blends linearly, otherwise in log
-/// space. If the result is one shape with factor 1, returns this shape unchanged. Throws base::Error if a
-/// shape does not fit the model.
+/// Returns the rest shape plus the weighted shapes, blended linearly if `straight`, otherwise in log space.
+/// Returns one shape with factor 1 unchanged. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 

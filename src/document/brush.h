@@ -49,8 +49,8 @@ class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Paints the mask value `share` around the center. Up to half the radius, the strength is full. From there
-  /// it decreases to 0 at the radius.
+  /// Paints the mask value `share` around the center. The strength is full up to half the radius, then falls
+  /// to 0.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
   /// Records the stroke as one undoable edit, if it changed the mask.
@@ -64,8 +64,7 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// Sets the mask as an undoable edit. `mask` is null or has one value per model vertex. If all values are 1,
-/// sets null.
+/// Sets the mask as an undoable edit. `mask` has one value per model vertex; null means 1 everywhere.
 void set_mask(Document& document, deform::Mask mask, const char* label);
 /// Returns the mask with each value s replaced by 1 - s.
 deform::Mask inverted(const Document& document);

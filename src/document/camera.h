@@ -86,7 +86,6 @@ public:
 
   /// Animates the camera to a new target, without a change of direction and distance.
   void center(const glm::vec3& target);
-  /// Animates the camera to a standard view.
   void look(StandardView view);
   /// Shows all points as large as possible in the view's pane, with a margin. A single point is shown like a
   /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.

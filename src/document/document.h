@@ -101,8 +101,7 @@ Document document_of(OpenedSurface model);
 void check_drawable(const Document& document);
 /// Throws base::Error if a size is above 1e60 or below 1e-60, because deforming in double would fail.
 void check_deformable(const Document& document);
-/// Sets the cage at rest and clears the history. If the cage is invalid, throws base::Error or
-/// deform::FinError.
+/// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and a cage into a new document. The path of the cage may be empty. Throws base::Error.
@@ -143,9 +142,8 @@ mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 /// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
 std::string binding_plan(const Document& document, const deform::Weighting& weighting);
 
-/// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For
-/// other formats, returns Z if the model stands upright along Z, and along Y would fall over or have a much
-/// smaller base. Otherwise returns Y.
+/// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing).
+/// Otherwise returns Y, or Z if the model can stand along Z but would fall over or have a small base along Y.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document

@@ -28,10 +28,10 @@ struct Mirror {
   bool is_paired(std::uint32_t v) const { return partners[v] != none && partners[v] != v; }
 };
 
-/// Finds the mirror of the cage at rest. If `choice` is none or no plane fits, returns nullopt. Two vertices
-/// are partners if each vertex is nearest to the mirror image of the other, within 2 % of the cage's
-/// diagonal. For x, y and z, tests two planes: at 0, and in the middle of the cage. Takes the plane with more
-/// pairs.
+/// Finds the mirror of the cage at rest. Two vertices are partners if each is nearest to the mirror image of
+/// the other, within 2 % of the cage's diagonal. For x, y and z, tests the planes at 0 and in the middle of
+/// the cage, and takes the plane with more pairs. If `choice` is none, or fit finds no plane, returns
+/// nullopt.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
 /// Returns the corners of a rectangle in the mirror plane, slightly larger than the projection of the points.

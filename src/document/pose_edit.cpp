@@ -363,8 +363,7 @@ std::string counted_poses(std::size_t poses, std::size_t keys) {
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
 
-// Removes poses without a shape. In other poses, sets the cage's pose to `cage`. Returns the number of
-// removed poses.
+// Removes poses without a shape; puts `cage` into the other poses. Returns the number of removed poses.
 template <class Keyed>
 std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });

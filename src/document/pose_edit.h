@@ -17,8 +17,7 @@ SharedPose shared_pose(const Document& document);
 
 // The next three functions do not record an edit.
 
-/// Sets the pose of shape, cage and unlocked probes. If the pose does not come from the mix, also call
-/// end_mix().
+/// Sets the pose of shape, cage and unlocked probes. If this is not the mixed pose, also call end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
 /// Moves each pin to the position of its vertex in the shape.
 void move_pins_to_shape(Document& document);

@@ -19,8 +19,7 @@ bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The functions below act on selected probes. Only set_locked() and mirror_probes() also act on locked
-// probes.
+// The functions below act on selected probes. Only set_locked() and mirror_probes() include locked probes.
 
 void remove_probes(Document& document);
 /// Resets the own motion of the probes.

@@ -114,8 +114,8 @@ bool is_closed(const Timeline& timeline) {
                              same_shape(first.shape, last.shape));
 }
 
-// True if the last camera equals the first camera, except for whole turns of the yaw. Without a loop, there
-// must be at least one whole turn.
+// True if the last camera equals the first camera, except for whole turns of the yaw. If the timeline does
+// not loop, at least one whole turn is required.
 bool comes_back(const Timeline& timeline) {
   constexpr double whole_turn = 2 * std::numbers::pi;
   const auto& cameras = timeline.cameras;

@@ -33,8 +33,7 @@ struct AxisWidget {
 /// Returns the widget. If the view is too small for the widget, returns nullopt.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
-/// Animates the camera to the view from the ball's side. If it is the current view, animates to the opposite
-/// view.
+/// Animates the camera to the view from the ball's side or, if it has this view, from the opposite side.
 void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

@@ -17,8 +17,7 @@ public:
 
   /// Returns x and y in logical pixels, and the depth. If the point is behind the camera, returns nullopt.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
-  /// Clips the segment at the near plane, and projects both ends. If all of it is behind the camera, returns
-  /// nullopt.
+  /// Clips the segment at the near plane, and projects both ends. If nothing is left, returns nullopt.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
 private:

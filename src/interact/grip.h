@@ -45,8 +45,7 @@ double soft_share(document::SoftCurve curve, double distance);
 
 /// A vertex that a drag moves.
 struct Gripped {
-  /// `own` is the dragged side of the mirror, `other` the opposite side. Vertices on the plane stay on the
-  /// plane.
+  /// The dragged side of the mirror, the other side, or the mirror plane. Vertices on the plane stay on it.
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;

@@ -7,8 +7,7 @@
 
 namespace viete::interact {
 
-/// Parses a number with a decimal point or comma. Returns nullopt for other text and for numbers above the
-/// range.
+/// Parses a number with a decimal point or comma. Returns nullopt for other text and for too large numbers.
 std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {

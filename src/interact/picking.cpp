@@ -51,8 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Compares with the farthest of the nearest 3 x 3 samples, so that silhouettes and steep faces count as
-// visible.
+// Compares with the farthest of the 3 x 3 nearest samples, so that silhouettes and steep faces are visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -76,8 +75,7 @@ constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Finds the candidate nearest to the cursor. Among candidates up to 2 pixels farther, chooses the front
-// candidate.
+// Finds the nearest candidate. Among candidates up to 2 pixels farther, chooses the one in front.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}

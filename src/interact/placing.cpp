@@ -150,8 +150,7 @@ bool place(document::Document& document, const document::DocumentState& snapshot
   return false;
 }
 
-// A part has whole turns about one axis only. Whole turns about a new axis replace whole turns about an old
-// axis.
+// A part has whole turns about one axis only. Whole turns about another axis replace the previous turns.
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;

@@ -15,8 +15,7 @@ namespace viete::interact {
 Shaping shaping_of(const document::Document& document, Shape shape, const Grip& grip, bool at_median,
                    const document::Camera& camera);
 
-/// Returns the bending axis nearest to `direction`; nullopt if `direction` is parallel to the line between
-/// the ends.
+/// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to `to - from`.
 std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
 
 }  // namespace viete::interact
