@@ -83,8 +83,8 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Returns the number of grid cells along the longest side of the model's box. Within the limits, a triangle
-  // of the cage is about seven cells wide.
+  // Returns the number of grid cells along the longest side of the model's box. If not clamped, a triangle of
+  // the cage is about seven cells wide.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
@@ -264,7 +264,8 @@ private:
   }
 
   // Prepares another attempt with the same gap. The first attempts add distance only around the missed
-  // components; the last attempt adds distance everywhere. If this cannot help, returns false.
+  // components; the last attempt adds distance everywhere. If no further component was missed, or the last
+  // attempt was made, returns false.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());

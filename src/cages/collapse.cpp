@@ -243,7 +243,7 @@ private:
     }
   }
 
-  // Returns the first position that fits: the quadric's minimum, a position farther outward, or an end.
+  // Returns the first fitting position: the quadric's minimum, a position farther outward, or an edge's end.
   std::optional<Point> find_place(HalfEdgeId h, const Quadric& q) {
     cage_.star_of(h, star_);
     const Point best = best_place(q, star_.on_mirror);

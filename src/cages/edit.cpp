@@ -271,7 +271,7 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 namespace {
 
 // Triangles that are connected across edges with exactly two triangles. The comparison gives the order of
-// removal: open before closed, small before large.
+// removal: patches to keep last, open before closed, small before large.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;

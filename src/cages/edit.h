@@ -23,9 +23,9 @@ struct Edited {
   std::vector<std::uint32_t> selection;  ///< the vertices to select after the edit, ascending
 };
 
-// The functions below are thread-safe and do not change `cage`. The given vertices, edges and polygons belong
-// to `cage`, without duplicates. Vertices without polygons are removed. The result can be an invalid cage;
-// see deform::make_cage().
+// The functions below are thread-safe and do not change `cage`. The given vertices, edges and polygons must
+// belong to `cage` and must be unique. Vertices without polygons are removed. The result can be an invalid
+// cage; see deform::make_cage().
 
 /// Adds a vertex at the middle of each edge. Divides the polygons at the edge into triangles.
 Edited split_edges(const mesh::Surface& cage, std::span<const mesh::Edge> edges);

@@ -56,7 +56,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Tests only vertices that were outside in the last round. If none is left, tests all vertices again.
+  // Later rounds test only vertices that were outside. If none is left, the next round tests all vertices.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

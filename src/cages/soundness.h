@@ -26,9 +26,8 @@ struct Soundness {
   }
 };
 
-/// Checks a cage. `positions` and `triangles` belong to the model; `tree` contains the triangles. Exact, but
-/// a model vertex may be outside by 1e-9 of the cage's diagonal. `progress` may be null. Throws
-/// base::Cancelled.
+/// Checks a cage. `positions`, `triangles` and their `tree` belong to the model. Exact, but a model vertex
+/// may be outside by 1e-9 of the cage's diagonal. `progress` may be null. Throws base::Cancelled.
 Soundness soundness(const mesh::Surface& cage, std::span<const mesh::Point> positions,
                     std::span<const mesh::Triangle> triangles, const mesh::TriangleTree& tree,
                     base::WorkerPool& pool, base::Progress* progress = nullptr);

@@ -25,8 +25,8 @@ struct Plane {
 /// Joins a half shell and its mirror image at x = 0. The vertices of the half keep their indices.
 Shell whole(const Shell& half);
 
-/// Returns the best plane of symmetry. If mirror images of sampled points are farther than 2 % of the
-/// diagonal from the model for all planes, returns nullopt. `progress` may be null. Throws base::Cancelled.
+/// Returns the best plane of symmetry. Mirrored sample points must be within 2 % of the diagonal from the
+/// model. If no plane is that good, returns nullopt. `progress` may be null. Throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {

@@ -180,7 +180,7 @@ bool WorkingCage::fits(const Star& star, const Point& x, const Shape& shape) {
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const auto [a, b] = star.rim[i];
     const Vec3 n = normal_of(now_[i].corners);
-    // Compares the normal with the normals of two triangles: across the rim, and the next new triangle.
+    // Tests the angles to two neighbours: the triangle across the rim, and the next new triangle.
     const auto across = connectivity_.opposite_face_handle(connectivity_.find_halfedge(vertex(a), vertex(b)));
     if (across.is_valid() && mesh::cosine(n, normal(across)) < shape.least_cosine) return false;
     for (std::size_t j = 0; j < now_.size(); ++j) {

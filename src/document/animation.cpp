@@ -108,7 +108,7 @@ bool in_range(const WholePose& pose, double farthest) {
 }
 
 // Equal rotations can have different turns: 0 if the turn is missing, up to half a turn if it was computed.
-// Therefore differences up to half a turn are ignored. Other whole turns differ by a full turn.
+// Therefore differences up to half a turn are ignored. Different whole turns differ by a full turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {

@@ -30,7 +30,7 @@ void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::Log
                std::span<mesh::Point> positions);
 
 /// Returns the rest shape plus the weighted shapes, blended linearly if `straight`, otherwise in log space.
-/// Returns one shape with factor 1 unchanged. Throws base::Error if a shape does not fit the model.
+/// Returns a single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
@@ -52,9 +52,8 @@ public:
 
   /// Returns the shape space. Requires a model. The first call creates the space and can throw base::Error.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Returns ShapeSpace::vector(). `before` is the vector of the preceding shape. If `shape` is null, uses
-  /// the rest shape. Keeps the vector while other code owns the shape. Throws base::Error like
-  /// ShapeSpace::vector().
+  /// Returns ShapeSpace::vector(), and throws its errors. `before` is the vector of the preceding shape. If
+  /// `shape` is null, uses the rest shape. Keeps the vector while other code owns the shape.
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
@@ -100,7 +99,7 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// Returns the pose at a frame. `straight` replaces the setting of the timeline.
+  /// Returns the pose at a frame. Uses `straight` instead of the timeline's setting.
   WholePose at(double frame, bool straight) const;
 
 private:

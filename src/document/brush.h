@@ -49,8 +49,7 @@ class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Paints the mask value `share` around the center. The strength is full up to half the radius, then falls
-  /// to 0.
+  /// Paints `share` around the center. The strength is full up to half the radius, and 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
   /// Records the stroke as one undoable edit, if it changed the mask.

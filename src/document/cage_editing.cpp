@@ -174,7 +174,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // If vertices are selected, keeps the side of the plane that contains the selection.
+  // If vertices are selected, keeps the side of the plane with most of the selection.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))

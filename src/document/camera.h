@@ -48,7 +48,7 @@ struct RayHit {
   double distance;               ///< from the ray's origin; negative behind the origin
   std::array<double, 3> shares;  ///< barycentric coordinates
 };
-/// Intersects the line of the ray with a triangle, from both sides. Returns nullopt if they do not intersect.
+/// Intersects the line of the ray with a triangle, from both sides. If they do not meet, returns nullopt.
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& corners);
 
 class Camera {
@@ -91,7 +91,7 @@ public:
   /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
              float covered = 0);
-  /// Advances the animation by `seconds`. If no animation runs, returns false.
+  /// Advances the animation. If no animation runs, returns false.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
 

@@ -94,7 +94,6 @@ private:
 /// Reads and summarizes a surface. `progress` may be null. Throws base::Error and base::Cancelled.
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
 
-/// Creates a document without a cage.
 Document document_of(OpenedSurface model);
 /// Throws base::Error if GPUs cannot draw the model, the cage or a pose with float numbers: if a size or a
 /// coordinate is above 1e32, or a size is below 1e-32.
@@ -142,8 +141,9 @@ mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 /// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
 std::string binding_plan(const Document& document, const deform::Weighting& weighting);
 
-/// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing).
-/// Otherwise returns Y, or Z if the model can stand along Z but would fall over or have a small base along Y.
+/// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For
+/// other formats, returns Z if the model stands upright along Z, and along Y would fall over or stand on a
+/// much smaller base. Otherwise returns Y.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document

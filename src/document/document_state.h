@@ -43,7 +43,7 @@ struct PoseLibrary {
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
-  SharedPose unmixed{};  ///< the pose without the mix; null if all weights are 0
+  SharedPose unmixed{};  ///< the pose without the mix; null if unknown or if all weights are 0
   SharedPose mixed{};    ///< the pose with the mix; later edits change only the document's pose
 
   bool mixes() const;
@@ -72,7 +72,7 @@ struct OpenedSurface {
   std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has no attributes
   std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written again unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< the bounding box of the vertices of polygons
+  mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use
   std::vector<std::string> warnings;
   std::uint64_t content = 0;  ///< the value of mesh::content_key(); 0 if not computed
   std::string made;           ///< describes a surface without a file, such as "cage.obj, edited"
@@ -90,7 +90,7 @@ inline std::string place_of(const OpenedSurface& opened) {
 
 OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// Copies of a state share surfaces, named poses, keys and masks. They duplicate only pose and selection.
+/// Copies of a state share surfaces, named poses, keys and masks. Only pose and selection are duplicated.
 struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
   OpenedSurface cage_file;                   ///< its surface is null without a cage

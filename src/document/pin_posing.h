@@ -17,7 +17,7 @@ namespace viete::document {
 class PinPosing {
 public:
   struct Hand {
-    double freedom;  ///< see Handling
+    double freedom;  ///< see Handling::freedom
     bool holds;      ///< true while the user drags
   };
   /// Call this once per drawn picture, before the model is deformed. Returns true if it made a step. If

@@ -78,7 +78,7 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
-// If only one pose has a weight, and this weight is 1, returns the pose. Otherwise returns null.
+// If only one pose has a nonzero weight, and this weight is 1, returns the pose. Otherwise returns null.
 const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {

@@ -11,9 +11,9 @@ namespace viete::document {
 /// Returns the current frame, rounded to an integer.
 int current_frame(const Document& document);
 
-/// Stores the current pose as a key. If the frame has a key, keeps its easing. Extends the playback range to
-/// the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of
-/// the pose list. If the timeline is full or the frame is out of range, throws base::Error.
+/// Stores the current pose as a key. If the frame has a key, keeps the key's easing. Extends the playback
+/// range to the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the
+/// weights of the pose list. If the timeline is full or the frame is out of range, throws base::Error.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// Like set_key(), but extends the last edit.
 void add_key_to_edit(Document& document, int frame);

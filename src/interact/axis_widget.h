@@ -33,7 +33,7 @@ struct AxisWidget {
 /// Returns the widget. If the view is too small for the widget, returns nullopt.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
-/// Animates the camera to the view from the ball's side or, if it has this view, from the opposite side.
+/// Animates the camera to the side of the ball or, if the camera is already there, to the opposite side.
 void look_from(document::Camera& camera, const AxisBall& ball);
 
 }  // namespace viete::interact

@@ -70,8 +70,7 @@ glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   return glm::dvec2(moved.x, -moved.y) / per_pixel_;
 }
 
-// A point at t along the axis moved by u = t * speed / (1 + t * bend) on screen. Returns t for the cursor's
-// u.
+// A point at t along the axis is at u = t * speed / (1 + t * bend) on screen. Returns t for the cursor's u.
 double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const glm::dvec2 m = motion(axis);
   const double speed = glm::length(m);

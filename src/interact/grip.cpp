@@ -207,7 +207,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
   return all;
 }
 
-// Moves a point on a side. A point on the plane gets the mean of the motion and the mirrored motion.
+// Moves a point on one side. A point on the plane moves by the mean of the motion and the mirrored motion.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);

@@ -62,7 +62,7 @@ std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Po
 struct Grip {
   Anchor anchor;
   cages::Plane plane;             ///< the mirror plane
-  std::vector<Gripped> vertices;  ///< ascending and unique; if probes are selected, empty
+  std::vector<Gripped> vertices;  ///< ascending, without hidden vertices; empty if probes are selected
   Shaping shaping{};              ///< if its shape is not `none`, used instead of move, rotate and scale
 };
 

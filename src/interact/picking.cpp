@@ -26,7 +26,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// Updates the nearest surface of each sample with its center inside the triangle.
+// In each sample with its center inside the triangle, stores the surface if it is the nearest.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -75,7 +75,7 @@ constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Finds the nearest candidate. Among candidates up to 2 pixels farther, chooses the one in front.
+// Finds the nearest candidate. Among candidates up to 2 pixels farther, chooses the front candidate.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}

@@ -35,13 +35,13 @@ public:
               const document::Viewport& viewport);
 
   /// Handles a typed character. x, y and z set an axis as constraint; X, Y and Z set the plane perpendicular
-  /// to it. Typing the same character again removes the constraint. A rotation and a bend use the axis in
-  /// both cases. Other shapes have no axis. Digits, point and minus enter the amount. If the character has no
-  /// effect, returns false.
+  /// to this axis. Typing the same character again removes the constraint. A rotation and a bend use the axis
+  /// in both cases. Other shapes have no axis. Digits, point and minus enter the amount. If the character has
+  /// no effect, returns false.
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// Changes the soft selection, from the next update on.
+  /// Restores the pose at the press. From the next update on, uses the given soft selection.
   void soften(document::Document& document, const document::SoftSelection& soft,
               const document::Mirror* mirror);
   /// Returns the number of calls of soften(). Each call can change vertices().
@@ -90,7 +90,7 @@ private:
   Tool tool_;
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last requested bending axis, if parallel to to - from
+  std::optional<int> along_way_;  // the last requested bending axis, if parallel to `to - from`
   glm::dvec3 pivot_, view_axis_;  // view_axis_: the direction to the eye
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // lag_: slow mode subtracts it from the cursor position
