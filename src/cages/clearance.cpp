@@ -194,9 +194,9 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Returns the clearance of an unreached node. `by_depth` is the clearance that follows from the distance to
-// the reached region. If `to_model` or -to_model is near `by_depth`, returns the more exact `to_model` or
-// -to_model. Otherwise returns the smaller value.
+// Returns the clearance of an unreached node. `by_depth` is computed from the distance to the reached region.
+// `to_model` is exact, but has no sign. If both agree for one sign, returns `to_model` with this sign.
+// Otherwise returns the smaller value.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;

@@ -21,8 +21,8 @@ using HalfEdgeId = Connectivity::HalfedgeHandle;
 /// Limits for the shape of triangles.
 struct Shape {
   double least_quality = 0.1;
-  double least_cosine = -0.5;      ///< the smallest cosine between the normals of neighbours
-  std::size_t most_triangles = 9;  ///< the largest number of triangles at a vertex
+  double least_cosine = -0.5;      ///< the smallest allowed cosine between the normals of neighbours
+  std::size_t most_triangles = 9;  ///< the largest allowed number of triangles at a vertex
 };
 
 /// Returns 4 * sqrt(3) * area / (sum of the squared sides). The quality of an equilateral triangle is 1.
@@ -82,7 +82,7 @@ public:
   double added_volume(const Star& star, const Point& x) const;
   /// True if the star fits with its vertex at x.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if the triangles `now` fit as replacements of the triangles `replaced`, which have a common edge.
+  /// True if the triangles `now` fit as replacements of `replaced`, two triangles with a common edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 

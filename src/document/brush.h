@@ -22,7 +22,7 @@ struct Brush {
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
-  unsigned long frame = 0;  ///< changes each time the vertices may have changed
+  unsigned long frame = 0;  ///< changes with each deformation of the model
 
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };

@@ -28,10 +28,10 @@ struct ViewOptions {
   bool axes = true;                               ///< shows the axis widget
   bool ghost = false;                             ///< while the cage is posed, shows the cage at rest faintly
   analysis::Field field = analysis::Field::none;  ///< the map that colours the model
-  bool select_visible = false;  ///< the mouse selects only elements that are not behind the model or the cage
-  bool same_path = false;       ///< computes the method `fast` in separate steps in double, for fair timings
+  bool select_visible = false;  ///< the mouse does not select elements behind the model or the cage
+  bool same_path = false;       ///< for fair timings: computes the method `fast` in separate steps in double
   bool panels = true;
-  bool hints = true;  ///< false after the first drag
+  bool hints = true;  ///< shows hints; false after the first drag
 
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };

@@ -253,7 +253,6 @@ glm::dvec3 TransformDrag::factors(double value) const {
   return factors;
 }
 
-// A move without an axis goes by the typed distance in the direction of the mouse movement.
 Transform TransformDrag::typed(double value) const {
   Transform t = still();
   if (is_angle(grip_.shaping.shape)) {
@@ -268,6 +267,7 @@ Transform TransformDrag::typed(double value) const {
   } else if (constraint_.kind == Kind::axis) {
     t.shift = value * direction();
   } else {
+    // Moves by the typed distance in the direction of the mouse movement.
     const double length = glm::length(pulled_);
     if (length > 0) t.shift = value / length * pulled_;
   }
