@@ -33,7 +33,7 @@ public:
 
   /// Increases the revision. Call this after a change that belongs to the last edit.
   void extend_last() { ++revision_; }
-  /// Removes the last edit and restores the redo list. Returns the state before the edit. Requires
+  /// Removes the last edit, restores the redo list, and returns the state before the edit. Requires
   /// can_undo().
   DocumentState drop_last();
   /// Returns the number of recorded edits. drop_last() decreases it by one.

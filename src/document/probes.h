@@ -22,7 +22,7 @@ void set_pulls(Document& document, bool pulls);
 // The functions below act on selected probes. Only set_locked() and mirror_probes() include locked probes.
 
 void remove_probes(Document& document);
-/// Resets the own motion of the probes.
+/// Resets the probes to rest. Their motion with the cage stays.
 void rest_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);
