@@ -28,18 +28,18 @@ Topology topology_of(const Shell& shell) {
   mesh::UnionFind parts = mesh::parts_by_triangles(shell.positions.size(), shell.triangles);
   Topology found;
   for (std::uint32_t v = 0; v < shell.positions.size(); ++v) found.parts += parts.find(v) == v ? 1 : 0;
-  // Euler's formula is vertices - edges + triangles = 2 parts - 2 handles. The edges are 3 / 2 triangles.
+  // Euler's formula: vertices - edges + triangles = 2 * parts - 2 * handles, with edges = 3 / 2 * triangles.
   const std::size_t spheres = 2 * found.parts + shell.triangles.size() / 2;
   found.handles = (spheres - std::min(spheres, shell.positions.size())) / 2;
   return found;
 }
 
-// Divides the progress among attempts and their stages. The reported progress never decreases.
+// Divides the progress among attempts, and an attempt's part among stages. The progress never decreases.
 class Stages {
 public:
   explicit Stages(base::Progress* progress) : progress_(progress) { begin(); }
 
-  // Begins another attempt. `share` is the attempt's share of the remaining progress.
+  // Begins another attempt. The attempt gets the fraction `share` of the remaining progress.
   void begin(double share = 1) {
     from_ = progress_ ? progress_->done() : 0;
     to_ = from_ + share * (1 - from_);
@@ -70,7 +70,7 @@ public:
         target_(mirror_ ? wish.triangles / 2 : wish.triangles) {}
 
   std::optional<Made> make() {
-    constexpr double most_closed = 0.5;  // relative to the diagonal; closes all gaps
+    constexpr double most_closed = 0.5;  // relative to the model's diagonal; closes every gap
     for (double gap = wish_.gap; gap <= most_closed;) {
       if (const auto shell = try_with(gap)) return finish(*shell, mirror_.has_value(), gap);
       if (!keeps_farther_from_passed_over()) gap = std::max(2 * gap, 0.5 * size() / cells());
@@ -83,12 +83,13 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Returns the number of grid cells along the model. A triangle of the result is about seven cells wide.
+  // Returns the number of grid cells along the longest side of the model's box. If not clamped, a triangle of
+  // the cage is about seven cells wide.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
 
-  // An offset surface of the model, and the clearance. Must not be moved.
+  // An offset surface of the model, and the clearance. Must not be moved: a WorkingCage refers to `field`.
   struct Offset {
     Clearance field;
     double margin;
@@ -119,8 +120,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Returns a sound cage for this gap, if it finds one. If the gap is larger than requested, first tests the
-  // gap with a preview on a coarse grid.
+  // Returns a sound cage for this gap, or nullopt. For a preview, and for a gap larger than requested, makes
+  // a cage on a coarse grid first. If the coarse cage is not sound, returns nullopt.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
@@ -147,8 +148,8 @@ private:
     double volume;
   };
 
-  // With few triangles, the result depends on the position of the grid. In this case, makes a draft on each
-  // of two grids. Finishes the draft with the smaller volume, or the other draft if the result is not sound.
+  // With few triangles, the result depends on the position of the grid. In this case, makes drafts on two
+  // grids. Finishes the draft with the smaller volume. If its result is not sound, finishes the other draft.
   std::optional<Shell> carefully_made(const Offset& from, double gap) {
     std::optional<Offset> other;
     if (wish_.triangles <= few_triangles) other = offset(1.1 * size() / from.field.grid().step, gap);
@@ -192,13 +193,13 @@ private:
     if (!collapse_to(cage, target_, Accuracy::quadrics, stages_.until(0.7))) return std::nullopt;
     refine_to(cage, target_, stages_.until(0.7));
     tighten(cage, 2, stages_.until(0.8));
-    // A preview keeps the margin approximately, within the resolution of the grid.
+    // A preview skips this: its margin is exact only to the resolution of the grid.
     if (!is_preview()) too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.92));
     return cage.shell();
   }
 
-  // Alternates collapses and tightening. Returns false if the requested number of triangles was not reached.
-  // Advances the attempt's progress by the fraction `share`.
+  // Alternates collapses and tightening. If the cage still has too many triangles, returns false. `share` is
+  // the part of the drafts' progress that is reached at the end.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
@@ -213,7 +214,7 @@ private:
     return true;
   }
 
-  // Makes the margin exact. Until now, the margin was only kept within the resolution of the grid.
+  // Makes the margin exact. Before this step, the margin is exact only to the resolution of the grid.
   Shell settled(WorkingCage& cage) {
     too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);
@@ -221,7 +222,8 @@ private:
     return cage.shell();
   }
 
-  // Splits the edges whose split reduces the volume most. Then collapses the edges that increase it least.
+  // Splits the edges that reduce the volume most. Then collapses the edges that increase the volume least.
+  // Repeats both steps, and returns the cage with the smallest volume.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();
@@ -239,7 +241,7 @@ private:
     return best;
   }
 
-  // Checks the cage in file coordinates, with their rounding errors.
+  // Converts the cage to file coordinates and back, so that the check includes rounding errors.
   bool is_sound(const Shell& half, bool mirrored) {
     Shell shell = mirrored ? whole(half) : half;
     for (Point& p : shell.positions) p = frame_.into(frame_.out_of(p));
@@ -250,7 +252,7 @@ private:
     return found.sound();
   }
 
-  // Remembers all vertices of each component of the model that is outside the cage.
+  // Stores all vertices of the components outside the cage. `outside` has one vertex per component.
   void note_passed_over(const std::vector<std::uint32_t>& outside) {
     if (outside.empty()) return;
     mesh::UnionFind parts = mesh::parts_by_triangles(model_.positions.size(), model_.triangles);
@@ -261,8 +263,9 @@ private:
     }
   }
 
-  // Increases the distance: first around the missed components, then everywhere. If another attempt cannot
-  // help, returns false.
+  // Prepares another attempt with the same gap. The first attempts add distance only around the missed
+  // components; the last attempt adds distance everywhere. If no further component was missed, or the last
+  // attempt was made, returns false.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -323,10 +326,10 @@ private:
   Made made_;
   std::size_t target_;
   std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
-  // In grid steps. At this distance, a cage encloses components that are smaller than a step.
+  // A margin in grid steps. With this margin, a cage encloses components that are smaller than a step.
   static constexpr double parts_margin_steps = 1.25;
-  static constexpr std::size_t few_triangles = 150;  // smaller cages get a more careful method
-  static constexpr double coarser = 0.62;            // the relative resolution of a preview's grid
+  static constexpr std::size_t few_triangles = 150;  // up to this number, uses a slower, more careful method
+  static constexpr double coarser = 0.62;            // the relative resolution of the coarse grid
   double margin_steps_ = 0.1;
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;

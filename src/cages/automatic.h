@@ -10,7 +10,7 @@
 
 namespace viete::cages {
 
-/// Extracts an offset surface from a distance grid by marching cubes, simplifies the surface by edge
+/// Extracts an offset surface from a distance grid by marching cubes. Simplifies the surface by edge
 /// collapses, and tightens it. If there is a mirror plane, makes one half of the cage and mirrors it. If the
 /// cage would need too many triangles, closes holes and gaps of the model, and adds a message. If no sound
 /// cage is found, returns nullopt. Throws errors of Maker::make().

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t block = 8;  // the number of nodes along one side of a block
 
-// Computes the distances of the nodes to the model and its mirror image.
+// Computes the distance from each node to the model. In a mirrored grid, the model's mirror image counts too.
 class Distances {
 public:
   Distances(const Obstacle& model, const Grid& grid, double enough)
@@ -46,8 +46,8 @@ private:
     return std::sqrt(squared);
   }
 
-  // If the block is far from the model, computes only the distance of its center, and gives all nodes lower
-  // bounds. Divides other blocks into eight blocks.
+  // If the block is far from the model, gives each node a lower bound of its distance. Otherwise divides the
+  // block into eight blocks. `below` is an upper bound of the distance from the block's center.
   void measure_block(const Index3& low, std::size_t size, double below) {
     for (std::size_t k = 0; k < 3; ++k) {
       if (low[k] >= grid_.size[k]) return;
@@ -85,7 +85,6 @@ private:
   std::vector<float> values_;
 };
 
-// Calls visit(index) for each neighbour of a node along the axes.
 template <class Visit>
 void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   const Index3 at = grid.node(index);
@@ -96,7 +95,8 @@ void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   }
 }
 
-// Returns 1 for nodes inside an open model whose distance to the model is larger than `least`.
+// Returns 1 for each node that is inside the model and farther than `least` from it. If the model is closed,
+// returns only 0, because the search from outside cannot enter the model.
 std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const std::vector<float>& distances,
                                 double least, base::WorkerPool& pool) {
   std::vector<std::uint8_t> inside(grid.node_count(), 0);
@@ -113,7 +113,8 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// Returns 1 for nodes with a path to the grid's border along nodes whose distance is larger than `least`.
+// Returns 1 for each node that is connected with the grid's border. Each node on the connection must be
+// outside the model and farther than `least` from it.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -137,8 +138,8 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
   return reached;
 }
 
-// The distances from unreached nodes to the reached region, at most `most`. Each node passes its nearest
-// border point to its neighbours (Danielsson 1980, Euclidean distance mapping).
+// Computes the distance from each unreached node to the reached region, at most `most`. Each node passes its
+// nearest border point on to its neighbours (Danielsson 1980, Euclidean distance mapping).
 class Depths {
 public:
   Depths(const Grid& grid, const std::vector<std::uint8_t>& reached, const std::vector<float>& distances,
@@ -153,8 +154,8 @@ public:
   std::vector<float> take() { return std::move(values_); }
 
 private:
-  // Finds a border point on each edge between a reached node and an unreached node. Its distance from the
-  // model is `least`. If no point of the edge has this distance, uses the midpoint.
+  // Finds a border point on each edge between a reached node and an unreached node. The distance from the
+  // border point to the model is `least`. If no point of the edge has this distance, uses the midpoint.
   void find_border(const std::vector<float>& distances, double least) {
     for (std::size_t n = 0; n < reached_.size(); ++n) {
       if (!reached_[n]) continue;
@@ -193,8 +194,9 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Returns the clearance of an unreached node. `by_depth` follows from the distance to the reached region. If
-// it agrees with the distance to the model, returns that distance, negative inside the model.
+// Returns the clearance of an unreached node. `by_depth` is computed from the distance to the reached region.
+// `to_model` is exact, but has no sign. If both agree for one sign, returns `to_model` with this sign.
+// Otherwise returns the smaller value.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;
@@ -230,7 +232,7 @@ Clearance::Place Clearance::in_steps(const Point& p) const {
 }
 
 float Clearance::at(const Place& p) const {
-  float beyond = 0;  // the squared distance from p to the grid, in steps
+  float beyond = 0;  // the squared distance from p to the grid, in squared steps
   std::array<std::size_t, 3> cell;
   Place t;
   for (std::size_t k = 0; k < 3; ++k) {

@@ -27,12 +27,11 @@ void for_box(const Index3& low, const Index3& high, Visit&& visit) {
   }
 }
 
-/// A regular grid of nodes.
 struct Grid {
   Point origin{};
   double step = 1;
   Index3 size{};          ///< the number of nodes along each axis
-  bool mirrored = false;  ///< if true, the grid begins at x = 0
+  bool mirrored = false;  ///< if true, the grid covers only x >= 0
 
   std::size_t node_count() const { return size[0] * size[1] * size[2]; }
   std::size_t index(std::size_t i, std::size_t j, std::size_t k) const {
@@ -59,8 +58,8 @@ struct Closing {
   double gap = 0;     ///< closes gaps that are narrower than twice this value
 };
 
-/// The clearance of points: the distance to the model, interpolated on a grid. The clearance is smaller in
-/// closed gaps. It is negative inside the model and inside enclosed cavities. Thread-safe.
+/// The clearance of points: the distance to the model, interpolated on a grid. In closed gaps, the clearance
+/// is smaller than the distance. Inside the model and enclosed cavities, it is negative. Thread-safe.
 class Clearance {
 public:
   Clearance(const Grid& grid, std::vector<float> values);
@@ -71,8 +70,8 @@ public:
   /// Returns the clearance. Outside of the grid, returns a lower bound of the distance to the model.
   double at(const Point& p) const;
 
-  /// True if the clearance is at least `margin` at samples on the triangle, about a grid step apart. Does not
-  /// test the corners. Where the clearance is larger, fewer samples are needed.
+  /// True if the clearance is at least `margin` at all samples on the triangle. The samples are about a grid
+  /// step apart, and farther apart where the clearance is large. Does not test the corners.
   bool is_clear(const mesh::Corners& t, double margin) const;
 
 private:
@@ -91,13 +90,13 @@ struct Obstacle {
   bool closed = false;             ///< if false, uses winding numbers to find the inside
 };
 
-/// Computes the clearance. Far from the model, its values are lower bounds. The result does not depend on the
+/// Computes the clearance. Far from the model, the values are lower bounds. The result does not depend on the
 /// pool. Throws base::Cancelled.
 Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& closing, base::WorkerPool& pool,
                     base::Progress* progress = nullptr);
 
-/// Adds balls around these points to the model, so that the clearance includes details that are smaller than
-/// a grid step. Values are exact only below `most`.
+/// Adds balls around the points `centers` to the model. The balls represent details that are smaller than a
+/// grid step. Values above `most` can be too large.
 Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

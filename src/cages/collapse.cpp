@@ -9,7 +9,7 @@ namespace viete::cages {
 
 namespace {
 
-// The sum of squared distances of x to planes, weighted by area: x^T a x - 2 b^T x + c.
+// The weighted sum of squared distances from x to planes and points: x^T * a * x - 2 * b^T * x + c.
 struct Quadric {
   std::array<double, 6> a{};  // the entries xx, xy, xz, yy, yz and zz of a symmetric matrix
   Vec3 b{};
@@ -41,7 +41,7 @@ struct Quadric {
                        2 * (a[1] * x[0] * x[1] + a[2] * x[0] * x[2] + a[4] * x[1] * x[2]);
     return std::max(0.0, xax - 2 * mesh::dot(b, x) + c);
   }
-  // The matrix is positive definite, because the sum also has distances to points.
+  // The matrix has an inverse, because the sum also has distances to points.
   Point minimum() const {
     const Vec3 r0{a[0], a[1], a[2]}, r1{a[1], a[3], a[4]}, r2{a[2], a[4], a[5]};
     const Vec3 c0 = mesh::cross(r1, r2), c1 = mesh::cross(r2, r0), c2 = mesh::cross(r0, r1);
@@ -55,8 +55,8 @@ constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // the sum of both ends' stamps when the cost was computed
-  bool placed;           // true if the cost belongs to the final position
+  std::uint32_t stamps;  // the sum of the stamps of the edge's ends, when the cost was computed
+  bool placed;           // true if the cost belongs to a tested position
   Point place{};
 
   bool operator<(const Candidate& other) const {
@@ -115,7 +115,7 @@ private:
     const double area = 0.5 * length;
     for (auto v = mesh_.fv_iter(f); v.is_valid(); ++v) {
       quadric(*v).add_plane((1 / length) * n, cage_.at(*v), area / 3);
-      // The distances to points keep triangles even in flat regions.
+      // In flat regions, the distances to the corners keep the triangles even.
       quadric(*v).add_point(cage_.at(*v), 1e-3 * area / 3);
     }
   }
@@ -125,7 +125,8 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // Returns the half-edge to collapse. Its `to` end remains; this is the end on the mirror plane, if any.
+  // Returns the half-edge to collapse. Its `to` vertex remains. If only one end is on the mirror plane, this
+  // end is the `to` vertex.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;
@@ -176,7 +177,7 @@ private:
     renew_wide(to);
   }
 
-  // Updates all edges of the neighbours, because the neighbours moved too.
+  // Computes the costs of all edges at the neighbours again, because the neighbours moved too.
   void renew_wide(VertexId v) {
     ++stamp(v);
     std::vector<int> changed;
@@ -189,8 +190,8 @@ private:
     for (const int e : changed) push(Connectivity::EdgeHandle(e));
   }
 
-  // True if the collapse makes an edge inside the half cage between two vertices on the mirror plane. Such an
-  // edge would coincide with its mirror image.
+  // True if the collapse makes an edge between two vertices on the mirror plane, inside the half cage. Such
+  // an edge would coincide with its mirror image.
   bool makes_chord(HalfEdgeId h) const {
     const VertexId from = mesh_.from_vertex_handle(h), to = mesh_.to_vertex_handle(h);
     if (!mesh_.is_boundary(to)) return false;
@@ -232,7 +233,7 @@ private:
 
   void block(Connectivity::EdgeHandle e) { blocked_[static_cast<std::size_t>(e.idx())] = 1; }
 
-  // Updates the edges of the vertex, and those edges of its neighbours that could not be collapsed.
+  // Updates the edges of the vertex, and the blocked edges of its neighbours.
   void renew(VertexId v) {
     for (auto e = mesh_.cve_iter(v); e.is_valid(); ++e) push(*e);
     for (auto neighbor = mesh_.cvv_iter(v); neighbor.is_valid(); ++neighbor) {
@@ -242,7 +243,7 @@ private:
     }
   }
 
-  // Tests the minimum of the quadric, then positions farther outward, then both ends of the edge.
+  // Returns the first fitting position: the quadric's minimum, a position farther outward, or an edge's end.
   std::optional<Point> find_place(HalfEdgeId h, const Quadric& q) {
     cage_.star_of(h, star_);
     const Point best = best_place(q, star_.on_mirror);

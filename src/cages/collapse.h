@@ -10,7 +10,7 @@ namespace viete::cages {
 
 /// The cost of a collapse. `quadrics` is the sum of squared distances to the planes of the triangles (Garland
 /// and Heckbert 1997, Surface simplification using quadric error metrics). `volume` is the volume that the
-/// collapse adds after tightening; it takes about a hundred times as long.
+/// collapse adds after tightening. Computing the volume takes about a hundred times as long.
 enum class Accuracy { quadrics, volume };
 
 /// Collapses edges in the order of their cost until at most `triangles` are left. The cage stays sound. If no
@@ -22,7 +22,7 @@ bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, ba
 /// sound. Throws base::Cancelled.
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
 
-/// Splits the edges that reduce the volume most, up to this many triangles. Throws base::Cancelled.
+/// Splits the edges that reduce the volume most, up to `triangles` triangles. Throws base::Cancelled.
 void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
 
 /// Moves each neighbour of the vertex inward.

@@ -23,7 +23,6 @@ mesh::Edge edge_of(std::uint32_t a, std::uint32_t b) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// An editable list of polygons.
 class Polygons {
 public:
   explicit Polygons(const Surface& cage) : positions_(cage.positions), around_(cage.positions.size()) {
@@ -39,7 +38,7 @@ public:
     all.push_back(std::move(p));
   }
 
-  // Returns the polygons that were added at the vertex v and for which accepts(polygon) is true.
+  // Returns the polygons that put() added at the vertex v and for which accepts(polygon) is true.
   template <class Accepts>
   std::vector<std::uint32_t> around(std::uint32_t v, Accepts accepts) const {
     std::vector<std::uint32_t> found;
@@ -72,7 +71,7 @@ public:
 
   const Origin& origin(std::uint32_t v) const { return origins_[v]; }
 
-  // Splits a polygon at the vertex v, if the polygon contains v several times.
+  // If the polygon contains the vertex v several times, splits the polygon at v.
   void part_at(std::uint32_t v, std::size_t number) {
     for (std::ptrdiff_t left = std::ranges::count(all[number], v); left > 1; --left) {
       Polygon& p = all[number];
@@ -147,7 +146,7 @@ Vec3 area_of(const Polygons& cage, const Polygon& p) {
   return sum;
 }
 
-// Returns the boundary of connected polygons in order, or an empty polygon if it is not a single loop.
+// Returns the boundary of the polygons. If it is not a single loop, returns an empty polygon.
 Polygon rim_of(const std::vector<Polygon>& polygons) {
   std::set<std::array<std::uint32_t, 2>> sides;
   for (const Polygon& p : polygons) {
@@ -185,8 +184,8 @@ Polygon split(const Polygon& p, const mesh::Edge& edge, std::uint32_t middle) {
   return with;
 }
 
-// Merges the polygons into one polygon. Leaves out the corners for which `goes` is true. If the boundary of
-// the polygons is not a single loop, does nothing.
+// Merges the polygons into one polygon, without the corners for which `goes` is true. If the boundary of the
+// polygons is not a single loop, or fewer than three corners remain, does nothing.
 template <class Goes>
 void unite(Polygons& cage, const std::vector<std::uint32_t>& numbers, Goes goes) {
   std::vector<Polygon> united;
@@ -271,7 +270,8 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// A patch of triangles, connected by edges with exactly two triangles. The least patch is removed first.
+// Triangles that are connected across edges with exactly two triangles. The comparison gives the order of
+// removal: patches to keep last, open before closed, small before large.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -279,7 +279,7 @@ struct Patch {
   auto operator<=>(const Patch&) const = default;
 };
 
-// Returns the polygons of the patch to remove first. If no patch must be removed, returns no polygons.
+// Returns the polygons of the next patch to remove. If all patches can stay, returns no polygons.
 std::vector<std::uint32_t> polygons_of_fin(const Surface& cage) {
   const auto table = mesh::half_edges(cage.positions.size(), mesh::welded(cage).triangles);
   mesh::UnionFind patch_of(cage.triangles.size());
@@ -392,7 +392,7 @@ Edited subdivide(const Surface& surface) {
 
 Edited mirrored(const Surface& surface, const Plane& plane) {
   Polygons cage(surface);
-  // Moves vertices that are nearer than this to the plane onto the plane.
+  // Vertices that are nearer to the plane than this distance are moved onto the plane.
   const double near = 1e-3 * mesh::used_bounds(surface).diagonal();
   const auto height = [&](std::uint32_t v) { return mesh::dot(plane.normal, cage.at(v)) - plane.offset; };
   const auto count = static_cast<std::uint32_t>(surface.positions.size());
@@ -401,7 +401,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // Walks from corner i past corners in the plane. True if the next corner is above the plane.
+  // Skips corners in the plane, from corner i in steps of `step`. True if the next other corner is above.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);
@@ -448,7 +448,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   cage.all = half;
   for (const Polygon& p : half) {
     Polygon turned;
-    turned.push_back(image(p.front()));  // keeps the first corner, so that the triangulation is mirrored
+    turned.push_back(image(p.front()));  // same first corner, so that the triangulation is mirrored
     for (std::size_t i = p.size() - 1; i > 0; --i) turned.push_back(image(p[i]));
     cage.all.push_back(std::move(turned));
   }

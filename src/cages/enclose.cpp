@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Point, mesh::Surface, mesh::Vec3;
 
-// Returns the displacement of each cage vertex that moves the cage outward.
+// Returns a displacement for each cage vertex, to move the cage outward past the points `outside`.
 std::vector<Vec3> ways_outward(const Surface& cage, const std::vector<Point>& outside, double margin) {
   const mesh::TriangleTree tree(cage.positions, cage.triangles);
   std::vector<Vec3> ways(cage.positions.size(), {0, 0, 0});
@@ -56,7 +56,7 @@ Enclosing enclose(const Surface& cage, const Surface& model, double margin) {
   constexpr int most_rounds = 40;
   const double distance = margin * mesh::used_bounds(model).diagonal();
   Surface moved = cage;
-  // Tests only the vertices that were outside. After all of these are inside, tests all vertices again.
+  // Later rounds test only vertices that were outside. If none is left, the next round tests all vertices.
   std::vector<Point> asked = model.positions;
   for (int round = 0;; ++round) {
     const auto outside = mesh::points_outside(moved, asked);

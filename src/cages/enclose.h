@@ -22,8 +22,8 @@ struct Enclosing {
   std::size_t left = 0;                ///< the number of model vertices that are still outside
 };
 
-/// In several rounds, moves cage triangles outward past the model vertices that are outside. Moves them
-/// farther by `margin` times the model's diagonal. Requires a closed cage.
+/// Moves cage triangles outward past the model vertices that are outside, by a further `margin` * the model's
+/// diagonal. Stops after several rounds, even if vertices are left. Requires a closed cage.
 Enclosing enclose(const mesh::Surface& cage, const mesh::Surface& model, double margin);
 
 }  // namespace viete::cages

@@ -42,10 +42,11 @@ constexpr int edge_between(int a, int b) {
 constexpr std::array<std::array<int, 4>, 6> faces = {
     {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
 
-using Next = std::array<std::int8_t, 12>;  // for each edge, the next edge of its loop; -1 if not cut
+using Next = std::array<std::int8_t, 12>;  // per edge: the next edge of its loop; -1 if the edge is not cut
 
-// Finds the loops in a cell. `above` has a bit for each corner above the level. A walk around the corners of
-// a face enters and leaves each run of corners above the level. The loop connects these two edges.
+// Finds the loops in a cell. Bit c of `above` is set if corner c is above the level. A walk around a face
+// enters each run of corners above the level on one edge, and leaves on another. The loop connects both
+// edges.
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);
@@ -125,8 +126,8 @@ private:
     }
   }
 
-  // Triangulates the loop as a fan. Inner edges of the fan must not be on a face of the cell, because they
-  // could coincide with an edge of the next cell. If no fan is suitable, triangulates around the center.
+  // Triangulates the loop as a fan. No inner edge of the fan may be on a face of the cell, because it could
+  // coincide with an edge in the next cell. If no such fan exists, connects all vertices with the center.
   void close_loop() {
     const std::size_t n = loop_.size();
     for (std::size_t first = 0; first < n; ++first) {
@@ -162,7 +163,7 @@ private:
   const Clearance& clearance_;
   const Grid& grid_;
   float level_;
-  std::vector<std::uint32_t> vertices_;  // three per node: on the edges along x, y and z
+  std::vector<std::uint32_t> vertices_;  // three per node: the vertices on the edges along x, y and z
   std::vector<std::uint32_t> loop_;      // the vertices of one loop
   std::vector<std::size_t> cut_;         // the cell edges of the vertices in loop_
   Shell shell_;
@@ -178,7 +179,7 @@ namespace {
 
 using Quad = std::array<std::uint32_t, 4>;
 
-// Joins two triangles to a quad. Their common edge connects the first corner and the third corner.
+// Returns a quad of two triangles. Their common edge connects the quad's first and third corner.
 Quad quad_of(const mesh::Triangle& s, const mesh::Triangle& t) {
   std::size_t i = 0;
   while (std::ranges::find(t, s[i]) != t.end()) ++i;

@@ -11,15 +11,16 @@
 
 namespace viete::cages {
 
-/// An indexed triangle mesh. A cage is made from it.
+/// A triangle mesh that becomes a cage.
 struct Shell {
   std::vector<Point> positions;
   std::vector<mesh::Triangle> triangles;
 };
 
-/// Extracts the isosurface at `level` by marching cubes (Lorensen and Cline 1987). If a cell face is
-/// ambiguous, joins the nodes below the level. The result is an oriented manifold, counter-clockwise as seen
-/// from the side of larger clearance. It is closed or, if the grid is mirrored, ends in the plane x = 0.
+/// Extracts the isosurface at `level` by marching cubes (Lorensen and Cline 1987). If a cell face can be cut
+/// in two ways, the cut connects the nodes below the level. The result is an oriented manifold,
+/// counter-clockwise as seen from the side of larger clearance. The result is closed. In a mirrored grid, it
+/// is one half, with its boundary in the plane x = 0.
 Shell extract(const Clearance& clearance, double level);
 
 using TrianglePair = std::array<std::uint32_t, 2>;

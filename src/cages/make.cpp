@@ -18,7 +18,7 @@ namespace {
 
 using Cell = std::array<std::size_t, 3>;
 
-// Makes the surface of a box. The box is divided into cells.
+// Makes the surface of a box. Divides each side of the box into quads.
 class Lattice {
 public:
   Lattice(const Frame& frame, const mesh::Bounds& box, const Cell& cells)

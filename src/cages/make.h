@@ -22,8 +22,9 @@ public:
   /// If the model does not have two different points, throws base::Error.
   explicit Maker(std::shared_ptr<const mesh::Surface> model);
   /// Makes a closed, oriented manifold without self-intersection. It encloses the model's triangles or, if
-  /// there are no triangles, the points. The model's size must be from 1e-60 to 1e60. Clamps the values of
-  /// the wish. The result does not depend on the pool. `progress` may be null. Throws base::Cancelled.
+  /// there are no triangles, the points. If no such cage is found, makes a box and adds a message. The
+  /// model's size must be from 1e-60 to 1e60. Clamps the values of the wish. The result does not depend on
+  /// the pool. `progress` may be null. Throws base::Cancelled.
   Made make(const Wish& wish, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
 private:
@@ -32,7 +33,7 @@ private:
 
   std::shared_ptr<const mesh::Surface> model_;
   mesh::Bounds box_;
-  std::optional<std::optional<Plane>> own_plane_;  // before the first search, nullopt
+  std::optional<std::optional<Plane>> own_plane_;  // nullopt before the first search
   std::unique_ptr<const Subject> subject_;         // the subject for the mirror plane of the last wish
 };
 

@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // Finds the triangles that are too near. Sets the directions in which their vertices must move.
+  // Returns the number of triangles that are too near. Writes to away_ how their vertices must move.
   template <class Report>
   std::size_t look(Report&& report) {
     away_.assign(mesh_.n_vertices(), {0, 0, 0});
@@ -134,7 +134,7 @@ private:
   double margin_;
   base::Progress* progress_;
   Star star_;
-  std::vector<Vec3> away_;           // one per vertex
+  std::vector<Vec3> away_;           // one per vertex: the direction away from the model
   std::vector<std::uint8_t> stale_;  // 1 for a triangle that moved after the last check
   std::vector<std::uint8_t> near_;   // 1 for a triangle that was too near in the last check
 };

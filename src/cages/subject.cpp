@@ -31,7 +31,7 @@ public:
     for (std::size_t n = 0; n < samples; ++n) points_.push_back(positions[n * positions.size() / samples]);
   }
 
-  // Returns the largest distance from a mirrored sample to the model. Stops if a distance is above `most`.
+  // Returns the largest distance from a mirrored sample to the model. Stops early at a distance above `most`.
   double error(const Plane& plane, double most) const {
     double worst = 0;
     for (const Point& p : points_) {
@@ -116,8 +116,8 @@ std::optional<Plane> symmetry_plane(const mesh::Surface& surface, base::Progress
   double least = tolerance;
   for (std::size_t k = 0; k < 6; ++k) {
     Vec3 normal{0, 0, 0};
-    normal[k % 3] = 1;                                                           // axes of inertia
-    if (k < 3) normal = {frame.axes[0][k], frame.axes[1][k], frame.axes[2][k]};  // axes of the file
+    normal[k % 3] = 1;                                                           // k >= 3: an axis of inertia
+    if (k < 3) normal = {frame.axes[0][k], frame.axes[1][k], frame.axes[2][k]};  // k < 3: an axis of the file
     Plane plane{normal, mesh::dot(normal, k < 3 ? file_middle : mean)};
     if (search.error(plane, fine) > fine && search.mean_error(plane, tolerance) < tolerance)
       plane = search.fitted(plane);
@@ -163,8 +163,8 @@ Matrix eigenvectors(Matrix a) {
   return v;
 }
 
-// Calls visit(position, weight) for points whose area, mean and inertia equal those of the triangles. If the
-// triangles have no area, calls it for the vertices.
+// Calls visit(position, weight) for weighted points. Together, the points have the area, mean and inertia of
+// the triangles. If `has_area` is false, visits the vertices with weight 1 instead.
 template <class Visit>
 void for_moments(const mesh::Surface& surface, const Frame& frame, bool has_area, Visit&& visit) {
   if (!has_area) {
@@ -235,7 +235,7 @@ FramedModel model_in(const Frame& frame, const mesh::Surface& surface) {
   std::vector<std::uint32_t> used;
   for (const auto& t : model.triangles) used.insert(used.end(), t.begin(), t.end());
   model.box = mesh::bounds(model.positions, used);
-  // If a polygon repeats corners, its triangulation can contain equal triangles.
+  // Removes duplicates: if a polygon repeats corners, its triangulation can contain equal triangles.
   std::set<mesh::Triangle> seen;
   const std::size_t copies = std::erase_if(model.triangles, [&](mesh::Triangle t) {
     std::ranges::rotate(t, std::ranges::min_element(t));

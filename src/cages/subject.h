@@ -25,8 +25,8 @@ struct Plane {
 /// Joins a half shell and its mirror image at x = 0. The vertices of the half keep their indices.
 Shell whole(const Shell& half);
 
-/// Returns the best plane of symmetry. If a sampled point shows a difference of more than 2 % of the diagonal
-/// between model and mirror image, returns nullopt. `progress` may be null. Throws base::Cancelled.
+/// Returns the best plane of symmetry. Mirrored sample points must be within 2 % of the diagonal from the
+/// model. If no plane is that good, returns nullopt. `progress` may be null. Throws base::Cancelled.
 std::optional<Plane> symmetry_plane(const mesh::Surface& model, base::Progress* progress);
 
 struct Frame {
@@ -43,13 +43,13 @@ struct Frame {
   }
 };
 
-/// Returns the bounding box of the vertices of triangles. If there are no triangles, uses all vertices.
+/// Returns the bounding box of the vertices that triangles use. If there are no triangles, uses all vertices.
 mesh::Bounds extent_of(const mesh::Surface& surface);
 
 /// Returns a frame in which the mirror is the plane x = 0. If there is no mirror, the frame has the file's
 /// axes. The model must have at least two different points.
 Frame frame_of(const mesh::Surface& model, const std::optional<Plane>& mirror);
-/// Returns a frame along the axes of inertia: of the triangles or, if these have no area, of the points.
+/// Returns a frame along the model's axes of inertia. If the triangles have no area, uses the points.
 Frame own_frame(const mesh::Surface& model);
 
 /// The model in a frame. If the model has no triangles, each point becomes a triangle without area.

@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  // Returns the limits, relaxed to the current shape around the vertex.
+  // Returns shape limits that permit triangles about as bad as the current triangles around the vertex.
   Shape shape_for(VertexId v) {
     cage_.star_of(v, star_);
     Shape shape = {0.1, -0.75, 64};
@@ -80,7 +80,6 @@ private:
     if (to != x) cage_.move(v, to);
   }
 
-  // Returns the quality of the worse of the two triangles.
   static double worth(const mesh::Corners& s, const mesh::Corners& t) {
     return std::min(quality(s), quality(t));
   }
@@ -98,7 +97,7 @@ private:
     const double before = worth({pa, pb, pc}, {pb, pa, pd});
     const double size =
         std::cbrt(mesh::squared_norm(pa - pb) * mesh::squared_norm(pc - pd) * mesh::squared_norm(pa - pc));
-    // `lost` is six times the lost volume.
+    // Six times the volume that the flip removes.
     const double lost = mesh::dot(pc - pa, mesh::cross(pb - pa, pd - pa));
     const double gain =
         worth({pa, pd, pc}, {pd, pb, pc}) - before + lost / std::max(std::pow(size, 1.5), 1e-300);
@@ -115,7 +114,7 @@ private:
   Star star_;
 };
 
-// A new vertex on an edge, and the volume that the split saves.
+// A possible split of an edge: the volume that the split saves, the edge, and the position of the new vertex.
 struct Split {
   double gain;
   int edge;

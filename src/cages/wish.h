@@ -16,11 +16,11 @@ namespace viete::cages {
 
 enum class Kind { automatic, box };
 
-/// The plane of symmetry. `automatic` searches for the model's plane. `x`, `y` and `z` are perpendicular to
-/// an axis, and contain the center of the model's bounding box.
+/// The plane of symmetry. `automatic` searches for the model's plane. `x`, `y` and `z` are the planes that
+/// are perpendicular to this axis and contain the center of the model's bounding box.
 enum class Symmetry { automatic, none, x, y, z };
 
-/// A preview is about four times as fast. It is simplified with less care, and its margin is less exact.
+/// A preview is made about four times as fast, with a simpler method and a less exact margin.
 enum class Effort { preview, full };
 
 inline constexpr std::size_t least_triangles = 12, most_triangles = 20000;

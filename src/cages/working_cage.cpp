@@ -24,7 +24,6 @@ std::uint32_t number(VertexId v) {
   return static_cast<std::uint32_t>(v.idx());
 }
 
-// Returns half of the triangle's solid angle, as seen from the point.
 double half_angle(const mesh::Corners& t, const Point& from) {
   return mesh::half_solid_angle(t[0] - from, t[1] - from, t[2] - from);
 }
@@ -181,7 +180,7 @@ bool WorkingCage::fits(const Star& star, const Point& x, const Shape& shape) {
   for (std::size_t i = 0; i < now_.size(); ++i) {
     const auto [a, b] = star.rim[i];
     const Vec3 n = normal_of(now_[i].corners);
-    // Compares the normal with the neighbour's normal across the rim, and with the next triangle's normal.
+    // Tests the angles to two neighbours: the triangle across the rim, and the next new triangle.
     const auto across = connectivity_.opposite_face_handle(connectivity_.find_halfedge(vertex(a), vertex(b)));
     if (across.is_valid() && mesh::cosine(n, normal(across)) < shape.least_cosine) return false;
     for (std::size_t j = 0; j < now_.size(); ++j) {
@@ -208,8 +207,8 @@ bool WorkingCage::fits(const std::array<mesh::Triangle, 2>& now, const std::arra
          std::ranges::none_of(now_, [&](const auto& t) { return is_near_model(t.corners, exact_margin_); });
 }
 
-// Triangles with a common edge do not intersect: the least cosine excludes folded triangles. If triangles
-// have one common vertex, they intersect if the side opposite the vertex crosses the other triangle.
+// Triangles with a common edge do not intersect: the least cosine excludes folded triangles. Triangles with
+// one common vertex intersect if, in one triangle, the side opposite the vertex crosses the other triangle.
 bool WorkingCage::cross(const Candidate& s, const Candidate& t) {
   int shared = 0;
   std::size_t of_s = 0, of_t = 0;
@@ -286,8 +285,8 @@ bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId
   return false;
 }
 
-// True if an enclosed point is between now_ and the replaced triangles. These triangles together form a
-// closed surface. Its solid angle is 4 pi from points inside, and 0 from points outside.
+// True if an enclosed point is between the triangles in now_ and the replaced triangles. Together they form a
+// closed surface. Its solid angle is 4 pi or -4 pi from points inside, 0 from points outside.
 bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   if (enclosed_.empty()) return false;
   mesh::Bounds box = mesh::bounds(now_.front().corners);
@@ -310,7 +309,7 @@ bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   });
 }
 
-// Tests exactly. The clearance does not include details that are thinner than a grid cell.
+// Tests the model itself, because the clearance misses details that are thinner than a grid cell.
 bool WorkingCage::is_near_model(const mesh::Corners& t, double distance) const {
   if (!mesh::has_plane(t) || model_.is_near(t, distance)) return true;
   if (!mirrored()) return false;

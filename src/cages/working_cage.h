@@ -21,18 +21,18 @@ using HalfEdgeId = Connectivity::HalfedgeHandle;
 /// Limits for the shape of triangles.
 struct Shape {
   double least_quality = 0.1;
-  double least_cosine = -0.5;      ///< the smallest cosine between the normals of neighbours
-  std::size_t most_triangles = 9;  ///< the largest number of triangles at a vertex
+  double least_cosine = -0.5;      ///< the smallest allowed cosine between the normals of neighbours
+  std::size_t most_triangles = 9;  ///< the largest allowed number of triangles at a vertex
 };
 
-/// Returns 4 sqrt(3) area / (sum of the squared sides). The quality of an equilateral triangle is 1.
+/// Returns 4 * sqrt(3) * area / (sum of the squared sides). The quality of an equilateral triangle is 1.
 double quality(const mesh::Corners& t);
 
-/// The triangles around a vertex that moves or is new.
+/// The triangles around a moved or new vertex, and the triangles that they replace.
 struct Star {
   std::vector<std::array<std::uint32_t, 2>> rim;  ///< the edges opposite the vertex, one per new triangle
   std::vector<FaceId> replaced;                   ///< the old triangles
-  bool on_mirror = false;                         ///< true if the vertex is on the mirror plane
+  bool on_mirror = false;                         ///< true if the moved or new vertex is on the mirror plane
 
   void clear() {
     rim.clear();
@@ -41,9 +41,10 @@ struct Star {
   }
 };
 
-/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if the new triangles do
-/// not intersect other triangles or the model, their clearance is at least `margin` within the grid's
-/// resolution, no `enclosed` point changes sides, and a mirrored cage stays in x >= 0.
+/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if it keeps the limits of
+/// Shape and these conditions. The new triangles intersect neither other triangles nor the model. Their
+/// clearance is at least `margin`, to the resolution of the grid. No `enclosed` point changes from one side
+/// of the cage to the other. A mirrored cage stays in x >= 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
@@ -61,27 +62,27 @@ public:
   mesh::Triangle vertices(FaceId f) const;
   mesh::Corners corners(FaceId f) const { return corners(vertices(f)); }
   mesh::Corners corners(const mesh::Triangle& t) const { return {at(t[0]), at(t[1]), at(t[2])}; }
-  /// Returns the normal of a triangle. Its length is twice the area.
+  /// Returns the normal of a triangle. The length of the normal is twice the triangle's area.
   Vec3 normal(FaceId f) const;
 
-  /// Sets the star of a vertex.
+  /// Writes the star of the vertex v to `star`.
   void star_of(VertexId v, Star& star) const;
-  /// Sets the star of the vertex that remains after the half-edge collapses.
+  /// Writes the star of the vertex that remains after the half-edge collapses.
   void star_of(HalfEdgeId h, Star& star) const;
-  /// Sets the star of a new vertex on an edge.
+  /// Writes the star of a new vertex on the edge.
   void star_of(Connectivity::EdgeHandle e, Star& star) const;
 
-  /// Returns the mean normal of the replaced triangles, weighted by area. Its length is 1 or 0. If the star
-  /// is on the mirror plane, the normal is parallel to this plane.
+  /// Returns the mean normal of the replaced triangles, weighted by area. The result has length 1, or 0 if
+  /// the normals cancel. If the star is on the mirror plane, the result is parallel to this plane.
   Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Returns a position of the star's vertex that fits and encloses less volume; x if none is found.
+  /// Returns a position for the star's vertex that fits and encloses less volume than x. Otherwise returns x.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
-  /// Returns the volume that the cage gains if the star replaces its old triangles and its vertex is at x.
+  /// Returns the volume that the cage gains if the star, with its vertex at x, replaces the old triangles.
   double added_volume(const Star& star, const Point& x) const;
   /// True if the star fits with its vertex at x.
   bool fits(const Star& star, const Point& x, const Shape& shape);
-  /// True if the triangles `now` fit as replacements of two triangles at an edge.
+  /// True if the triangles `now` fit as replacements of `replaced`, two triangles with a common edge.
   bool fits(const std::array<mesh::Triangle, 2>& now, const std::array<FaceId, 2>& replaced,
             const Shape& shape);
 
@@ -90,7 +91,7 @@ public:
   /// True if the exact distance from the triangle to the model is less than `distance`.
   bool is_near_model(FaceId f, double distance) const { return is_near_model(corners(f), distance); }
 
-  // Each of the next functions makes a change. The change must fit.
+  // The functions below change the cage. The change must fit.
 
   void move(VertexId v, const Point& x);
   /// Collapses the half-edge. Keeps its `to` vertex, and moves this vertex to x.
@@ -109,7 +110,6 @@ private:
   bool passes_over_a_point(std::span<const FaceId> replaced) const;
   static bool cross(const Candidate& s, const Candidate& t);
   bool crosses(std::span<const Candidate> now, std::span<const FaceId> replaced);
-  // A triangle in the search grid.
   struct Placed {
     Candidate triangle{};
     mesh::Bounds box{};

@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// Turns count as equal if they differ by at most half a turn. A missing turn is 0; the computed turn that
-// replaces it is at most half a turn. Another branch of a rotation differs by a whole turn.
+// Equal rotations can have different turns: 0 if the turn is missing, up to half a turn if it was computed.
+// Therefore differences up to half a turn are ignored. Different whole turns differ by a full turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {

@@ -20,17 +20,17 @@ struct ShapeTerm {
   double factor;
 };
 
-/// Blends shapes in log space. `held` sets the translation of the result. If `held` is null, blends vertex
-/// positions linearly. If a vertex is at rest in all terms, keeps its exact rest position.
+/// If `held` is null, blends vertex positions linearly. Otherwise blends in log space, and `held` sets the
+/// translation. If a vertex is at rest in all terms, keeps its exact rest position.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If the rest shape and all terms have an equal constant x, y or z, sets this coordinate of all positions.
+/// If x is equal at all rest vertices and no term changes x, keeps x exactly. The same for y and z.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
-/// Returns the rest shape plus the weighted shapes, blended linearly (`straight`) or in log space. Returns a
-/// single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
+/// Returns the rest shape plus the weighted shapes, blended linearly if `straight`, otherwise in log space.
+/// Returns a single shape of factor 1 unchanged. Throws base::Error if a shape does not fit the model.
 SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> terms, bool straight,
                   base::WorkerPool& pool, std::vector<std::string>* notes = nullptr);
 
@@ -46,18 +46,18 @@ public:
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
   /// Returns the pose space of the cage, or null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
-  /// Returns PoseSpace::vector(), or null without a cage. Caches the vector while other code owns the pose.
+  /// Returns PoseSpace::vector(), or null without a cage. Keeps the vector while other code owns the pose.
   std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
   /// Returns the shape space. Requires a model. The first call creates the space and can throw base::Error.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Returns ShapeSpace::vector(). `before` is the preceding shape; if `shape` is null, uses the rest shape.
-  /// Caches the vector while other code owns the shape. Throws base::Error like ShapeSpace::vector().
+  /// Returns ShapeSpace::vector(), and throws its errors. `before` is the vector of the preceding shape. If
+  /// `shape` is null, uses the rest shape. Keeps the vector while other code owns the shape.
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
-  /// Adds the cached shapes of another cache. If the caches have different models, does nothing.
+  /// Adds the cached shapes of `others`. If the two caches have different models, does nothing.
   void take(VectorCache&& others);
 
 private:
@@ -83,12 +83,12 @@ private:
   std::map<const void*, KnownShape> known_shapes_;
 };
 
-/// Computes the pose at any frame of a timeline. At a key, returns exactly the key's pose; if the pose has no
-/// whole turns, adds the whole turns that are nearest to the previous key. Immutable and thread-safe.
+/// Computes the pose at any frame of a timeline. At a key, returns the key's exact pose. If this pose has no
+/// Pose::turns, sets the turns that are nearest to the turns of the previous key. Immutable and thread-safe.
 ///
-/// Between keys, blends the cage in log space (see PoseSpace) or, if the timeline is linear, blends its
-/// vertex positions. Always blends probes in log space. The `smooth` easing can overshoot: if the result is
-/// out of the drawable range, returns the pose of the previous key.
+/// Between keys, blends the cage and the shape in log space (see PoseSpace). If the timeline is linear,
+/// blends vertex positions instead. Always blends probes in log space. The `smooth` easing can overshoot: if
+/// the result is out of the drawable range, returns the pose of the previous key.
 class Animation {
 public:
   /// The poses and shapes of all keys must fit the cage and the model of `vectors`. Throws base::Error if a
@@ -99,7 +99,7 @@ public:
   const std::vector<std::string>& notes() const { return notes_; }
 
   WholePose at(double frame) const;
-  /// Returns the pose at a frame. `straight` replaces the setting of the timeline.
+  /// Returns the pose at a frame. Uses `straight` instead of the timeline's setting.
   WholePose at(double frame, bool straight) const;
 
 private:
@@ -110,7 +110,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate; at least the largest of all keys
+  double farthest_ = most_drawn;  // the largest allowed coordinate; not less than any coordinate in a key
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

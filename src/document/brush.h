@@ -11,7 +11,6 @@
 
 namespace viete::document {
 
-/// Settings of the mask brush.
 struct Brush {
   static constexpr float least_radius = 4, largest_radius = 400;
 
@@ -23,7 +22,7 @@ struct Brush {
 struct PosedModel {
   std::span<const deform::FrameVertex> vertices{};
   mesh::Point origin{0, 0, 0};
-  unsigned long frame = 0;  ///< changes each time the vertices may have changed
+  unsigned long frame = 0;  ///< changes with each deformation of the model
 
   mesh::Point at(const mesh::Surface& model, std::size_t vertex) const;
 };
@@ -44,17 +43,16 @@ std::optional<SurfacePoint> pick_triangle(const Document& document, const PosedM
 /// The number of steps between mask values 0 and 1. Session files have the same steps.
 inline constexpr int mask_steps = 255;
 
-/// One stroke of the brush, from press to release of the mouse button. If a stroke paints a vertex twice, the
-/// effect is that of painting it once.
+/// One stroke of the brush, from press to release of the mouse button. In one stroke, painting a vertex twice
+/// has the same effect as painting it once.
 class MaskStroke {
 public:
   explicit MaskStroke(const Document& document);
 
-  /// Paints the mask value `share` around the center. Up to half the radius, the strength is full. From there
-  /// it decreases to 0 at the radius.
+  /// Paints `share` around the center. The strength is full up to half the radius, and 0 at the radius.
   void dab(Document& document, const PosedModel& posed, const mesh::Point& center, double radius,
            float share);
-  /// If the stroke changed the mask, records the stroke as one undoable edit.
+  /// Records the stroke as one undoable edit, if it changed the mask.
   void commit(Document& document);
   /// Restores the mask from before the stroke.
   void cancel(Document& document) const;
@@ -65,8 +63,7 @@ private:
 };
 
 bool same_mask(const deform::Mask& a, const deform::Mask& b);
-/// Sets the mask as an undoable edit. `mask` is null or has one value per model vertex. If all values are 1,
-/// sets null.
+/// Sets the mask as an undoable edit. `mask` has one value per model vertex; null means 1 everywhere.
 void set_mask(Document& document, deform::Mask mask, const char* label);
 /// Returns the mask with each value s replaced by 1 - s.
 deform::Mask inverted(const Document& document);

@@ -23,8 +23,8 @@ std::string edited_name(const OpenedSurface& cage) {
   return name.ends_with(mark) ? name : name + std::string(mark);
 }
 
-// The change of the displacements from rest to pose. An edit mirrors the displacements of mirrored vertices,
-// and scales all displacements.
+// How an edit changes the displacements from rest to pose. Displacements of mirrored vertices are mirrored at
+// `plane`. All displacements are multiplied by `scale`.
 struct Follow {
   cages::Plane plane{};
   double scale = 1;
@@ -46,8 +46,8 @@ deform::Pose carried(const deform::Cage& before, const deform::Pose& pose, const
   return now;
 }
 
-// Replaces the cage. During cage editing, shows the new cage at rest; otherwise its vertices keep their pose.
-// If `label` is empty, the change becomes part of the last edit.
+// Replaces the cage. During cage editing, shows the new cage at rest. Otherwise transfers the pose to the new
+// cage. If `label` is empty, the change becomes part of the last edit.
 void put_edited(Document& document, cages::Edited edited, const std::string& label,
                 const Follow& follow = {}) {
   auto cage = std::make_shared<const deform::Cage>(deform::make_cage(edited.surface));
@@ -69,7 +69,6 @@ void put_edited(Document& document, cages::Edited edited, const std::string& lab
   document.selection = without_hidden(document, converted(*document.cage, made, kind));
 }
 
-// Returns an edited cage that differs only in its positions.
 cages::Edited with_positions(const mesh::Surface& cage, std::vector<mesh::Point> positions) {
   cages::Edited edited{cage, {}, {}};
   edited.surface.positions = std::move(positions);
@@ -175,7 +174,7 @@ void mirror_cage(Document& document) {
   const auto axis = static_cast<std::size_t>(symmetry_axis(document));
   cages::Plane plane{{0, 0, 0}, document.model.bounds.center()[axis]};
   plane.normal[axis] = 1;
-  // If vertices are selected, keeps the side of the plane that contains the selection.
+  // If vertices are selected, keeps the side of the plane with most of the selection.
   const auto& rest = document.cage->surface.positions;
   double sum = 0;
   for (const auto v : selected_vertices(*document.cage, document.selection))

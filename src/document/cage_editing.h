@@ -8,17 +8,18 @@ namespace viete::document {
 /// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, each vertex returns to its pose, plus the change of its rest
+/// Begin and end cage editing. At the end, each vertex returns to its pose, moved by the change of its rest
 /// position. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
-/// Makes the moved positions the rest shape of the cage, as part of the edit that moved them. If no vertex
-/// moved, returns false. If the new cage is not valid, undoes the edit and throws base::Error.
+/// Makes the moved positions the cage's rest shape, as part of the edit that moved them. If no vertex moved,
+/// or outside cage editing, returns false. If the new cage is invalid, undoes the edit and throws
+/// base::Error.
 bool commit_cage_edit(Document& document);
 
-/// Each function below is one undoable edit. If the selection is unsuitable or the new cage would not be
-/// valid, it changes nothing and throws base::Error. The functions named `selected` require cage editing.
+/// Each function below is one undoable edit. If the selection is unsuitable or the new cage would be invalid,
+/// it changes nothing and throws base::Error. Functions with `selected` in the name require cage editing.
 void split_selected(Document& document);    ///< splits edges
 void cut_selected(Document& document);      ///< cuts faces
 void merge_selected(Document& document);    ///< merges vertices

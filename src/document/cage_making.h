@@ -19,25 +19,25 @@ using CageWish = cages::Wish;
 /// While the panel is open, the document's cage follows the settings.
 struct CageMaking {
   bool open = false;
-  bool closing = false;  ///< true: the user confirmed, but the cage of full quality is not ready
+  bool closing = false;  ///< true after confirmation, until the cage of full quality is ready
   CageWish wish;
   std::vector<std::string> notes{};              ///< messages about the last generated cage
-  std::vector<std::string> lost{};               ///< messages about sets, poses and keys of the previous cage
+  std::vector<std::string> lost{};               ///< messages about lost sets, poses and keys
   std::shared_ptr<const deform::Cage> made{};    ///< the last generated cage
   std::shared_ptr<const deform::Cage> before{};  ///< the document's cage when the panel was opened
 };
 
 /// True if the document has the last generated cage.
 bool shows_generated(const Document& document, const CageMaking& making);
-/// True if the document has the last generated cage and the last edit generated it. In this case, no work is
-/// lost if another cage replaces this cage.
+/// True if the document has the last generated cage, and the last edit generated it. In this case, replacing
+/// the cage by another generated cage loses no work.
 bool can_replace_generated(const Document& document, const CageMaking& making);
 
 /// Puts the generated cage into the document, at rest. Undoable. Consecutive generated cages form one edit.
 void put_generated(Document& document, CageMaking& making, OpenedSurface surface,
                    std::shared_ptr<const deform::Cage> cage, std::vector<std::string> notes);
 
-/// Undoes edits until the document has the cage that it had before the panel was opened.
+/// Undoes edits until the document has the cage from before the panel was opened.
 void cancel_making(Document& document, CageMaking& making);
 
 /// Finds a file that may be the model's cage, such as cage.obj or MODEL_cage.obj in the model's folder. If no

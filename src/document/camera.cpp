@@ -184,8 +184,8 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// Centers the points above the covered pixels. `raised` is the height of the center of the free area above
-// the center of the pane, as the slope of a view ray.
+// Centers the points in the free area above the covered pixels. `raised` is the height of this area's center
+// above the pane's center, as the slope of a view ray.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

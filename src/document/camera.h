@@ -48,7 +48,7 @@ struct RayHit {
   double distance;               ///< from the ray's origin; negative behind the origin
   std::array<double, 3> shares;  ///< barycentric coordinates
 };
-/// Intersects the line of the ray with a triangle, from both sides. Returns nullopt if they do not intersect.
+/// Intersects the line of the ray with a triangle, from both sides. If they do not meet, returns nullopt.
 std::optional<RayHit> hit_triangle(const Ray& ray, const std::array<glm::dvec3, 3>& corners);
 
 class Camera {
@@ -81,18 +81,17 @@ public:
   void set_up(UpAxis up);
   void orbit(const glm::vec2& pixels);
   void pan(const glm::vec2& pixels, const Viewport& viewport);
-  /// If `steps` is positive, zooms in. A point under the cursor does not move if it has the target's depth.
+  /// If `steps` is positive, zooms in. A point under the cursor, at the depth of the target, does not move.
   void zoom(float steps, const glm::vec2& cursor, const Viewport& viewport);
 
   /// Animates the camera to a new target, without a change of direction and distance.
   void center(const glm::vec3& target);
-  /// Animates the camera to a standard view.
   void look(StandardView view);
   /// Shows all points as large as possible in the view's pane, with a margin. A single point is shown like a
   /// small sphere. Keeps the lowest `covered` logical pixels of the pane free.
   void frame(std::span<const glm::vec3> points, const Viewport& viewport, bool eased = true,
              float covered = 0);
-  /// Advances the animation by `seconds`. If no animation runs, returns false.
+  /// Advances the animation. If no animation runs, returns false.
   bool animate(float seconds);
   bool moving() const { return remaining_ > 0; }
 

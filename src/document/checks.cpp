@@ -26,7 +26,6 @@ void add_edges(std::vector<Finding>& all, Defect defect, Subject subject,
   if (!edges.empty()) all.push_back({defect, subject, ElementKind::edge, {}, edges});
 }
 
-// Returns the polygons of the triangles, without duplicates.
 Elements faces_of(const mesh::Surface& surface, Elements triangles) {
   for (auto& t : triangles) t = surface.triangle_polygon[t];
   std::sort(triangles.begin(), triangles.end());
@@ -38,7 +37,6 @@ bool inside_out(const mesh::Summary& summary) {
   return summary.closed() && summary.manifold() && summary.oriented() && summary.volume < 0;
 }
 
-// Adds the edge defects in `summary`, and the pinched vertices.
 void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, const mesh::Summary& summary,
                  Subject subject) {
   add_edges(found, Defect::open, subject, summary.boundary_edges);

@@ -93,8 +93,8 @@ mesh::Point centroid(const mesh::Surface& surface) {
   return sum.area > 0 ? (1 / sum.area) * sum.moment : sum.moment;
 }
 
-// The area of the box around the model's lowest points, relative to the bounding box seen from above. 0 if
-// it would fall over.
+// Returns the fraction of the bounding box, seen from above, that the model's lowest points cover. If the
+// model would fall over, returns 0.
 double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
                 std::size_t axis) {
   const double lowest = box.low[axis] + 0.02 * (box.high[axis] - box.low[axis]);
@@ -144,8 +144,8 @@ void check_drawable(const Document& document) {
   check_sizes(document, {least_drawn, most_drawn, "drawn"});
 }
 
-// The deformation computes squares of areas. At all sizes from 1e-75 to 1e76, the dragon deforms identically.
-// The limits are closer because triangles are smaller than the model.
+// The deformation computes squares of areas. Tests with one model gave identical results for sizes from 1e-75
+// to 1e76. The limits are narrower, because triangles are smaller than the model.
 void check_deformable(const Document& document) {
   check_sizes(document, {1e-60, 1e60, "deformed"});
 }

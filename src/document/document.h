@@ -59,7 +59,7 @@ struct Document : DocumentState {
   OpenedSurface model;
   std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
   std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;       ///< one per probe, from the last frame; missing probes are at rest
+  std::vector<Carried> carried;       ///< one per probe, from the last drawn picture; others are at rest
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
@@ -94,14 +94,13 @@ private:
 /// Reads and summarizes a surface. `progress` may be null. Throws base::Error and base::Cancelled.
 OpenedSurface open_surface(const std::filesystem::path& path, base::Progress* progress = nullptr);
 
-/// Creates a document without a cage.
 Document document_of(OpenedSurface model);
-/// Throws base::Error if the float range of GPUs is too small for the model, the cage or a pose: if a size or
-/// a coordinate is above 1e32, or a size is below 1e-32.
+/// Throws base::Error if GPUs cannot draw the model, the cage or a pose with float numbers: if a size or a
+/// coordinate is above 1e32, or a size is below 1e-32.
 void check_drawable(const Document& document);
 /// Throws base::Error if a size is above 1e60 or below 1e-60, because deforming in double would fail.
 void check_deformable(const Document& document);
-/// Sets the cage at rest and clears the history. If it is invalid, throws base::Error or deform::FinError.
+/// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);
 
 /// Reads a model and a cage into a new document. The path of the cage may be empty. Throws base::Error.
@@ -114,7 +113,7 @@ struct RequestedSettings : deform::AskedScheme {
 
   bool any() const { return method || AskedScheme::any(); }
 };
-/// Applies the settings without recording an edit. Throws errors of deform::scheme_of().
+/// Applies the settings without recording an edit. deform::scheme_of() describes `chosen` and the errors.
 void put_settings(Document& document, const RequestedSettings& asked, bool chosen = false);
 
 DocumentState state_of(const Document& document);
@@ -142,8 +141,9 @@ mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 /// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.
 std::string binding_plan(const Document& document, const deform::Weighting& weighting);
 
-/// Y, except Z for STL files (common for CAD and 3D printing), and for a model that stands upright on its
-/// lowest points along Z but would topple, or stand on a much smaller base, along Y. glTF defines Y as up.
+/// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For
+/// other formats, returns Z if the model stands upright along Z, and along Y would fall over or stand on a
+/// much smaller base. Otherwise returns Y.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document

@@ -37,14 +37,14 @@ struct NamedShape {
 };
 
 /// The named poses, in the order of the user's list. The document's pose is `unmixed` plus the weighted
-/// poses. This sum is linear if the timeline is linear, otherwise in log space.
+/// poses. The sum is linear if Timeline::straight is true, otherwise in log space.
 struct PoseLibrary {
   static constexpr double least_weight = -2, largest_weight = 3;
   static constexpr std::size_t most_poses = 1000, longest_name = 200;
 
   std::vector<NamedPose> poses;
-  SharedPose unmixed{};  ///< the pose without the mix; null if all weights are 0
-  SharedPose mixed{};    ///< the pose with the mix; the document has another pose after other edits
+  SharedPose unmixed{};  ///< the pose without the mix; null if unknown or if all weights are 0
+  SharedPose mixed{};    ///< the pose with the mix; later edits change only the document's pose
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
@@ -72,7 +72,7 @@ struct OpenedSurface {
   std::shared_ptr<const formats::Attributes> attributes;  ///< null if the file has no attributes
   std::shared_ptr<const formats::Original> original;  ///< null if the file cannot be written again unchanged
   mesh::Summary summary;
-  mesh::Bounds bounds;  ///< the bounding box of the vertices of polygons
+  mesh::Bounds bounds;  ///< the bounding box of the vertices that polygons use
   std::vector<std::string> warnings;
   std::uint64_t content = 0;  ///< the value of mesh::content_key(); 0 if not computed
   std::string made;           ///< describes a surface without a file, such as "cage.obj, edited"
@@ -90,7 +90,7 @@ inline std::string place_of(const OpenedSurface& opened) {
 
 OpenedSurface generated_surface(mesh::Surface surface, std::string made);
 
-/// Copies share surfaces, named poses, keys and masks. A copy duplicates only pose and selection.
+/// Copies of a state share surfaces, named poses, keys and masks. Only pose and selection are duplicated.
 struct DocumentState {
   std::shared_ptr<const deform::Cage> cage;  ///< null without a cage
   OpenedSurface cage_file;                   ///< its surface is null without a cage

@@ -10,16 +10,15 @@ namespace viete::document {
 /// True if the shape, a cage vertex or an unlocked probe is not at rest, or if the cage has whole turns.
 bool differs_from_rest(const Document& document);
 
-/// Resets the model's shape, the cage and all unlocked probes to rest. Undoable.
+/// Resets the model's shape, the cage and all unlocked probes to rest, and all weights to 0. Undoable.
 void reset_pose(Document& document);
 /// Resets the selected elements to rest. If there is a mirror, also resets their mirror partners. Undoable.
 void reset_selected(Document& document, const Mirror* mirror = nullptr);
 
-/// Sets the kind of elements that the user selects. Then selects the elements of the new kind whose vertices
-/// were all selected. Undoable.
+/// Sets the kind of elements that the user selects. Keeps elements selected if all their vertices were
+/// selected; to or from probes, clears the selection. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
-/// Sets the deformer as an undoable edit.
 void set_scheme(Document& document, const deform::Scheme& scheme);
 
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.

@@ -18,7 +18,7 @@ Marks marks_of(const deform::Cage& cage, const Selection& selection) {
   return marks;
 }
 
-// Returns the elements whose vertices are marked: all vertices, or any, if `holds` is all_of or any_of.
+// Returns the elements with marked vertices: all vertices if `holds` is all_of, at least one if it is any_of.
 template <class Holds>
 Selection elements_with(const deform::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
   std::vector<std::uint32_t> found;
@@ -31,7 +31,7 @@ Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks)
   return elements_with(cage, kind, marks, std::ranges::all_of);
 }
 
-// Returns the vertices of the selection. If the selection has vertices, also returns their neighbours.
+// Marks the vertices of the selection. If vertices are selected, also marks their neighbours.
 Marks touched_by(const deform::Cage& cage, const Selection& selection) {
   const Marks own = marks_of(cage, selection);
   Marks touched = own;
@@ -146,7 +146,7 @@ std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
   return numbers;
 }
 
-// Hides the vertices. The same edit deselects the elements of these vertices.
+// Sets the hidden vertices, and deselects hidden elements. Both changes form one edit.
 void put_hidden(Document& document, std::vector<std::uint32_t> hidden, const char* label) {
   if (hidden == document.groups.hidden) return;
   record_edit(document, label);

@@ -30,11 +30,11 @@ std::vector<std::uint32_t> selected_vertices(const deform::Cage& cage, const Sel
 /// Returns the elements of `kind` whose vertices are all in the selection.
 Selection converted(const deform::Cage& cage, const Selection& selection, ElementKind kind);
 
-/// Returns the selection, and all elements that edges connect with it.
+/// Returns the selection, and all elements that are connected with the selection by edges.
 Selection linked(const deform::Cage& cage, const Selection& selection);
 
-/// Grows the selection by one ring. Adds vertices that an edge connects with the selection, or edges and
-/// faces that share a vertex with it. Selected probes do not change.
+/// Grows the selection by one ring. If vertices are selected, adds their neighbours along edges. If edges or
+/// faces are selected, adds all edges or faces at a vertex of the selection. Selected probes do not change.
 Selection grown(const deform::Cage& cage, const Selection& selection);
 /// Shrinks the selection by one ring. At the boundary of an open cage, elements stay selected.
 Selection shrunk(const deform::Cage& cage, const Selection& selection);
@@ -56,15 +56,15 @@ void show_all(Document& document);
 
 /// Saves the selection as "Set 1", or with the next free number. Requires selected cage elements.
 void save_set(Document& document);
-/// Replaces the selection by the set, or adds or removes the set. Changes the kind to that of the set.
+/// Replaces the selection by a set, adds a set, or removes a set. The set determines the selection's kind.
 void select_set(Document& document, std::size_t set, SelectMode mode);
 /// Renames a set. If the name is empty or in use, does nothing.
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
 /// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. `origins`
-/// has the old vertices of each new vertex. If all of them are hidden or in a set, the new vertex is also.
-/// Removes empty sets.
+/// has the old vertices of each new vertex. If all old vertices are hidden, the new vertex is hidden. If all
+/// old vertices are in a set, the new vertex is in the set. Removes empty sets.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
 /// Returns the names of the removed sets, such as "Arm", "Leg". If no set was removed, returns an empty text.
@@ -73,7 +73,7 @@ std::string lost_sets(const CageGroups& before, const CageGroups& after);
 /// Returns the cage vertices that a drag of the selection moves. If probes are selected, returns no vertices.
 std::vector<std::uint32_t> moving_vertices(const Document& document);
 
-/// Selects these elements without the hidden ones, as an undoable edit. Must not be called during a drag.
+/// Selects the elements, except hidden elements, as an undoable edit. Must not be called during a drag.
 void set_selection(Document& document, Selection selection);
 
 }  // namespace viete::document

@@ -8,7 +8,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the inode, or the absolute path if the file does not exist.
+// Returns the device and the inode or, if the file does not exist, the absolute path.
 FileIdentity identity(const fs::path& file) {
   struct stat status {};
   if (stat(file.c_str(), &status) == 0) return std::pair(status.st_dev, status.st_ino);

@@ -28,8 +28,8 @@ public:
   /// Adds a file. `what` describes the file, such as "the model". If the path is empty, does nothing.
   void add(const std::filesystem::path& file, std::string_view what);
 
-  /// Returns the description of the file. If the file is not in use, returns null. The path may be a link. If
-  /// the file does not exist, compares its name.
+  /// Returns the description of the file. If the file is not in use, returns null. The path may be a symbolic
+  /// link. If the file does not exist, compares absolute paths.
   const std::string* find(const std::filesystem::path& file) const;
 
 private:

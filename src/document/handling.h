@@ -21,7 +21,7 @@ enum class MirrorPlane { none, x, y, z, fit };
 /// The falloff of soft selection.
 enum class SoftCurve { smooth, sharp, linear, constant };
 
-/// Measures distances along edges or in space, for soft selection.
+/// The distance that soft selection measures: along edges or in space.
 enum class SoftDistance { edges, space };
 
 std::span<const Choice> choices(Pivot);

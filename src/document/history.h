@@ -19,8 +19,8 @@ struct EditStep {
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
 
-/// The undo and redo lists. Each entry has the complete state of the document before an edit. If the entries
-/// need more than 256 MB, drops the oldest entries, but changes of the selection before all other edits.
+/// The undo and redo lists. An undo entry has the complete state of the document before the edit. Above 256
+/// MB and 16 entries, drops the oldest change of the selection or, if there is none, the oldest edit.
 class History {
 public:
   /// Adds an edit. `before` is the state before the edit.
@@ -28,18 +28,18 @@ public:
 
   /// Adds a change of the selection. The revision stays, because a selection need not be saved.
   void record_selection(DocumentState before);
-  /// Replaces the selection in the state before the last edit. Requires can_undo().
+  /// Replaces the selection in the stored state before the last edit. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// Increases the revision. Call this after a change that belongs to the last edit.
   void extend_last() { ++revision_; }
-  /// Removes the last edit, and restores the redo list from before it. Returns the state before the edit.
-  /// Requires can_undo().
+  /// Removes the last edit, restores the redo list, and returns the state before the edit. Requires
+  /// can_undo().
   DocumentState drop_last();
   /// Returns the number of recorded edits. drop_last() decreases it by one.
   unsigned long recorded() const { return recorded_; }
 
-  /// Call this after saving the cage `by` to `file`. All other cages of the history with this path lose it.
+  /// Call this after saving the cage `by` to `file`. Removes this path from all other cages of the history.
   void file_replaced(const std::filesystem::path& file, const std::shared_ptr<const deform::Cage>& by);
 
   bool can_undo() const { return !undo_.empty(); }
@@ -55,7 +55,7 @@ public:
   std::optional<EditStep> last_step() const;
   /// Returns the state that the next undo restores; null without such a state.
   const DocumentState* before_last() const { return can_undo() ? &undo_.back().state : nullptr; }
-  /// Changes with each edit, undo and redo. Changes of the selection do not increase it.
+  /// Changes with each edit, undo and redo, but not when a change of the selection is recorded.
   unsigned long revision() const { return revision_; }
 
   /// Returns the state before the last edit, and stores `now` for redo. Requires can_undo().

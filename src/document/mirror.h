@@ -28,12 +28,12 @@ struct Mirror {
   bool is_paired(std::uint32_t v) const { return partners[v] != none && partners[v] != v; }
 };
 
-/// Finds the mirror of the cage at rest. If `choice` is none or no plane fits, returns nullopt. Two vertices
-/// are partners if each is nearest to the mirror image of the other, within 2 % of the cage's diagonal. For
-/// x, y and z, tests the planes at 0 and in the middle of the cage, and takes the plane with more pairs.
+/// Finds the mirror of the cage at rest. Two vertices are partners if each is nearest to the mirror image of
+/// the other, within 2 % of the cage's diagonal. For x, y and z, tests the planes at 0 and in the cage's
+/// middle, and takes the plane with more pairs. If `choice` is none, or fit finds no plane, returns nullopt.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
-/// Returns the corners of a rectangle in the mirror plane. It is slightly larger than the projected points.
+/// Returns the corners of a rectangle in the mirror plane, slightly larger than the projection of the points.
 std::array<mesh::Point, 4> rectangle_in_plane(const Mirror& mirror, std::span<const mesh::Point> positions);
 
 struct MirrorCache {

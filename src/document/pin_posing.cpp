@@ -96,7 +96,7 @@ void PinPosing::begin(const Document& document, VectorCache& known) {
   begin_here(document, known);
 }
 
-// If the current shape is not a mix of the examples, uses the shape as another example.
+// If the current shape is not a mix of the examples, adds the shape as an example with weight 1.
 void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<double> weights = weights_of(document, examples_);
   if (!is_mix(document) && document.shape) {

@@ -12,16 +12,16 @@
 
 namespace viete::document {
 
-/// After pins moved, solves for the model's shape and the weights of the example poses: one step per frame,
-/// until the shape converges. A pose from the timeline, the pose list or undo does not change.
+/// After pins moved, solves for the model's shape and the weights of the example poses. Makes one step per
+/// drawn picture, until the shape converges. Does not change a pose from the timeline, the pose list or undo.
 class PinPosing {
 public:
   struct Hand {
-    double freedom;  ///< see Handling
+    double freedom;  ///< see Handling::freedom
     bool holds;      ///< true while the user drags
   };
-  /// Call this once per frame, before the model is deformed. Returns true after a step. If posing fails,
-  /// moves the pins back to their vertices in the shape and throws base::Error.
+  /// Call this once per drawn picture, before the model is deformed. Returns true if it made a step. If
+  /// posing fails, moves the pins back to their vertices in the shape and throws base::Error.
   bool follow(Document& document, VectorCache& vectors, const Hand& hand);
   /// True if another step is needed.
   bool is_due() const { return steps_left_ > 0; }

@@ -22,7 +22,7 @@ void keep_locked(const Document& document, WholePose& pose) {
     if (all[i].locked) pose.probes[i] = all[i].pose;
 }
 
-// Returns the shape `from` plus the mix of the library, multiplied by `sign`.
+// Returns the shape `from` plus `sign` * the mix of the library.
 SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const SharedShape& from,
                          double sign) {
   std::vector<ShapeTerm> shapes;
@@ -45,7 +45,7 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
 }
 
-// Returns the pose `from` plus the mix of the state's library, multiplied by `sign`.
+// Returns the pose `from` plus `sign` * the mix of the state's library.
 WholePose mix_of(const Document& document, const DocumentState& state, VectorCache& vectors,
                  const SharedPose& from, double sign) {
   std::vector<ProbeTerm> probes{{&from->probes, 1}};
@@ -78,7 +78,7 @@ bool is_rest_pose(const Document& document, const WholePose& pose) {
          std::ranges::all_of(pose.cage.turns, [](const auto& t) { return mesh::norm(t) < 1; });
 }
 
-// If one pose of weight 1 is the whole mix, returns this pose; otherwise null.
+// If only one pose has a nonzero weight, and this weight is 1, returns the pose. Otherwise returns null.
 const NamedPose* only_mixed_pose(const PoseLibrary& library) {
   const NamedPose* found = nullptr;
   for (const NamedPose& named : library.poses) {
@@ -114,7 +114,7 @@ bool are_weights(const PoseLibrary& library) {
 }
 
 // Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
-// range, changes nothing and returns false.
+// range, changes nothing and returns false. If `played` is not empty, it has the current weights.
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
@@ -335,7 +335,6 @@ bool set_straight(Document& document, VectorCache& vectors, bool straight) {
 
 namespace {
 
-// Calls `change` for each named pose and for the pose of each key.
 template <class Change>
 void change_poses(Document& document, const Change& change) {
   const auto put = [&](SharedPose& pose) {
@@ -364,7 +363,7 @@ std::string counted_poses(std::size_t poses, std::size_t keys) {
   return some.empty() || others.empty() ? some + others : some + " and " + others;
 }
 
-// Removes poses without a shape, and sets the cage's pose in others. Returns the number of removed poses.
+// Removes poses without a shape; puts `cage` into the other poses. Returns the number of removed poses.
 template <class Keyed>
 std::size_t keep_shapes(std::vector<Keyed>& all, const deform::Pose& cage) {
   const std::size_t lost = std::erase_if(all, [](const Keyed& keyed) { return !keyed.pose->shape; });

@@ -17,7 +17,8 @@ SharedPose shared_pose(const Document& document);
 
 // The next three functions do not record an edit.
 
-/// Sets the pose of shape, cage and unlocked probes. If the pose is not the mix, also call end_mix().
+/// Sets the pose of shape, cage and unlocked probes. Ends cage editing, and moves the pins to their vertices.
+/// If the pose is not the mixed pose, also call end_mix().
 void put_whole_pose(Document& document, const WholePose& pose);
 /// Moves each pin to the position of its vertex in the shape.
 void move_pins_to_shape(Document& document);
@@ -36,22 +37,22 @@ std::size_t keep_pose(Document& document, const std::string& name);
 void add_poses(Document& document, std::vector<NamedPose> poses);
 /// Adds poses with these shapes to the list. Their cage is at rest. Throws errors of keep_pose().
 void add_shapes(Document& document, std::vector<NamedShape> shapes);
-/// Replaces a named pose by the current pose.
+/// Replaces a named pose by the current pose. Sets all weights to 0, and removes the pose from keys' mixes.
 void update_pose(Document& document, std::size_t pose);
 /// Makes a named pose the current pose. Sets all weights to 0.
 void apply_pose(Document& document, std::size_t pose);
 void rename_pose(Document& document, std::size_t pose, const std::string& name);
 /// Moves a pose to the place before pose `to`. If `to` is the number of poses, moves the pose to the end.
 void move_pose(Document& document, std::size_t pose, std::size_t to);
-/// Removes a pose from the list and from the mix.
+/// Removes a pose from the list and from all mixes. If the new mix is out of range, sets all weights to 0.
 void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
 /// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
-/// false. If the current pose comes from keys, `played` has the weights of all poses.
+/// false. If the current pose comes from keys, `played` must have the weights of all named poses.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
-/// Sets all weights to 0. Returns false under the conditions of set_weight().
+/// Sets all weights to 0. Can return false like set_weight().
 bool clear_mix(Document& document, VectorCache& vectors);
 /// Sets how poses and keys are blended: linearly or in log space. Can return false like set_weight().
 bool set_straight(Document& document, VectorCache& vectors, bool straight);
@@ -61,17 +62,17 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 // The next four functions do not record an edit.
 
-/// Replaces the cage's pose in all named poses and keys by carried(pose). Call this after a cage edit.
+/// Ends the mix. Replaces the cage's pose in all named poses and keys by carried(pose), after a cage edit.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
-/// Adapts the poses to a new cage. Removes poses without a shape; in other poses, puts the cage at rest.
-/// Returns text such as "3 poses and 2 keys" for the removed poses; empty if no pose was removed.
+/// Ends the mix. Adapts the poses to a new cage: removes poses without a shape; in other poses, puts the cage
+/// at rest. Returns text such as "3 poses and 2 keys" for the removed poses, or an empty text.
 std::string drop_poses(Document& document, const deform::Cage& by);
 /// Copies shape, named poses and keys to another document of an equal model, and calls drop_poses() on it.
 std::string keep_shapes(Document& to, const Document& from);
 /// Removes a probe from all named poses and keys.
 void forget_probe(Document& document, std::size_t probe);
 
-/// Sets the cage's pose as an undoable edit. Requires one position per cage vertex.
+/// Sets the cage's pose (one position per vertex) as an undoable edit. Ends the mix and cage editing.
 void set_pose(Document& document, deform::Pose pose);
 
 }  // namespace viete::document

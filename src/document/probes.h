@@ -8,21 +8,21 @@ namespace viete::document {
 
 inline constexpr std::size_t most_probes = 256;
 
-/// Adds and selects a probe. It is at the rest position of the point `at` on the displayed model, and its
-/// radii are a fifth of the model's diagonal. If the document already has most_probes, returns false.
+/// Adds and selects a probe at the rest position of the point `at` on the displayed model. The radii of the
+/// probe are a fifth of the model's diagonal. If the document already has most_probes, returns false.
 bool add_probe(Document& document, const PosedModel& posed, const mesh::Point& at);
 
 /// Adds and selects a pin at the displayed vertex nearest to `at`. If the vertex already has a pin, selects
-/// it. If the document already has most_probes, returns false.
+/// this pin. If the document already has most_probes, returns false.
 bool add_pin(Document& document, const PosedModel& posed, const mesh::Point& at);
 bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The next functions act on selected probes. Only set_locked() and mirror_probes() act on locked probes.
+// The functions below act on selected probes. Only set_locked() and mirror_probes() include locked probes.
 
 void remove_probes(Document& document);
-/// Resets the own motion of the probes.
+/// Resets the probes to rest. Their motion with the cage stays.
 void rest_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);

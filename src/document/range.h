@@ -10,11 +10,10 @@
 
 namespace viete::document {
 
-/// The limits of a pose.
 using deform::largest_turn;
 using mesh::largest_coordinate;
 
-/// The limit for drags and camera targets: the distance from the model's center, in view units.
+/// Drags and camera targets stay within this distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
 /// True if each entry of the log of a probe's stretch is at most 16. e^16 is about nine million.
@@ -25,10 +24,10 @@ inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   return true;
 }
 
-/// The sizes and coordinates that GPUs can draw, in the file's units. float is from about 1e-38 to 1e38.
+/// The sizes and coordinates that GPUs can draw, in the file's units. The range of float is 1e-38 to 1e38.
 inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 
-/// The distance between the camera and its target, in view units.
+/// The limits of the distance between the camera and its target, in view units.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
 /// The size of a window, in logical pixels. The largest area limits the memory that pictures need.

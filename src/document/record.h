@@ -32,8 +32,8 @@ void redo(Document& document);
 /// Undoes or redoes edits until History::position() equals `edits`.
 void go_to_edit(Document& document, std::size_t edits);
 
-/// Records a change of the selection after it was made. `before` is the previous selection. If both
-/// selections are empty, does nothing.
+/// Records a change of the selection after it was made. `before` is the previous selection. If the selections
+/// are equal or both are empty, does nothing.
 void record_selection(Document& document, const Selection& before);
 
 }  // namespace viete::document

@@ -29,7 +29,7 @@ public:
   bool empty() const { return indices_.empty(); }
   std::size_t size() const { return indices_.size(); }
   bool contains(std::uint32_t index) const;
-  /// Returns the element that the user last picked alone. If it is no longer selected, returns nullopt.
+  /// Returns the last element that the user picked alone. If it is no longer selected, returns nullopt.
   std::optional<std::uint32_t> active() const;
 
   void clear() { indices_.clear(); }

@@ -11,20 +11,20 @@ namespace viete::document {
 /// Returns the current frame, rounded to an integer.
 int current_frame(const Document& document);
 
-/// Stores the current pose as a key. If the frame has a key, keeps its easing. Extends the playback range to
-/// the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the weights of
-/// the pose list. If the timeline is full or the frame is out of range, throws base::Error.
+/// Stores the current pose as a key. If the frame has a key, keeps the key's easing. Extends the playback
+/// range to the frame. `weights` are the weights of the named poses in the current pose; if empty, uses the
+/// weights of the pose list. If the timeline is full or the frame is out of range, throws base::Error.
 void set_key(Document& document, int frame, std::span<const double> weights = {});
 /// Like set_key(), but extends the last edit.
 void add_key_to_edit(Document& document, int frame);
-/// Sets a camera key. Adds whole turns to the yaw until it is nearest to the previous key's yaw.
+/// Sets a camera key. Adds whole turns to the yaw until the yaw is nearest to the previous key's yaw.
 void set_camera_key(Document& document, int frame, const CameraPose& camera);
 /// Replaces all camera keys by a full turn about the up axis, at constant speed during the playback range.
 void set_turntable(Document& document, const CameraPose& camera);
 /// Removes the pose keys and camera keys of the frames. Ignores frames without a key.
 void remove_keys(Document& document, std::span<const int> frames);
 /// Moves the keys and camera keys of `frames` to the frames `to`, and replaces other keys there. `before` is
-/// the timeline before the drag. Consecutive moves of one drag form one edit.
+/// the timeline before the drag. Consecutive moves in one drag form one edit.
 void move_keys(Document& document, const Timeline& before, std::span<const int> frames,
                std::span<const int> to);
 void set_easing(Document& document, std::span<const int> frames, Easing easing);

@@ -13,7 +13,7 @@ struct Track {
   std::size_t count;
   const Timeline& timeline;
   bool of_cameras;
-  bool closed;  // the last key equals the first key, and the motion continues with the first key
+  bool closed;  // the motion continues from the last key to the equal first key
 
   double frame(std::size_t i) const {
     return of_cameras ? timeline.cameras[i].frame : timeline.keys[i].frame;
@@ -39,13 +39,13 @@ std::optional<Piece> piece_before(const Track& track, std::size_t key) {
   return track.closed ? piece_after(track, track.count - 2) : std::nullopt;
 }
 
-// Adds the mean slope of an interval times `factor`, in units per frame.
+// Adds `factor` * the mean slope of an interval, in units per frame.
 void add_secant(std::vector<KeyShare>& shares, const Piece& piece, double factor) {
   shares.push_back({piece.to, factor / piece.length});
   shares.push_back({piece.from, -factor / piece.length});
 }
 
-// Adds the slope of the spline at a key, times `factor`.
+// Adds `factor` * the slope of the spline at a key.
 void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t key, double factor) {
   const auto before = piece_before(track, key), after = piece_after(track, key);
   if (!before || !after) return;
@@ -57,7 +57,7 @@ void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t ke
   add_secant(shares, *after, factor * before->length / whole);
 }
 
-// Adds up the factors of each key. Removes keys with factor 0.
+// Replaces the shares of each key by their sum. Removes keys with factor 0.
 void gather(std::vector<KeyShare>& shares) {
   std::vector<KeyShare> sum;
   for (const auto& [key, factor] : shares) {
@@ -105,7 +105,7 @@ Moment moment_on(const Track& track, double frame) {
   return {shares_in_piece(track, from, t), from};
 }
 
-// True if the timeline loops and its last pose equals its first pose. The whole turns may differ.
+// True if the timeline loops and its last pose equals its first pose, except for whole turns.
 bool is_closed(const Timeline& timeline) {
   const auto& keys = timeline.keys;
   if (timeline.repeat != Repeat::loop || keys.size() < 3) return false;
@@ -114,7 +114,8 @@ bool is_closed(const Timeline& timeline) {
                              same_shape(first.shape, last.shape));
 }
 
-// True if the last camera is the first camera after full turns. A loop also permits no turn.
+// True if the last camera equals the first camera, except for whole turns of the yaw. If the timeline does
+// not loop, at least one whole turn is required.
 bool comes_back(const Timeline& timeline) {
   constexpr double whole_turn = 2 * std::numbers::pi;
   const auto& cameras = timeline.cameras;

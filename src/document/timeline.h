@@ -111,12 +111,13 @@ struct Moment {
 ///
 /// `smooth` is a cubic Hermite spline with the slopes of E. Catmull and R. Rom (A class of local
 /// interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). If an interval next
-/// to the key is `hold`, the slope is 0. If it is `linear`, the slope is that of the interval. At the first
-/// and the last key, the slope is 0, unless the timeline loops and both keys have equal poses.
+/// to a key is `linear`, the slope at the key is the slope of this interval. Otherwise, if an interval next
+/// to the key is `hold`, the slope is 0. At the first and the last key, the slope is 0, unless the timeline
+/// loops and both keys have equal poses.
 Moment moment_at(const Timeline& timeline, double frame);
 
-/// Returns the frame after `seconds` of playing. At the end, returns nullopt. If the timeline repeats as
-/// ping-pong, `backward` is the direction and can change.
+/// Returns the frame after `seconds` of playing. At the end, returns nullopt. `backward` is the direction of
+/// a ping-pong timeline; the function changes it at both ends of the range.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
 /// Returns the smoothly interpolated camera. If there are no camera keys, returns nullopt. At the first and

@@ -13,7 +13,6 @@ namespace viete::document {
 
 using base::Choice, base::entry_of, base::next_choice, base::value_of_word;
 
-/// The model's material.
 enum class Shading { clay, porcelain, jade, file, checker, normals, zebra };
 
 std::span<const Choice> choices(Shading);
@@ -29,10 +28,10 @@ struct ViewOptions {
   bool axes = true;                               ///< shows the axis widget
   bool ghost = false;                             ///< while the cage is posed, shows the cage at rest faintly
   analysis::Field field = analysis::Field::none;  ///< the map that colours the model
-  bool select_visible = false;  ///< the mouse only selects elements in front of the model and the cage
-  bool same_path = false;       ///< computes the method `fast` in separate steps in double, for fair timings
+  bool select_visible = false;  ///< the mouse does not select elements behind the model or the cage
+  bool same_path = false;       ///< for fair timings: computes the method `fast` in separate steps in double
   bool panels = true;
-  bool hints = true;  ///< false after the first drag
+  bool hints = true;  ///< shows hints; false after the first drag
 
   friend bool operator==(const ViewOptions&, const ViewOptions&) = default;
 };
@@ -42,7 +41,7 @@ struct SideWay {
   deform::Scheme scheme;
   sym3::Method method = sym3::Method::fast;
   analysis::Field field = analysis::Field::none;
-  /// If the document blends in log space, this view blends poses and keys linearly, and the reverse.
+  /// If true, uses the blending that the document does not use: linear instead of log space, or the reverse.
   bool other_blending = false;
 
   friend bool operator==(const SideWay&, const SideWay&) = default;
@@ -51,7 +50,7 @@ struct SideWay {
 struct SideWays {
   static constexpr std::size_t most = 3;
 
-  std::vector<SideWay> sides;       ///< the additional views, at most `most`
+  std::vector<SideWay> sides;       ///< the additional views; no more than `most`
   std::vector<CameraPose> cameras;  ///< one for each additional view; if empty, all views share one camera
 
   friend bool operator==(const SideWays&, const SideWays&) = default;

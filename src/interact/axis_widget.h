@@ -30,7 +30,7 @@ struct AxisWidget {
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 
-/// Returns the widget. If the view is too small for it, returns nullopt.
+/// Returns the widget. If the view is too small for the widget, returns nullopt.
 std::optional<AxisWidget> axis_widget(const document::Camera& camera, const document::Viewport& viewport);
 
 /// Animates the camera to the side of the ball or, if the camera is already there, to the opposite side.

@@ -17,7 +17,7 @@ public:
 
   /// Returns x and y in logical pixels, and the depth. If the point is behind the camera, returns nullopt.
   std::optional<glm::vec3> operator()(const mesh::Point& p) const;
-  /// Clips the segment at the near plane, and projects both ends. If no part is in front, returns nullopt.
+  /// Clips the segment at the near plane, and projects both ends. If nothing is left, returns nullopt.
   std::optional<std::array<glm::vec3, 2>> segment(const mesh::Point& a, const mesh::Point& b) const;
 
 private:
@@ -54,17 +54,17 @@ public:
   /// around the axis is seen edge-on, returns nullopt.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. Use it for a ring that
-  /// is seen edge-on. `radius` is in pixels.
+  /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. For rings that are
+  /// seen edge-on. `radius` is in pixels.
   double edge_on_angle(const glm::dvec3& axis, const glm::dvec2& pixels, double radius) const;
 
   /// Returns the intersection of the ray with the plane through the point. If the plane is seen edge-on, or
-  /// the cursor is above its horizon, returns nullopt.
+  /// the cursor is above the plane's horizon, returns nullopt.
   std::optional<glm::dvec3> in_plane(const glm::dvec3& normal, const document::Ray& ray) const;
 
 private:
   glm::dvec3 point_, right_, up_, forward_, to_eye_;
-  glm::dvec2 at_, slope_;  // in an orthographic view, the slope of the ray through the point is 0
+  glm::dvec2 at_, slope_;  // slope_: of the ray through the point; 0 in an orthographic view
   double depth_, per_pixel_;
   bool orthographic_, in_front_;
 };

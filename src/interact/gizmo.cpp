@@ -53,7 +53,7 @@ Gizmo::Plane plane(const Layout& layout, int axis) {
 }
 
 std::vector<Gizmo::RingPoint> ring(const Layout& layout, int axis) {
-  // A ring that faces the viewer has no far side.
+  // If the ring faces the viewer, all points count as front.
   const bool faces = std::abs(glm::dot(layout.unit(axis), layout.projection.to_eye())) > 0.94;
   std::vector<Gizmo::RingPoint> points;
   for (int i = 0; i < ring_points; ++i) {

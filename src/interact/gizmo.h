@@ -13,7 +13,7 @@
 namespace viete::interact {
 
 /// The sizes of the gizmo, in logical pixels.
-inline constexpr float gizmo_radius = 84;  ///< the radius of the rings, and the distance to the arrow heads
+inline constexpr float gizmo_radius = 84;  ///< the radius of the rings; also the distance of the arrow heads
 inline constexpr float gizmo_head = 14;    ///< the length of an arrow head
 inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring for the view direction
 inline constexpr float gizmo_center = 9;       ///< the radius of the handle in the middle
@@ -54,7 +54,6 @@ float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec
 /// rings. Set `reach` if no small element is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
-/// Returns a name such as "Move along X".
 std::string handle_name(Tool tool, const Constraint& handle);
 
 }  // namespace viete::interact

@@ -18,7 +18,7 @@ namespace viete::interact {
 
 namespace {
 
-using Distances = std::vector<double>;  // one per vertex, from the selected vertices
+using Distances = std::vector<double>;  // one per vertex: the distance from the selected vertices
 
 // Computes distances along edges, up to the radius, by Dijkstra's algorithm.
 Distances over_edges(const deform::Cage& cage, std::span<const mesh::Point> positions,
@@ -59,7 +59,7 @@ bool selects_probes(const document::Document& document) {
   return document.selection.kind() == document::ElementKind::probe;
 }
 
-// Returns the vertices with an edge to the largest fixed part of the cage.
+// Returns the given vertices with an edge to the largest connected part of the other vertices.
 Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   const std::size_t count = cage.surface.positions.size();
   std::vector<char> moves(count, 0);
@@ -128,7 +128,7 @@ glm::dvec3 pivot_of(const document::Document& document, const document::Handling
   return center.value_or(middle_of(document, vertices));
 }
 
-// The columns are sorted from the longest extent of the selection to the shortest.
+// The columns are the axes of inertia of the selection, from the longest extent to the shortest.
 glm::dmat3 axes_of_selection(const document::Document& document, const Vertices& vertices) {
   mesh::Surface cloud;
   for (const auto v : vertices) cloud.positions.push_back(document.pose.positions[v]);
@@ -190,7 +190,7 @@ Transform share_of(const Transform& t, double share) {
   return part;
 }
 
-// Adds mirror partners. If both sides would move a vertex, the side with the larger share moves it.
+// Adds mirror partners. If a vertex would move with both sides, it moves with the side of the larger share.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
   for (const Gripped& g : own) by_vertex[g.vertex] = g;
@@ -207,7 +207,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
   return all;
 }
 
-// Moves a point on a side. A point on the plane gets the mean of the motion and the mirrored motion.
+// Moves a point on one side. A point on the plane moves by the mean of the motion and the mirrored motion.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);
@@ -255,7 +255,7 @@ namespace {
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
-  // The amount without effect is 1 for taper, which is a factor, and 0 for other shapes.
+  // Without effect, the amount is 1 for taper (a factor), and 0 for other shapes.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }

@@ -45,7 +45,7 @@ double soft_share(document::SoftCurve curve, double distance);
 
 /// A vertex that a drag moves.
 struct Gripped {
-  /// The dragged side of the mirror, the other side, or the plane. A vertex on the plane stays on the plane.
+  /// The dragged side of the mirror, the other side, or the mirror plane. Vertices on the plane stay on it.
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;
@@ -62,21 +62,21 @@ std::vector<Gripped> softened(const deform::Cage& cage, std::span<const mesh::Po
 struct Grip {
   Anchor anchor;
   cages::Plane plane;             ///< the mirror plane
-  std::vector<Gripped> vertices;  ///< ascending and unique; if probes are selected, empty
-  Shaping shaping{};              ///< if its shape is not `none`, it replaces move, rotate and scale
+  std::vector<Gripped> vertices;  ///< ascending, without hidden vertices; empty if probes are selected
+  Shaping shaping{};              ///< if its shape is not `none`, used instead of move, rotate and scale
 };
 
 /// Returns the grip in the current pose. `mirror` may be null. Requires a selection.
 Grip grip_of(const document::Document& document, const document::Handling& handling,
              const document::Mirror* mirror, const document::Camera& camera);
-/// Returns the vertices of the grip, without its other data.
+/// Returns Grip::vertices, without computing the rest of the grip.
 std::vector<Gripped> gripped(const document::Document& document, const document::SoftSelection& soft,
                              const document::Mirror* mirror);
 std::vector<std::uint32_t> vertices_of(const Grip& grip);
 
-/// Moves the grip's vertices from their positions in `from`. The center is the grip's anchor, not
-/// Transform::pivot. Copies the positions of other vertices exactly. If the grip has a shape, uses only
-/// Transform::degrees or Transform::amount. `to` must have the size of `from`.
+/// Moves the grip's vertices from their positions in `from`. Does not change other entries of `to`. The
+/// center is the grip's anchor, not Transform::pivot. If the grip has a shape, uses only Transform::degrees
+/// or Transform::amount. `to` must have the size of `from`.
 void apply(const Transform& transform, const Grip& grip, std::span<const mesh::Point> from,
            std::span<mesh::Point> to);
 

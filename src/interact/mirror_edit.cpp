@@ -10,7 +10,6 @@ namespace viete::interact {
 
 namespace {
 
-// Moves the vertex v unless it is hidden.
 void put_visible(document::Document& document, std::span<const std::uint8_t> hidden, std::uint32_t v,
                  const mesh::Point& place) {
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;

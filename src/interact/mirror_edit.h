@@ -1,4 +1,4 @@
-// Copies a pose between the sides of a symmetric cage.
+// Copies a pose between the sides of a symmetric cage. Hidden vertices do not move.
 #pragma once
 
 #include "document/document.h"
@@ -14,8 +14,8 @@ void copy_to_other_side(document::Document& document, const document::Mirror& mi
 /// for all vertices. Undoable.
 void swap_sides(document::Document& document, const document::Mirror& mirror);
 
-/// Moves each vertex to its position, and its mirror partner to the mirror image. If the partner is also in
-/// `vertices`, it moves to its own position. `mirror` may be null. Undoable.
+/// Moves each vertex to its entry in `positions`, and its mirror partner to the mirror image. If the partner
+/// is also in `vertices`, the partner moves to its own entry. `mirror` may be null. Undoable.
 void paste_pose(document::Document& document, std::span<const std::uint32_t> vertices,
                 std::span<const mesh::Point> positions, const document::Mirror* mirror);
 

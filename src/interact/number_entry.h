@@ -12,8 +12,8 @@ std::optional<double> number_of(std::string_view text);
 
 class NumberEntry {
 public:
-  /// Enters a digit, a point, a comma or a minus. A minus changes the sign, wherever it is typed. If `c` is
-  /// another character, returns false.
+  /// Enters a digit, a point, a comma or a minus. A minus at any place changes the sign. If `c` is another
+  /// character, returns false.
   bool type(char c);
   void backspace();
 

@@ -11,7 +11,7 @@ namespace viete::interact {
 namespace {
 
 constexpr float cell = 2;        // the size of a sample, in logical pixels
-constexpr float behind = 0.01f;  // the visible depth behind a surface, in view units
+constexpr float behind = 0.01f;  // points up to this far behind a surface are visible, in view units
 
 }  // namespace
 
@@ -26,7 +26,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// Marks the samples whose centers are inside the triangle as covered.
+// In each sample with its center inside the triangle, stores the surface if it is the nearest.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -51,7 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Compares with the farthest neighbouring sample, so that silhouettes and steep faces count as visible.
+// Compares with the farthest of the 3 x 3 nearest samples, so that silhouettes and steep faces are visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -75,7 +75,7 @@ constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Finds the nearest candidate. Among candidates up to 2 pixels farther, prefers the one in front.
+// Finds the nearest candidate. Among candidates up to 2 pixels farther, chooses the front candidate.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
@@ -187,7 +187,7 @@ std::optional<Pick> pick_element(const document::Document& document, const docum
   return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
 }
 
-// True if eight vertices are in a circle with a radius of four times the tolerance.
+// True if at least eight visible vertices are within four times the tolerance from the cursor.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;

@@ -15,8 +15,9 @@
 
 namespace viete::interact {
 
-/// A coarse depth buffer with one sample per 2 x 2 logical pixels. A point is visible if it is at most 0.5 %
-/// of the model's diagonal behind the nearest surface. Otherwise, the cage would hide its own elements.
+/// A coarse depth buffer with one sample per 2 x 2 logical pixels. A point up to 0.5 % of the model's
+/// diagonal behind the nearest surface is visible. Without this tolerance, the cage would hide its own
+/// elements.
 class Sight {
 public:
   Sight(const document::Camera& camera, const document::Viewport& viewport);
@@ -41,11 +42,11 @@ struct Pick {
 
 /// Picks the element of this kind nearest to the cursor, within 8 logical pixels. Among elements that are up
 /// to 2 pixels farther, prefers the front element. If no face is under the cursor, picks a face at the
-/// nearest edge. If `sight` is given, ignores hidden elements.
+/// nearest edge. Ignores elements hidden by the user and, if `sight` is given, elements behind surfaces.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);
-/// Picks an element of the kind that is selected.
+/// Picks an element of the selection's kind.
 std::optional<Pick> pick_element(const document::Document& document, const document::Camera& camera,
                                  const document::Viewport& viewport, const glm::vec2& cursor,
                                  const Sight* sight = nullptr);
@@ -74,7 +75,7 @@ std::vector<std::uint32_t> pick_elements_in_circle(const document::Document& doc
 
 enum class SelectShape { box, lasso, brush };
 
-/// The radius of the selection brush, in logical pixels.
+/// The limits of the selection brush's radius, in logical pixels.
 inline constexpr float least_select_radius = 4, largest_select_radius = 400;
 
 struct Lasso {

@@ -10,8 +10,8 @@
 namespace viete::interact {
 
 /// Transforms the vertices of the grip, or the selected probes, from their pose in `before`. `degrees_seen`
-/// is the rotation of the current pose. If the new rotation differs much from it, rotates in small steps to
-/// count whole turns. |degrees| must be at most most_degrees. If the result is out of range
+/// is the rotation of the current pose. If Transform::degrees differs much from `degrees_seen`, rotates in
+/// small steps to count whole turns. |degrees| must be at most most_degrees. If the result is out of range
 /// (document/range.h), restores the pose of `before` and returns false.
 bool place(document::Document& document, const document::DocumentState& before, const Grip& grip,
            const Transform& transform, double degrees_seen);

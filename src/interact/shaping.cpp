@@ -10,7 +10,7 @@ namespace viete::interact {
 
 namespace {
 
-// Returns the mean position of the farthest fifth of the vertices that are fully selected.
+// Uses the vertices with share 1. Returns the mean position of the fifth that is farthest from `from`.
 glm::dvec3 far_end(const document::Document& document, const Grip& grip, const glm::dvec3& from) {
   std::vector<std::pair<double, glm::dvec3>> places;
   for (const Gripped& g : grip.vertices) {
@@ -44,7 +44,6 @@ void put_ends(const document::Document& document, const Grip& grip, bool at_medi
   shaping.hinge = hinge.value_or(plane_axes(glm::normalize(way)).u);
 }
 
-// Returns the displacement of each vertex to the mean position of its neighbours.
 std::vector<mesh::Vec3> smoothing_ways(const document::Document& document, const Grip& grip) {
   const auto& positions = document.pose.positions;
   std::vector<mesh::Point> sums(positions.size(), {0, 0, 0});

@@ -8,13 +8,14 @@
 
 namespace viete::interact {
 
-/// Finds both ends in the current pose. The fixed end is the pivot or, if `at_median`, the joint with the
-/// rest of the cage. The moving end is the active element or, without an active element, the far end of the
-/// selection. Bends in the view plane. If the ends coincide, returns Shape::none.
+/// Returns the shaping of the selection in the current pose. Bend, twist and taper have two ends. The fixed
+/// end is the grip's center or, if `at_median`, the joint with the rest of the cage. The moving end is the
+/// active element or, without an active element, the far end of the selection. If the ends coincide, returns
+/// Shape::none. A bend is in the view plane.
 Shaping shaping_of(const document::Document& document, Shape shape, const Grip& grip, bool at_median,
                    const document::Camera& camera);
 
-/// Returns the bending axis nearest to the direction; nullopt if the line `from` to `to` is parallel to it.
+/// Returns the bending axis nearest to the direction; nullopt if the direction is parallel to `to - from`.
 std::optional<glm::dvec3> hinge_near(const Shaping& shaping, const glm::dvec3& direction);
 
 }  // namespace viete::interact

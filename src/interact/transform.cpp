@@ -28,7 +28,7 @@ Turn turn_of(double degrees) {
   }
 }
 
-// Returns the rotation matrix by Rodrigues' formula: cos I + sin [axis]_x + (1 - cos) axis axis^T.
+// Rodrigues' formula: cos * I + sin * [axis]_x + (1 - cos) * axis * axis^T.
 glm::dmat3 rotation(const glm::dvec3& a, double degrees) {
   const Turn t = turn_of(degrees);
   const glm::dmat3 cross(0, a.z, -a.y, -a.z, 0, a.x, a.y, -a.x, 0);
@@ -40,7 +40,7 @@ glm::dvec3 turned(const glm::dvec3& v, const glm::dvec3& axis, double angle) {
   return c * v + s * glm::cross(axis, v) + (1 - c) * glm::dot(axis, v) * axis;
 }
 
-// Returns sin(k s) / k and (1 - cos(k s)) / k. Accurate for small k too.
+// Returns sin(k * s) / k and (1 - cos(k * s)) / k. Accurate for small k too.
 std::array<double, 2> arc(double k, double s) {
   const double angle = k * s;
   if (std::abs(angle) < 1e-4) return {s * (1 - angle * angle / 6), s * angle / 2};

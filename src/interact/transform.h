@@ -30,7 +30,7 @@ struct Transform {
   glm::dvec3 factors{1, 1, 1};
   glm::dmat3 axes{1};        ///< the scale axes: columns of length 1, right-handed
   glm::dvec3 axis{0, 0, 1};  ///< the rotation axis, of length 1
-  double degrees = 0;        ///< right-handed; may be more than one turn
+  double degrees = 0;        ///< right-handed; can be more than one turn
   glm::dvec3 shift{0, 0, 0};
   double amount = 0;  ///< the amount of taper, smooth or relax
 
@@ -64,13 +64,12 @@ constexpr bool is_angle(Shape shape) {
 
 struct Shaping {
   Shape shape = Shape::none;
-  /// The fixed end and the moving end, in file coordinates. From one to the other, the effect grows linearly.
+  /// The fixed end and the moving end, in file coordinates. The effect grows linearly from `from` to `to`.
   glm::dvec3 from{0, 0, 0}, to{0, 0, 0};
-  glm::dvec3 hinge{0, 0, 1};     ///< the bending axis, of length 1, perpendicular to to - from
+  glm::dvec3 hinge{0, 0, 1};     ///< the bending axis, of length 1, perpendicular to `to - from`
   std::vector<mesh::Vec3> ways;  ///< for smooth and relax: each grip vertex's displacement for the amount 1
 };
 
-/// Bends, twists or tapers a point.
 mesh::Point shaped(const Shaping& shaping, double amount, const mesh::Point& p);
 
 }  // namespace viete::interact

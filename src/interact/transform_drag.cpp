@@ -25,7 +25,7 @@ constexpr double shortest_grip = 40;       // in pixels; limits the speed of sca
 constexpr double shape_pixels_per_degree = 2, whole_share_pixels = 200;
 constexpr double degrees_of_radian = 57.29577951308232;
 
-// Divides by an integer, so that the result is exactly the decimal number that a user would type.
+// Rounds to a multiple of 1 / per_unit. The division gives exactly the decimal number that a user would type.
 double snapped(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
@@ -37,7 +37,6 @@ std::string print(const char* format, double value) {
   return zero && text[0] == '-' ? text + 1 : text;
 }
 
-// Returns a length as text, with a precision of a hundredth of the grid cell.
 std::string length_text(double value, double cell) {
   const double decimals = 2 - std::floor(std::log10(cell));
   if (!(decimals >= 0 && decimals <= 9)) return print("%.3g", value);
@@ -52,7 +51,7 @@ bool follows(const TransformDrag& drag, int axis) {
   return (c.kind == Kind::axis) == (axis == c.axis);
 }
 
-// Returns the arc on which the rotation moves the point under the cursor.
+// Returns the arc that the rotation describes from the press, in logical pixels.
 std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const document::Camera& camera,
                              const document::Viewport& viewport) {
@@ -117,7 +116,7 @@ bool TransformDrag::type(char c) {
   if (axis && grip_.shaping.shape == Shape::bend) return bend_about(lower - 'x'), true;
   if (!axis || grip_.shaping.shape != Shape::none) return entry_.type(c);
   const Constraint wanted{c == lower ? Kind::axis : Kind::plane, lower - 'x'};
-  // Rotates about the normal of a plane instead of in the plane.
+  // A rotation has no plane: uses the normal of the plane as axis.
   const Constraint fitting = tool_ == Tool::rotate ? Constraint{Kind::axis, wanted.axis} : wanted;
   constrain(fitting == constraint_ ? Constraint{} : fitting);
   return true;
@@ -144,7 +143,6 @@ glm::dvec3 TransformDrag::direction() const {
   return grip_.anchor.axes[constraint_.axis];
 }
 
-// Rounds the displacement along each axis.
 glm::dvec3 TransformDrag::snapped_shift(const glm::dvec3& shift) const {
   const double per_unit = move_snaps / document::grid_cell(space_.diagonal());
   glm::dvec3 parts = glm::transpose(grip_.anchor.axes) * shift;
@@ -216,7 +214,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document
   return moved / space_.scale;
 }
 
-// The cursor's angle can differ by whole turns. Uses the value that is nearest to the previous angle.
+// Angles of the cursor are known up to whole turns. Uses the angle that is nearest to the previous angle.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
@@ -255,7 +253,6 @@ glm::dvec3 TransformDrag::factors(double value) const {
   return factors;
 }
 
-// If there is no axis, moves by the typed distance in the direction of the mouse movement.
 Transform TransformDrag::typed(double value) const {
   Transform t = still();
   if (is_angle(grip_.shaping.shape)) {
@@ -270,6 +267,7 @@ Transform TransformDrag::typed(double value) const {
   } else if (constraint_.kind == Kind::axis) {
     t.shift = value * direction();
   } else {
+    // Moves by the typed distance in the direction of the mouse movement.
     const double length = glm::length(pulled_);
     if (length > 0) t.shift = value / length * pulled_;
   }

@@ -34,13 +34,14 @@ public:
   void update(document::Document& document, const DragInput& input, const document::Camera& camera,
               const document::Viewport& viewport);
 
-  /// Handles a typed character. x, y and z set an axis as constraint; if it is already set, they remove it.
-  /// X, Y and Z set the plane perpendicular to the axis. For a bend, they set the bending axis; other shapes
-  /// have no axis. Digits, point and minus enter the amount. If the character has no effect, returns false.
+  /// Handles a typed character. x, y and z set an axis as constraint; X, Y and Z set the plane perpendicular
+  /// to this axis. Typing the same character again removes the constraint. A rotation and a bend use the axis
+  /// in both cases. Other shapes have no axis. Digits, point and minus enter the amount. If the character has
+  /// no effect, returns false.
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
-  /// Changes the soft selection. The next update uses it.
+  /// Restores the pose at the press. From the next update on, uses the given soft selection.
   void soften(document::Document& document, const document::SoftSelection& soft,
               const document::Mirror* mirror);
   /// Returns the number of calls of soften(). Each call can change vertices().
@@ -89,11 +90,11 @@ private:
   Tool tool_;
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last bending axis, if it was parallel to to - from
-  glm::dvec3 pivot_, view_axis_;  // the view axis points to the eye
+  std::optional<int> along_way_;  // the last requested bending axis, if parallel to `to - from`
+  glm::dvec3 pivot_, view_axis_;  // view_axis_: the direction to the eye
   double depth_;
-  glm::dvec2 press_, cursor_, lag_{0, 0};  // slow mode subtracts the lag from the cursor position
-  double turned_ = 0, turn_lag_ = 0;       // the cursor's angle around the pivot since the press, in radians
+  glm::dvec2 press_, cursor_, lag_{0, 0};  // lag_: slow mode subtracts it from the cursor position
+  double turned_ = 0, turn_lag_ = 0;       // turned_: the cursor's angle since the press, in radians
   glm::dvec3 pulled_{0, 0, 0};             // the displacement by the mouse
   NumberEntry entry_;
   Transform transform_;

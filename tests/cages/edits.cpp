@@ -75,7 +75,7 @@ TEST_CASE("mirroring_across_a_concave_polygon_splits_it") {
   const Surface u = letter_u();
   check(cages::mirrored(u, {{1, 0, 0}, 1.5}).surface, volume, "along its middle");
   check(cages::mirrored(u, {{0, -1, 0}, -2}).surface, 10, "across both arms, the foot kept");
-  // The result is two bars with height 1.
+  // The result is two bars with height 2.
   const Surface bars = cages::mirrored(u, {{0, 1, 0}, 2}).surface;
   check(bars, 4, "across both arms, their ends kept");
   CHECK(mesh::summarize(bars).parts == 2);

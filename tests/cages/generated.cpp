@@ -18,7 +18,7 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
     FAIL_CHECK(complaint);
 }
 
-// The wishes for the models. Numbered models use these wishes one after another.
+// The models use these wishes one after another.
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},

@@ -14,7 +14,7 @@
 
 namespace viete::test {
 
-/// Returns the model's triangles. If it has no triangles, returns each point as a degenerate triangle.
+/// Returns the model's triangles. If the model has no triangles, returns each point as a degenerate triangle.
 inline std::vector<mesh::Triangle> pieces_of(const mesh::Surface& model) {
   if (!model.triangles.empty()) return model.triangles;
   std::vector<mesh::Triangle> points;
@@ -47,7 +47,7 @@ inline double least_distance(const mesh::Surface& cage, const mesh::Surface& mod
   return least / unit;
 }
 
-/// Returns the largest distance from a mirrored vertex to its nearest vertex.
+/// Mirrors all vertices. Returns the largest distance from a mirrored vertex to the nearest vertex.
 inline double asymmetry(const mesh::Surface& cage, const cages::Plane& plane) {
   using namespace mesh;
   double most = 0;

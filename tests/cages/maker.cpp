@@ -134,7 +134,7 @@ TEST_CASE("cage_making_can_be_cancelled_quickly") {
   for (const double share : {0.02, 0.5}) {
     CAPTURE(share);
     bool cancelled = false;
-    for (int i = 0; i < 20 && !cancelled; ++i) {  // the work may end first
+    for (int i = 0; i < 20 && !cancelled; ++i) {  // repeats: a cage can be ready before it is cancelled
       Work work(model, {.triangles = 100});
       for (double last = 0; work.progress.done() < share && !work.ended; pause_for(1e-4))
         CHECK(work.progress.done() >= std::exchange(last, work.progress.done()));

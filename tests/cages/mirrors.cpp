@@ -100,7 +100,6 @@ TEST_CASE("every_triangle_is_in_at_most_one_pair") {
 }
 
 TEST_CASE("triangles_across_a_sharp_edge_are_not_paired") {
-  // A tetrahedron.
   CHECK(cages::quad_pairs(
             {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}})
             .empty());

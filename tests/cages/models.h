@@ -70,7 +70,7 @@ inline Surface of_cells(int n, const std::function<bool(int, int, int)>& inside)
   return mesh::from_triangles(points, triangles);
 }
 
-/// Returns random triangles of about this size in a cube with side 2.
+/// Returns random triangles of about the size `size`, in a cube with side 2.
 inline Surface soup(std::size_t count, double size, unsigned seed) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<double> at(-1, 1);
@@ -147,7 +147,7 @@ inline Surface stool() {
   });
 }
 
-/// Returns random cells. They have many tunnels, and edges with four triangles.
+/// Returns random cells. The result has many tunnels, and edges with four triangles.
 inline Surface sponge() {
   std::mt19937_64 engine(11);
   std::vector<std::uint8_t> full(512);

@@ -43,7 +43,6 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
   CHECK(!meaning(found[0]).empty());
 }
 
-// Returns a cage of separate cubes.
 deform::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
   const auto positions = surface.positions;

@@ -157,7 +157,7 @@ TEST_CASE("a_cancelled_edit_keeps_redo") {
 
 TEST_CASE("no_number_of_clicks_takes_an_edit_out_of_reach") {
   History h;
-  const auto mask = std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // few such states fit
+  const auto mask = std::make_shared<const std::vector<float>>(5u << 20, 1.0f);  // 20 MB, so few states fit
   const auto state = [&](double x) {
     DocumentState s = at(x);
     s.mask = mask;

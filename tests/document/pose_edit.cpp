@@ -39,7 +39,6 @@ struct Mixed {
     for (const NamedPose& named : document.library.poses) all.push_back(named.name);
     return all;
   }
-  // Undoes and redoes every edit.
   void check_undone(const Document& start) {
     const deform::Pose pose = document.pose;
     const PoseLibrary library = document.library;

@@ -23,7 +23,7 @@ struct Shapes {
       : rest(std::move(surface)), pool(1), space(rest, pool) {}
 
   SharedShape shape(double degrees) const { return shared(turned(rest.positions, degrees)); }
-  // Moves one vertex. Otherwise, the shape would be a rigid motion.
+  // Returns a shape that is not a rigid motion, because one vertex moved.
   SharedShape pulled(double degrees) const {
     Points points = rest.positions;
     points[7][2] += 0.5;

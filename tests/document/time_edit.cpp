@@ -65,7 +65,7 @@ TEST_CASE("moved_keys_take_the_place_of_others_and_one_drag_is_one_edit") {
   t.timeline() = test::three_keys();
   const Timeline start = t.timeline();
   for (int step = 1; step <= 20; ++step) move_keys(t.document, start, Frames{1}, Frames{1 + step});
-  CHECK(t.frames() == Frames{11, 21, 31});  // crossing frame 11 did not replace its key
+  CHECK(t.frames() == Frames{11, 21, 31});  // the drag crossed frame 11, but its key stays
   CHECK(t.edits() == 1);
   CHECK(t.timeline().keys[1].pose == start.keys[0].pose);
   move_keys(t.document, start, Frames{1}, Frames{11});

@@ -12,7 +12,7 @@ using namespace viete::document;
 
 namespace {
 
-// A timeline for numbers. It interpolates one number per key instead of a pose.
+// Interpolates one number per key instead of a pose.
 struct EasedKeys {
   Timeline timeline;
   std::vector<double> values;

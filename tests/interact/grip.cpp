@@ -168,7 +168,7 @@ TEST_CASE("one_side_leads_if_both_are_selected") {
 TEST_CASE("vertices_on_the_mirror_plane_stay_on_it") {
   Document document = arm();
   std::vector<mesh::Point> points = document.cage->surface.positions;
-  for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // moves two rows onto the mirror plane z = 0
+  for (auto& p : points) p[2] = p[2] > 0 ? 0 : p[2];  // moves half of the vertices to the plane z = 0
   mesh::Surface surface = document.cage->surface;
   surface.positions = points;
   document.cage = std::make_shared<const deform::Cage>(deform::make_cage(surface));
@@ -194,8 +194,8 @@ TEST_CASE("soft_vertices_move_and_rotate_by_their_share") {
   CHECK(grip.vertices.size() == 16);  // rings 6 to 9
   REQUIRE(transform_selection(document, Tool::move, grip, {.shift = {0, 0, 2}}));
   CHECK(document.pose.positions[36][2] == doctest::Approx(1));
-  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // the vertex moved by three quarters of 2
-  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // the vertex moved by a quarter of 2
+  CHECK(document.pose.positions[32][2] == doctest::Approx(0.5));   // -1 + 0.75 * 2
+  CHECK(document.pose.positions[24][2] == doctest::Approx(-0.5));  // -1 + 0.25 * 2
   CHECK(document.pose.positions[20][2] == -1);
   undo(document);
   const Grip turning = grip_of(document, handling, nullptr, Camera());

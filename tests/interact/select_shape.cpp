@@ -196,7 +196,7 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     hand.drag({205, 5}, {995, 775});
     const double share =
         static_cast<double>(hand.selected()) / static_cast<double>(element_count(hand.w.document, kind));
-    CHECK(share > 0.35);  // from a near eye, less than half of a ball is visible
+    CHECK(share > 0.35);  // from nearby, less than half of a ball is visible
     CHECK(share < 0.52);
     // Does not test elements near the silhouette.
     const glm::vec3 eye = hand.w.camera.eye();

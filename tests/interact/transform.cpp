@@ -96,7 +96,7 @@ TEST_CASE("whole_turns_of_a_posed_cage_about_any_axis_are_counted_kept_and_taken
       for (auto& p : document.pose.positions) p[0] += 0.4 * p[1] - 0.3 * p[2], p[1] += 0.5 * p[2];
       document.pose.positions[3][2] += 0.7;
       const auto posed = document.pose.positions;
-      const auto shown = [&] {  // updates the turns like a displayed frame
+      const auto shown = [&] {  // updates the turns, as drawing does
         deform::CageState state(document.cage, document.scheme.weighting.elements, document.scheme.blend);
         state.set_pose(document.pose);
         document.pose.turns = state.report().turns;
@@ -198,7 +198,7 @@ TEST_CASE("turning_a_part_of_the_cage_at_once_or_slowly_gives_the_same_turns") {
     const DocumentState before = state_of(slowly);
     const Grip grip = test::plain_grip(slowly);
     for (double seen = 0; seen < degrees; seen += 10) {
-      place(slowly, before, grip, turn(seen + 10), seen - 30);  // 40 degrees need several steps
+      place(slowly, before, grip, turn(seen + 10), seen - 30);  // a jump by 40 degrees takes several steps
     }
     CHECK(at_once.pose.positions == slowly.pose.positions);
     for (int i = 0; i < 3; ++i)

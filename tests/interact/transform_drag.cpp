@@ -53,7 +53,6 @@ struct Drag {
   }
 };
 
-// Moves the cursor on a circle around the center.
 void go_round(Drag& d, double degrees, float radius = 100) {
   const glm::vec2 center = d.center();
   const int steps = static_cast<int>(std::abs(degrees) / 10);
@@ -129,7 +128,7 @@ TEST_CASE("a_plane_move_stays_in_its_plane_and_under_the_cursor") {
     const glm::vec2 before = d.center();
     d.move({20, -15});
     CHECK(d.moved(6)[axis] == 0);
-    // The cursor is 14 pixels from the center. The point under the cursor follows the cursor exactly.
+    // The point under the cursor follows exactly; the center, 14 pixels away, follows approximately.
     CHECK(glm::distance(d.center() - before, glm::vec2(20, -15)) < 2.5f);
   }
 }
