@@ -43,7 +43,6 @@ std::string length_text(double value, double cell) {
   return print(("%." + std::to_string(static_cast<int>(decimals)) + "f").c_str(), value);
 }
 
-using Kind = Constraint::Kind;
 
 bool follows(const TransformDrag& drag, int axis) {
   const Constraint& c = drag.constraint();
