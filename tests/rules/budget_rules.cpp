@@ -21,21 +21,21 @@ using Budget = std::map<std::string, std::size_t>;
 // deform has the proxy of large models since its last row.
 const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7213},      {"base", 2018},          {"bench", 5052},    {"blender", 591},
-    {"cages", 3522},   {"deform", 13085},  {"deform/sparse", 1267}, {"document", 5036}, {"files", 3818},
-    {"formats", 8381}, {"interact", 2504}, {"library", 924},        {"mesh", 2959},     {"platform", 967},
+    {"cages", 3529},   {"deform", 13077},  {"deform/sparse", 1267}, {"document", 5029}, {"files", 3818},
+    {"formats", 8381}, {"interact", 2501}, {"library", 924},        {"mesh", 2959},     {"platform", 967},
     {"python", 1320},  {"render", 2191},   {"sym3", 6344},          {"ui", 6073},       {"workspace", 5888},
 };
-constexpr std::size_t all_lines_of_src = 79'769;
+constexpr std::size_t all_lines_of_src = 79'758;
 
 // support has the helpers of several folders.
 const Budget lines_of_tests = {
     {"analysis", 285}, {"app", 1096},     {"assets", 244},   {"base", 796},      {"bench", 612},
-    {"blender", 426},  {"cages", 961},    {"consumer", 505}, {"deform", 7016},   {"document", 3076},
-    {"files", 2279},   {"formats", 3348}, {"fuzz", 362},     {"interact", 1461}, {"mesh", 1703},
+    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7016},   {"document", 3074},
+    {"files", 2279},   {"formats", 3348}, {"fuzz", 362},     {"interact", 1460}, {"mesh", 1703},
     {"platform", 295}, {"program", 7022}, {"python", 758},   {"releases", 113},  {"render", 958},
     {"rules", 694},    {"support", 1335}, {"sym3", 3664},    {"ui", 13},         {"workspace", 2162},
 };
-constexpr std::size_t all_lines_of_tests = 41'184;
+constexpr std::size_t all_lines_of_tests = 41'180;
 
 // The README has the time of 12.8 million vertices since its last value.
 constexpr std::size_t words_of_readme = 897, words_of_manual_and_rooms = 14'688;
