@@ -11,12 +11,12 @@
 //   lines.draw(view, line_style);                  // cage edges
 //   discs.draw(view, disc_style);                  // cage vertices
 //   framebuffer.resolve();
-//   whole.begin_with(framebuffer, size);           // a second target: the view stays while panels change
+//   whole.begin_with(framebuffer, size);           // a second target: `framebuffer` is kept without panels
 //   imgui_renderer.draw(*ImGui::GetDrawData());    // panels
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
-// Every draw() sets the GL state that it needs. It leaves blending, depth test and scissor off, and depth
-// writes on. set_positions() does not allocate memory while the number of points stays the same.
+// Every draw() sets the GL state that it needs. At its end, blending, depth test and scissor are off, and
+// depth writes are on. set_positions() does not allocate memory while the number of points stays the same.
 #pragma once
 
 #include <array>
@@ -44,8 +44,8 @@ struct View {
 /// Returns the matrix to eye space for vertices that are stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);
 
-/// Returns (factor x, factor y, offset x, offset y). The view ray of a device pixel, counted from the bottom
-/// left, is (factor * pixel + offset, -1) in eye space; in an orthographic view it is (0, 0, -1).
+/// Returns (factor x, factor y, offset x, offset y) for shaders. The view ray of a device pixel, counted from
+/// the bottom left, is (factor * pixel + offset, -1) in eye space. In an orthographic view, all four are 0.
 glm::vec4 eye_ray(const View& view);
 
 /// Returns the colour 0xRRGGBB with components from 0 to 1, as displayed (sRGB).
