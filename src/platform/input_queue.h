@@ -37,7 +37,7 @@ public:
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Configures the input of ImGui. Call it once per ImGui context.
+  /// Configures the input of ImGui. Call this once per ImGui context.
   static void configure();
   /// Passes the events of a frame to ImGuiIO. Call this before ImGui::NewFrame().
   void feed_frame();

@@ -125,7 +125,7 @@ private:
     std::array<EGLDeviceEXT, 64> devices{};
     EGLint count = 0;
     for (const char* software : {"1", "0"}) {
-      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // open() makes Mesa read this variable
+      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads this variable during open()
       if (open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)) return;
       if (query) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
       for (EGLint i = 0; i < count; ++i)

@@ -17,8 +17,7 @@ namespace {
 using sym3::Affine, sym3::AffineLog;
 using Axes = std::vector<py::ssize_t>;
 
-// The arguments of a function. The first has maps or logarithms. Leading axes broadcast to `shape` as in
-// numpy.
+// The arguments of a function. Their leading axes broadcast to `shape`, as in numpy.
 class Arguments {
 public:
   Axes shape;

@@ -35,7 +35,7 @@ struct SurfaceLooks {
   std::vector<Rgba8> colors;  ///< as displayed; one per vertex, or per corner of each triangle
   bool colors_of_corners = false;
   std::vector<Image> images;     ///< pixels with opacity below 0.5 are not drawn
-  std::vector<SurfaceRun> runs;  ///< together, all triangles in order
+  std::vector<SurfaceRun> runs;  ///< contain all triangles, in order
 };
 
 struct SurfaceStyle {

@@ -82,11 +82,11 @@ float linear_light(float display);
 
 // The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: the colours are from blue to grey to yellow. The lightness increases, and shading
-/// stays visible.
+/// For positive values: from blue over grey to yellow, with increasing lightness. All colours are light
+/// enough to show the shading.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: the colours are from blue to light grey to orange.
+/// For signed values: from blue over light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
 /// Interpolates between the colours `keys` in Oklab. Requires at least 2 keys, as displayed. Source: B.

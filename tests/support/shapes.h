@@ -84,8 +84,7 @@ inline Surface sphere(int levels) {
                      levels);
 }
 
-/// A torus about the z axis with radii 2 and 0.5. If `open`, a ring of quads is missing: the torus has 2
-/// holes.
+/// A torus about the z axis with radii 2 and 0.5. If `open`, one ring of quads is missing.
 inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = false) {
   Surface s;
   const double pi = std::acos(-1.0);
@@ -151,7 +150,7 @@ inline formats::ReadResult read_kept(const std::string& bytes, const std::string
   return formats::read(formats::Source{"given." + extension, extension, *kept, nullptr, kept, folder});
 }
 
-/// Returns the bytes of the file after writing it with new positions.
+/// Writes the file again, with new positions. Returns the bytes.
 inline std::string written_again(const formats::ReadResult& read, const std::vector<Point>& positions,
                                  formats::Digits digits = {}) {
   std::string all;
@@ -174,7 +173,7 @@ inline std::string refusal(const std::string& bytes, const std::string& extensio
   return {};
 }
 
-/// Checks that each file causes an error that contains the text.
+/// `files` are pairs of bytes and text. Checks that reading the bytes causes an error with the text.
 inline void check_refusals(const std::string& extension,
                            const std::vector<std::pair<std::string, std::string>>& files) {
   for (const auto& [bytes, said] : files) {

@@ -10,8 +10,8 @@ namespace viete::test {
 /// separate ctest entry. If a case calls skip(), ctest shows this entry as skipped.
 inline constexpr const char* if_present = "if_present";
 
-/// Prints the reason. The case must return after this call. The test exits with code 77; other ctest entries
-/// treat this code as a failure.
+/// Prints the reason. The case must return after this call. The program then exits with code 77. ctest shows
+/// the if_present entries as skipped, and other entries as failed.
 void skip(const std::string& why);
 
 /// TEST_CASE("name" * doctest::test_suite(longer)) marks a case that also runs in `ctest -L long`, where
