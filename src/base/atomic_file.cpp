@@ -40,7 +40,7 @@ fs::path part_of(const fs::path& target, int number) {
          std::string(part_extension);
 }
 
-// Returns the process name in the name of a part file. If it is not a part file, returns an empty text.
+// Returns the process name in the name of a part file. For the name of another file, returns an empty text.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());

@@ -64,7 +64,7 @@ struct WorkState {
   double age = 0;      ///< seconds since the work began
 };
 
-/// Estimates the remaining seconds. If less than 1 % is done, or in the first second, returns nullopt.
+/// Estimates the remaining seconds. Before 1 % is done, and before 1 second has passed, returns nullopt.
 std::optional<double> time_left(double done, double seconds);
 
 class StepProgress : public Progress {

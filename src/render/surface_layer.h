@@ -28,7 +28,7 @@ struct SurfaceRun {
   bool flat = false;  ///< true: flat shading
 };
 
-/// The appearance that a file stores. An array is empty if the file does not have its data.
+/// The appearance that a file stores. If the file lacks one kind of data, the array of this kind is empty.
 struct SurfaceLooks {
   std::vector<std::array<float, 2>>
       texture_points;         ///< one per corner of each triangle; (0, 0) is the upper left

@@ -86,7 +86,7 @@ float linear_light(float display);
 /// enough to show the shading.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: from blue over light grey to orange.
+/// For signed values: from blue through light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
 /// Interpolates between the colours `keys` in Oklab. Requires at least 2 keys, as displayed. Source: B.

@@ -33,7 +33,7 @@ void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
   for (const auto& t : s.triangles) {
     for (const auto v : t) require(v < s.positions.size());
   }
-  // The limits grow with the file size and the number of instances.
+  // A small file must not give a large surface. `placed` is the limit for vertices of instances in glTF.
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
 

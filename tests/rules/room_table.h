@@ -185,7 +185,7 @@ inline std::optional<std::string> violation(const std::string& room, bool is_hea
     if (*target == room || rules.knows.count(*target)) return std::nullopt;
     return room + " may not know " + *target;
   }
-  return std::nullopt;  // the standard library and the system
+  return std::nullopt;  // all rooms may include headers of the standard library and the system
 }
 
 }  // namespace viete::rules

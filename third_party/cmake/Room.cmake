@@ -69,7 +69,7 @@ function(viete_kernels)
   set_property(GLOBAL APPEND PROPERTY VIETE_KERNEL_SOURCES ${ARGN})  # for tests/rules
 endfunction()
 
-# Compiles several sources of a room as one unit. The compiler then reads each header once, in half the time.
+# Compiles several sources of a room as one unit. This halves the build time: each header is read only once.
 option(VIETE_UNITY "Compile sources in batches, in rooms that allow it" ON)
 set(VIETE_BATCH 24 CACHE STRING "Number of sources per batch")
 
