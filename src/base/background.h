@@ -64,7 +64,7 @@ struct WorkState {
   double age = 0;      ///< seconds since the work began
 };
 
-/// Estimates the remaining seconds. Before 1 % is done, and before 1 second has passed, returns nullopt.
+/// Estimates the remaining seconds. In the first second, and below 1 % of the work, returns nullopt.
 std::optional<double> time_left(double done, double seconds);
 
 class StepProgress : public Progress {
@@ -98,7 +98,7 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  /// Cancels the running job and starts `work`. `name` is the name of its first step, for state().
+  /// Cancels the running job and starts `work`. For state(), `name` is the name of the first step.
   void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
     progress_ = std::make_shared<StepProgress>(std::move(name));

@@ -75,8 +75,8 @@ struct Blending {
   std::string weights{}, blend{};  ///< replace the weights and the blend of the deformer
   std::optional<double> radius{};  ///< distance at which weights become 0, in cage sizes, 0.001 to 10
   std::optional<double> turn{}, stretch{};  ///< factors of the rotations and of the stretches, 0 to 2
-  std::optional<int> stitched{};            ///< iterations of a solver that keeps triangle shapes, 1 to 20
-  std::optional<double> pins{}, hold{};     ///< settings of this solver and of "arap"; each 0 to 1
+  std::optional<int> stitched{};            ///< iterations of the solver for triangle shapes, 1 to 20
+  std::optional<double> pins{}, hold{};     ///< settings of the solver for triangle shapes; each 0 to 1
   std::string method = "fast";              ///< method for matrices: "diag", "sd", "improved_sd" or "fast"
 };
 

@@ -82,7 +82,7 @@ float linear_light(float display);
 
 // The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: from blue over grey to yellow, with increasing lightness. All colours are light
+/// For positive values: from blue through grey to yellow, with increasing lightness. All colours are light
 /// enough to show the shading.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
