@@ -1,5 +1,5 @@
 #!/bin/sh
-# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds and runs the example as make does, then as in README.
+# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds the example as make does, then as in README.
 set -eu
 compiler="$2"
 work=$(mktemp -d)

@@ -7,7 +7,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
-# fresh: makes a checkout, in a folder with a blank in its name, and stubs for a machine that has every package.
+# fresh: makes a checkout in a folder with a blank in its name, and stubs for a machine with every package.
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: kernels may define inline functions and
-# templates only in the namespaces N_* of their instruction sets. If several files define the same function
+# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: kernels may define inline functions
+# and templates only in the namespaces N_* of their instruction sets. If several files define the same function
 # elsewhere, the linker keeps one copy. This copy could use instructions that the processor does not have.
 set -eu
 nm="$1" sources="$2"
