@@ -26,7 +26,7 @@ namespace {
               full ? "free some disk space" : "choose a folder that exists and can be written");
 }
 
-// Returns the target of a link. If the link is broken, returns the path of the link.
+// Returns the file at the end of all links. If a link is broken or the file is missing, returns `path`.
 fs::path target_of(const fs::path& path) {
   std::error_code code;
   const fs::path real = fs::canonical(path, code);
@@ -40,7 +40,7 @@ fs::path part_of(const fs::path& target, int number) {
          std::string(part_extension);
 }
 
-// Returns the process name in the name of a part file. If it is not a part file, returns an empty text.
+// Returns the process name in the name of a part file. For the name of another file, returns an empty text.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());
@@ -56,7 +56,7 @@ std::string_view process_of_part(std::string_view name) {
   return ours ? process : "";
 }
 
-// Removes a part file. If a running program has locked the file, keeps it.
+// Removes a part file of this user, unless a running program has locked it.
 void remove_if_left(const fs::path& part) {
   const int handle = open(part.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (handle < 0) return;
@@ -71,8 +71,8 @@ constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-// Keeps part files that are locked: their process may be in another container or on another computer, and is
-// then missing in the local process list.
+// process_runs() cannot see processes in other containers and on other computers. Each process locks its part
+// files, so remove_if_left() keeps them.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
   std::error_code code;  // set if the folder cannot be read; the folder then counts as empty
@@ -86,7 +86,7 @@ void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::ranges::for_each(stale, remove_if_left);
 }
 
-// A new file. Unless become_target() has renamed the file, the destructor removes it.
+// A part file. The destructor removes the file, unless become_target() has renamed it.
 struct FilesTogether::File {
   explicit File(const fs::path& target) : target_(target) {
     remove_stale_parts(target.parent_path(), target.filename().string());
@@ -138,7 +138,7 @@ struct FilesTogether::File {
   fs::path folder() const { return target_.parent_path(); }
 
 private:
-  // Only root may give a file to another owner. Only members of a group may give a file to the group.
+  // Sets the owner and the group of the new file. If this is not allowed, sets only the group.
   bool keep_owner(const struct stat& existing) {
     return fchown(handle_, existing.st_uid, existing.st_gid) == 0 ||
            fchown(handle_, static_cast<uid_t>(-1), existing.st_gid) == 0;
@@ -159,7 +159,6 @@ void sync_folder(const fs::path& folder) {
   close(handle);
 }
 
-// Throws Error if the file is write-protected. This also applies to root, although root could write the file.
 void check_rights(const fs::path& path, const fs::path& target) {
   struct stat existing {};
   if (stat(target.c_str(), &existing) != 0) return;
@@ -168,7 +167,7 @@ void check_rights(const fs::path& path, const fs::path& target) {
                 "choose another name, or make it writable (chmod u+w)");
 }
 
-// Returns the path of the file to write. If it cannot be a regular file, throws Error.
+// Returns the path of the file to write. Throws Error for a folder, a device or a write-protected file.
 fs::path checked_target(const fs::path& path) {
   const fs::path target = target_of(path);
   std::error_code code;
@@ -209,7 +208,7 @@ void check_replaceable(const fs::path& path) {
                 "this file has " + std::to_string(existing.st_nlink) +
                     " names (hard links), which replacing it would separate",
                 "choose another name, or remove this one first");
-  FilesTogether::File probe(target);  // its destructor removes the file again
+  FilesTogether::File probe(target);  // makes a part file; the destructor removes it
 }
 
 void replace_file(const fs::path& path, std::string_view bytes, Durability durability) {

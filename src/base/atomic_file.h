@@ -14,21 +14,21 @@ namespace viete::base {
 /// power cut, but replace_file() waits some milliseconds for the disk.
 enum class Durability { process, power_cut };
 
-/// Writes the bytes to a new file in the same folder, and renames the file to `path`. If this fails, removes
-/// the new file and does not change the existing file. Follows links. Keeps the read, write and execute
-/// permissions of an existing file and, if the system allows it, the owner. Throws Error for a folder, a
-/// device, an unwritable folder, a full disk, or a file that its owner may not write, even if root writes. If
-/// the file has hard links, only this name gets the new content; see check_replaceable(). Thread-safe.
+/// Writes the bytes to a new file in the same folder, and renames the new file to `path`. If this fails,
+/// removes the new file and does not change the existing file. If `path` is a symbolic link, replaces its
+/// target. Keeps the permissions of an existing file and, if the system allows this, its owner. Throws Error
+/// for a folder, a device, an unwritable folder, a full disk or a write-protected file (also for root). If
+/// the file has several names (hard links), only `path` gets the new content. Thread-safe.
 ///
-/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(). If killed programs left such
-/// files for this name, removes them.
+/// The new file is `NAME.PROCESS-NUMBER.part`, where PROCESS is process_name(). Also removes `.part` files of
+/// this name that killed programs left.
 void replace_file(const std::filesystem::path& path, std::string_view bytes,
                   Durability durability = Durability::power_cut);
 
 using ByteSink = std::function<void(std::string_view)>;
 
-/// Like the function above, but calls produce(). produce() passes the bytes in portions, to save memory. If
-/// produce() throws, rethrows the exception and does not change the existing file.
+/// Like the function above, but writes the bytes in portions, to save memory: calls produce(sink), which must
+/// call sink(bytes) for each portion. If produce() throws, the existing file does not change.
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability = Durability::power_cut);
 
@@ -52,21 +52,21 @@ private:
   Durability durability_;
 };
 
-/// Throws the error that replace_file() would throw for this path. Call this before long work. Also throws
-/// Error if the file has hard links, because replacing would separate them. Does not change an existing file.
+/// If replace_file() would throw Error for this path, throws the same error. Call this before long work. Also
+/// throws Error if the file has several names (hard links). Does not change an existing file.
 void check_replaceable(const std::filesystem::path& path);
 
-/// Returns the path or, if a file with this name exists, a free name such as "viete-2.png". A broken link
-/// counts as an existing file. A regular file for which fits(file) is true counts as free.
+/// Returns the path if no file has this name. Otherwise, returns a free name such as "viete-2.png". A broken
+/// link counts as a file. A regular file for which fits(file) is true counts as free.
 std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
-/// Calls remove_stale_parts() for this file and its folder.
+/// Calls remove_stale_parts() for the folder of this file. If the file is a link, for the target's folder.
 void remove_leftovers_beside(const std::filesystem::path& path);
 
-/// Removes `.part` files that killed programs left in a folder: for one file or, if `file` is empty, for all.
-/// Keeps files of running programs and of other users. If the folder is missing, does nothing. Thread-safe.
+/// Removes `.part` files that killed programs left in a folder. If `file` is not empty, removes only `.part`
+/// files of this name. Keeps files of running programs and other users. Folders may be missing. Thread-safe.
 void remove_stale_parts(const std::filesystem::path& folder, const std::string& file = "");
 
 }  // namespace viete::base

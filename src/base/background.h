@@ -20,15 +20,15 @@
 
 namespace viete::base {
 
-/// True if the future has a value. If not, waits for the value, for at most this number of seconds.
+/// Waits for at most this number of seconds. True if the future then has a value or an exception.
 template <class Value>
 bool is_ready(const std::future<Value>& future, double seconds = 0) {
   return future.valid() &&
          future.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
 }
 
-/// Runs work on one thread, in the order of add(). If the system cannot create a thread, add() runs the work
-/// before it returns. Only one thread may use a queue. The destructor waits for all work.
+/// Runs work on a second thread, in the order of the add() calls. If the system cannot create this thread,
+/// add() itself runs the work. Only one thread may call add(). The destructor waits for all work.
 class BackgroundQueue {
 public:
   BackgroundQueue() = default;
@@ -56,7 +56,6 @@ private:
   std::jthread thread_;
 };
 
-/// The progress of background work, for display.
 struct WorkState {
   bool running = false;
   std::string what{};  ///< the current step, for example "Reading dragon.ply"
@@ -65,14 +64,14 @@ struct WorkState {
   double age = 0;      ///< seconds since the work began
 };
 
-/// Returns an estimate of the remaining seconds, or nullopt if it is too early for an estimate.
+/// Estimates the remaining seconds. In the first second, and below 1 % of the work, returns nullopt.
 std::optional<double> time_left(double done, double seconds);
 
 class StepProgress : public Progress {
 public:
   explicit StepProgress(std::string name) : name_(std::move(name)) {}
 
-  /// Begins the next step. Its progress starts at 0. The thread that does the work must call this.
+  /// Begins the next step, with the progress 0. The thread that does the work must call this.
   void step(std::string name);
   WorkState state() const;
 
@@ -82,9 +81,9 @@ private:
   double begun_ = wall_seconds(), step_begun_ = begun_;
 };
 
-/// Runs one job at a time. Only one thread may use the object. start() and cancel() do not wait for a running
-/// job: it ends at its next progress report, and then the next job begins. The destructor cancels the job and
-/// waits until it ends.
+/// Runs one job at a time. Only one thread may use the object. start() and cancel() do not wait: a cancelled
+/// job ends at its next progress report, and then the next job begins. The destructor cancels the job and
+/// waits until the job ends.
 template <class Value>
 class BackgroundJob {
 public:
@@ -99,7 +98,7 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  /// Cancels the running job, and starts another job. state() shows `name` to the user.
+  /// Cancels the running job and starts `work`. For state(), `name` is the name of the first step.
   void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
     progress_ = std::make_shared<StepProgress>(std::move(name));
@@ -114,17 +113,17 @@ public:
     value_ = {};
   }
 
-  /// Asks the job to stop. poll() then returns a result: either `stopped`, or the complete result.
+  /// Asks the job to stop. poll() then returns `stopped`, or the complete result if the job ended before.
   void stop() {
     if (running()) progress_->cancel();
   }
 
-  /// True from start() until poll() returns the result.
+  /// True from start() until cancel(), or until poll() has returned the result.
   bool running() const { return value_.valid(); }
   WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
 
-  /// Returns the result once, as soon as it is available. If `wait` is true, waits for the result.
+  /// Returns the result if the job has ended, and nullopt in later calls. If `wait`, waits for the result.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

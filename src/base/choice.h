@@ -11,11 +11,11 @@ namespace viete::base {
 
 struct Choice {
   std::string_view word;   ///< the name in files and on the command line
-  std::string_view label;  ///< the name in lists of the window
+  std::string_view label;  ///< the name in the window
   std::string_view hint;   ///< a description in one sentence
 };
 
-/// Returns the choices of an enumeration. Each enumeration has an overload in its namespace.
+/// Returns the choices in the order of the enumeration. Each enumeration must overload this function.
 template <class Value>
 std::span<const Choice> choices(Value) = delete;
 

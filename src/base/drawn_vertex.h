@@ -1,4 +1,4 @@
-// The vertices of a frame. Code with vector instructions also includes this file: it must not have functions.
+// A vertex of a frame. Files for different processors include this file, so it must not contain functions.
 #pragma once
 
 #include <array>

@@ -17,13 +17,13 @@ std::optional<std::string> bytes_of_base64(std::string_view text);
 /// Percent-encodes all bytes for which is_plain() is false. is_plain() must be false for the percent sign.
 std::string percent_encoded(std::string_view bytes, bool (*is_plain)(char));
 
-/// Decodes percent-encoding. If two hexadecimal digits do not follow a percent sign, keeps the percent sign
-/// and sets *whole to false. `whole` may be null.
+/// Decodes percent-encoding. If a percent sign is not followed by two hexadecimal digits, keeps the percent
+/// sign and sets *whole to false. `whole` may be null.
 std::string percent_decoded(std::string_view text, bool* whole = nullptr);
 
-/// A 64-bit checksum of all added bytes; not cryptographic. Depends on how calls divide the bytes, and on the
-/// byte order of the processor. A change within 8 aligned bytes always changes the checksum. Other changes
-/// leave the checksum unchanged with probability 2^-64.
+/// A 64-bit checksum of all added bytes; not cryptographic. Depends on the sizes of the added parts, and on
+/// the processor's byte order. A change within 8 aligned bytes always changes the checksum. With probability
+/// 2^-64, another change leaves the checksum unchanged.
 class Checksum {
 public:
   void add(const void* bytes, std::size_t size);

@@ -24,7 +24,7 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Leaves numbers uninitialised. The threads that compute a large array are then also the first to write it.
+  // Leaves numbers uninitialised. Otherwise, one thread would fill an array before many threads compute it.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;
@@ -45,7 +45,7 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
-/// Returns the bytes available without swapping; nullopt if the system does not report them. Thread-safe.
+/// Returns the bytes of free memory, or nullopt if the system does not report this number. Thread-safe.
 std::optional<double> free_memory();
 
 /// An amount of memory, and the texts of the error if the memory is not available.

@@ -24,14 +24,14 @@ public:
   static bool is_pattern(const std::filesystem::path& path);
 
   /// Returns the pattern of the sequence that contains a file. The last digits of the file name are the
-  /// number. For `a_10`, the pattern is `a_##` or `a_#`: the pattern with more files. If the name has no
-  /// digits, returns nullopt. Throws errors of find().
+  /// number. For `a_10`, returns `a_##` or `a_#`, whichever has more files. If the name has no digits,
+  /// returns nullopt. Throws errors of find().
   static std::optional<NumberedName> of_file(const std::filesystem::path& file);
 
   /// Returns the file with a number. As in printf, the file of `a_####` with the number -7 is `a_-007`.
   std::filesystem::path file(std::int64_t number) const;
 
-  /// Returns the number in a file name. If file() gives another name, nullopt: `a_1` does not match `a_##`.
+  /// Returns the number in a file name, or nullopt for a name outside the sequence, as `a_1` for `a_##`.
   std::optional<std::int64_t> number(const std::string& name) const;
 
   /// Returns all existing files, sorted by number. If the folder is missing, returns no files. If the folder

@@ -14,7 +14,7 @@ namespace viete::base {
 
 namespace {
 
-// False for PSD, PIC, HDR, PNM and GIF: the stb library decodes these formats less safely.
+// Returns false for PSD, PIC, HDR, PNM and GIF: the stb library decodes these formats less safely.
 bool is_known(std::string_view bytes) {
   using namespace std::string_view_literals;
   constexpr auto others =
@@ -60,7 +60,6 @@ bool has_sound_tables(std::string_view bytes) {
   return true;
 }
 
-// Returns a big-endian number of four bytes. (stb does not report the size of a PNG that is too large.)
 std::size_t word_at(std::string_view bytes, std::size_t i) {
   return byte_at(bytes, i) << 24 | byte_at(bytes, i + 1) << 16 | byte_at(bytes, i + 2) << 8 |
          byte_at(bytes, i + 3);
@@ -98,6 +97,7 @@ Picture decode_picture(const std::string& place, std::string_view bytes) {
     throw Error(place, "the picture is damaged", "save the picture again");
   Picture picture;
   int channels = 0;
+  // For a PNG that is too large, the stb library does not report the size. Reads the size from the header.
   if (bytes.starts_with("\x89PNG") && bytes.size() >= 24 && bytes.substr(0, 16).ends_with("IHDR"))
     check_size(place, word_at(bytes, 16), word_at(bytes, 20));
   if (!is_known(bytes) || stbi_info_from_memory(data, size, &picture.width, &picture.height, &channels) == 0)

@@ -8,7 +8,7 @@
 
 namespace viete::base {
 
-/// Returns "PID-START", where START is the start time. A later process with an equal ID has another name.
+/// Returns "PID-START" of this process. START is its start time: a later process may get the same PID.
 std::string process_name();
 
 /// True if the process with this name is running. False for a zombie, for a process that cannot be inspected,
@@ -26,12 +26,12 @@ public:
 };
 
 /// A child process. Its standard input is empty, its standard output is discarded, and its standard error is
-/// used for messages. Ctrl+C in a terminal does not end it. Not thread-safe.
+/// the text of errors. Ctrl+C in a terminal does not end the child. Not thread-safe.
 class ChildProgram {
 public:
-  /// Starts words[0], which is searched in PATH, with the other words as arguments. `variables`
-  /// ("NAME=value") are added to the environment. Throws Error, usually with this advice, if the program is
-  /// not installed or cannot be run.
+  /// Starts the program words[0], found by PATH, with the other words as arguments. Adds `variables`
+  /// ("NAME=value") to the environment. If the program is not installed or cannot be run, throws Error,
+  /// usually with `advice`.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
   /// Kills the program and its children.
@@ -44,7 +44,7 @@ public:
   bool running();
   /// Sends SIGTERM to the program.
   void stop();
-  /// Waits until the program ends. If it has failed, throws Error with its standard error.
+  /// Waits until the program ends. If the program failed, throws Error with its standard error.
   void finish();
 
 private:

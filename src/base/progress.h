@@ -16,21 +16,21 @@ public:
 /// thread may call cancel() and done().
 class Progress {
 public:
-  /// Reports the progress. `done` is in [0, 1]. Call this often. After cancel(), throws Cancelled.
+  /// Reports the finished fraction of the section. Call this often. After cancel(), throws Cancelled.
   void report(double done) {
     const double of_part = from_ + (to_ - from_) * done;
     done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
-  /// Sets the range [from, to] of the next reports, within the whole work or the current part().
+  /// Begins a section. Its reports move the progress from `from` to `to`, as fractions of the current part.
   void section(double from, double to) {
     from_ = from;
     to_ = to;
     report(0);
   }
 
-  /// Sets the range [from, to] of the next sections, within the whole work.
+  /// Begins a part. Its sections move the progress from `from` to `to`, as fractions of the whole work.
   void part(double from, double to) {
     part_from_ = from;
     part_to_ = to;

@@ -12,13 +12,13 @@
 
 namespace viete::base {
 
-/// A vector. It is a separate type, so that argument-dependent lookup finds its operators. Code that does not
-/// use this type can use it as an array.
+/// A vector. Unlike std::array, a separate type lets argument-dependent lookup find the operators below.
+/// Other code can use a Vector as an array.
 template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// A template, so that a list in braces always has three numbers.
+  /// As a template, this constructor is not used for lists in braces: a list must have three numbers.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };
@@ -26,7 +26,7 @@ struct Vector : std::array<T, 3> {
 using Vec3 = Vector<double>;
 using Vec3f = Vector<float>;
 
-// T is the type of the arguments. If the arguments are lists in braces, T is double.
+// The default T = double is for arguments that are lists in braces.
 template <class T = double>
 Vector<T> operator+(const Vector<T>& a, const Vector<T>& b) {
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
@@ -44,7 +44,7 @@ T dot(const Vector<T>& a, const Vector<T>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// Returns exactly -cross(b, a).
+/// The result is exactly the same as -cross(b, a).
 template <class T = double>
 Vector<T> cross(const Vector<T>& a, const Vector<T>& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
@@ -55,8 +55,8 @@ T squared_norm(const Vector<T>& a) {
   return dot(a, a);
 }
 
-/// Returns the length. The square of the length must be in the range of T: the length from 1e-150 to 1e150 in
-/// double, from 1e-18 to 1e18 in float.
+/// Returns the length. The square of the length must be in the range of T. In double, the length must be from
+/// 1e-150 to 1e150, in float from 1e-18 to 1e18.
 template <class T = double>
 T norm(const Vector<T>& a) {
   return std::sqrt(squared_norm(a));
@@ -77,8 +77,8 @@ inline double cosine(const Vec3& a, const Vec3& b) {
   return lengths > 0 ? dot(a, b) / lengths : -1;
 }
 
-/// Returns a unit vector as octahedral coordinates, to 4e-5 (Meyer et al. 2010, On Floating-Point Normal
-/// Vectors). n must not be 0.
+/// Returns the direction of n as octahedral coordinates, accurate to 4e-5. n must not be 0. Source: Meyer et
+/// al. 2010, On Floating-Point Normal Vectors.
 inline PackedNormal pack_normal(const Vec3& n) {
   const double scale = 32767 / (std::abs(n[0]) + std::abs(n[1]) + std::abs(n[2]));
   const double fold = std::max(-n[2], 0.0);

@@ -88,7 +88,7 @@ WorkerPool::WorkerPool(int threads) : state_(std::make_unique<State>()) {
 }
 
 WorkerPool::~WorkerPool() {
-  if (state_->process != getpid()) {  // true in a forked child process, which has no other threads
+  if (state_->process != getpid()) {  // in a child process after fork(), these threads do not exist
     for (auto& thread : state_->threads) thread.detach();
     static_cast<void>(state_.release());
     return;

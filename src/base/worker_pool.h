@@ -21,8 +21,8 @@ std::jthread try_thread(Work work) {
   }
 }
 
-/// Threads that share the blocks of a loop. The size of blocks is fixed, so that results do not depend on the
-/// number of threads. After fork(), the child process has no other threads, and the caller runs all blocks.
+/// Threads that run the blocks of a loop. The size of blocks is fixed, so that results do not depend on the
+/// number of threads. In a child process after fork(), the calling thread runs all blocks.
 class WorkerPool {
 public:
   /// `threads` is the largest number of threads, including the caller. 0 means one thread per processor.
@@ -36,7 +36,7 @@ public:
   /// The processor time of all loops until now, in seconds.
   struct Cost {
     double caller = 0;   ///< the time of the thread that called for_blocks()
-    double longest = 0;  ///< the time of the slowest thread in each loop; on an idle machine, about wall time
+    double longest = 0;  ///< the time of the slowest thread of each loop; usually about wall time
   };
   Cost cost() const;
 
@@ -54,11 +54,11 @@ private:
 /// The number of elements per block, for loops over large arrays.
 inline constexpr std::size_t large_block = std::size_t{1} << 15;
 
-/// Like WorkerPool::for_blocks(), with threads for this loop only. If there is one block, the caller runs it.
+/// Like WorkerPool::for_blocks(), with a pool for this loop only. A single block runs in the calling thread.
 void for_blocks(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body,
                 std::size_t block = large_block);
 
-/// Returns the sum of body(begin, end) over the blocks of for_blocks(), in order. add(sum, term) adds a term.
+/// Calls body(begin, end) for all blocks. Returns the sum of the results, in order, by add(sum, result).
 template <class Body, class Add = std::plus<>>
 auto sum_of_blocks(std::size_t count, const Body& body, const Add& add = {}) {
   std::vector<decltype(body(0, 0))> sums((count + large_block - 1) / large_block);

@@ -21,17 +21,18 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 /// Throws base::Error if an index is invalid, a face has fewer than three corners, or a coordinate is not
 /// finite or above largest_coordinate. The error message begins with `what`, for example "the model".
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
-/// The largest coordinate of a deformable surface.
+/// Points with larger coordinates cannot be deformed.
 inline constexpr double most_deformable = 1e60;
+/// Like surface_of(), but also throws if a coordinate is above most_deformable, or the size is too small.
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 
-/// Throws base::Error if the number of points is not `vertices`, or if a coordinate is above most_deformable.
+/// Returns the points. Throws base::Error if their number is not `vertices`, or a coordinate is too large.
 std::vector<mesh::Point> deformable(std::vector<mesh::Point> points, std::size_t vertices, const char* what);
 /// Works like deformable(), but reads three numbers for each vertex.
 std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std::size_t vertices,
                                            const char* what);
-/// Throws base::Error if a coordinate of a result is not finite. The error message ends with `advice`.
+/// If a coordinate of a result is not finite, throws base::Error with `what` and `advice`.
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
 inline std::string plain(double value) {
@@ -61,17 +62,16 @@ Hidden<Impl> hidden(Arguments&&... arguments) {
   return {new Impl(std::forward<Arguments>(arguments)...), [](Impl* impl) { delete impl; }};
 }
 
-/// Describes the members of Blending for docstrings: "\nway: ...\n  'smooth': ...".
+/// Returns a description of the members of Blending, for docstrings: "\nway: ...\n  'smooth': ...".
 std::string settings_text();
 
-/// Throws base::Error if `threads` is not between 0 (one thread for each processor) and 1024.
 inline int checked_threads(int threads) {
   check_range("threads", threads, 0, 1024);
   return threads;
 }
 
-/// Runs work(base::Progress*) in another thread and meanwhile calls watch(). If `watch` is empty, runs the
-/// work in this thread with a null pointer.
+/// Runs work(&progress) in another thread, and meanwhile calls watch(). If `watch` is empty, runs
+/// work(nullptr) in this thread.
 template <class Work>
 auto watched(const Watch& watch, const Work& work) {
   if (!watch) return work(static_cast<base::Progress*>(nullptr));

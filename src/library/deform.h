@@ -48,7 +48,7 @@ struct Mesh {
 };
 
 /// Reads or writes OBJ, PLY, OFF, STL or glTF. The file extension chooses the format. Writing is atomic. STL
-/// and glTF files lose the vertex order and the polygons. If `notes` is not null, the functions add warnings,
+/// and glTF files do not keep the vertex order and the polygons. If `notes` is not null, it gets warnings,
 /// one line each, for example about content that the format does not support.
 Mesh read_mesh(const std::filesystem::path& file, std::vector<std::string>* notes = nullptr);
 void write_mesh(const std::filesystem::path& file, const Mesh& mesh,
@@ -68,48 +68,48 @@ struct CageWish {
 /// Makes a closed cage around the model, without self-intersections.
 Mesh make_cage(const Mesh& model, const CageWish& wish = {}, const Watch& watch = {});
 
-/// How the cage moves the model. `viete help deformers` describes all names and numbers. Numbers are
-/// fractions here. An empty member means the default of the deformer `way`.
+/// How the cage moves the model. `viete help deformers` describes all names and numbers. Numbers here are
+/// fractions, not percentages. An empty member means the default of the deformer `way`.
 struct Blending {
   std::string way = "smooth";      ///< deformer: "smooth", "paper", "mean-value", "rigid", "arap", "local"
-  std::string weights{}, blend{};  ///< if not empty, replace the deformer's weights and blend
+  std::string weights{}, blend{};  ///< replace the weights and the blend of the deformer
   std::optional<double> radius{};  ///< distance at which weights become 0, in cage sizes, 0.001 to 10
-  std::optional<double> turn{}, stretch{};  ///< factors of rotations and stretches, 0 to 2
-  std::optional<int> stitched{};            ///< iterations of the stitched solver, 1 to 20
-  std::optional<double> pins{}, hold{};     ///< pin radius in cage sizes, and hold weight; each 0 to 1
+  std::optional<double> turn{}, stretch{};  ///< factors of the rotations and of the stretches, 0 to 2
+  std::optional<int> stitched{};            ///< iterations of the solver for triangle shapes, 1 to 20
+  std::optional<double> pins{}, hold{};     ///< settings of the solver for triangle shapes; each 0 to 1
   std::string method = "fast";              ///< method for matrices: "diag", "sd", "improved_sd" or "fast"
 };
 
-/// A model bound to a cage. One deformer is not thread-safe, but several deformers are independent. fork()
-/// waits until calls in other threads have ended. The child process uses one thread.
+/// A model bound to a cage. Threads may use different deformers at the same time, but not the same deformer.
+/// fork() waits until calls in other threads have ended. The child process uses one thread.
 class Deformer {
 public:
   /// Checks and copies the arguments. If `threads` is 0, uses one thread for each processor.
   Deformer(const Mesh& model, const Mesh& cage, const Blending& blending = {}, int threads = 0);
 
-  /// Binds for deform() in float or in double, in up to some seconds. If you do not call bind(), the first
-  /// deform() binds. The memory use is proportional to vertices times cage triangles.
+  /// Binds for the float or the double version of deform(), in up to some seconds. Without this call, the
+  /// first deform() binds. The memory use is proportional to vertices * cage triangles.
   void bind(bool in_float, const Watch& watch = {});
 
   std::size_t vertex_count() const;
   /// Warnings about the cage, one line each.
   const std::vector<std::string>& notes() const;
 
-  /// Computes the model's vertices from the cage's vertices, with three numbers for each vertex. The double
-  /// version gives the same bits as `viete deform`. The float version uses compressed weights, as the window
-  /// does, and is three to nine times as fast. Its error is up to 1e-4, usually 1e-5, of the larger of two
-  /// diagonals, the rest cage's and the posed cage's, plus rounding. If `normals` is not empty, it gets a
-  /// unit vector for each vertex (float: within 1e-4). `turns` is a rotation vector with full turns for each
-  /// part of the cage. Pass the value of the previous pose (at first empty); deform() replaces it. If `turns`
-  /// is null, each part uses the shortest rotation.
+  /// Computes the model's vertices from the cage's vertices. All spans have three numbers for each vertex. If
+  /// `normals` is not empty, it gets unit vectors. The double version gives the same bits as `viete deform`.
+  /// The float version is three to nine times as fast, with compressed weights as in the window. Its error,
+  /// besides rounding, is up to 1e-4 (usually 1e-5) of the diagonal of the cage, at rest or posed. Its
+  /// normals are accurate to 1e-4. `turns` has a rotation vector with full turns for each part of the cage.
+  /// Pass an empty list for the first pose, and later the list that deform() has stored in it. If `turns` is
+  /// null, each part uses the shortest rotation.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
               std::vector<Point3>* turns = nullptr);
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},
               std::vector<Point3>* turns = nullptr);
 
-  /// Scales the motion of each vertex in later poses by a factor from 0 to 1. If empty, removes the scaling.
+  /// Scales the motion of each vertex by a factor from 0 to 1. An empty span removes the scaling.
   void set_mask(std::span<const float> shares);
-  /// Sets the shape to deform, three numbers for each vertex. If empty, the cage deforms the model at rest.
+  /// Sets the shape that the cage deforms, three numbers for each vertex. If empty: the model at rest.
   void set_shape(std::span<const double> positions);
 
 private:
@@ -130,10 +130,10 @@ public:
   /// Interpolates the sequence of shapes: 0 is the first shape, 1 the second, 0.5 is halfway. If `straight`
   /// is true, vertices move along straight lines.
   std::vector<Point3> between(double at, bool straight = false) const;
-  /// Example-based posing: moves `vertices` to `places`. All other vertices follow blends of the shapes.
-  /// `firmness`: infinite makes the places exact; 1 is about the stiffness between neighbours; 0.3 is soft.
-  /// `freedom`: 0 follows the shapes exactly; 1 is as rigid as possible. If `weights` is not null, it gets
-  /// the weight of each shape.
+  /// Example-based posing: moves `vertices` to `places`. All other vertices follow a blend of the shapes.
+  /// `firmness` is the strength of the places: infinity is exact, 1 is about as strong as the pull of the
+  /// neighbouring vertices, 0.3 is soft. `freedom`: with 0, the result is exactly a blend; with 1, it is as
+  /// rigid as possible. If `weights` is not null, it gets the weight of each shape.
   std::vector<Point3> pose(std::span<const std::uint32_t> vertices, std::span<const Point3> places,
                            double firmness = 1e300, double freedom = 0.3,
                            std::vector<double>* weights = nullptr, const Watch& watch = {}) const;

@@ -29,7 +29,7 @@ void take(std::span<const Entry> table, const std::string& name, const char* wha
 
 deform::Scheme scheme_of(const Blending& b, bool has_triangles) {
   deform::AskedScheme asked;
-  // A model without faces cannot use smooth weights, because these weights spread along the surface.
+  // Smooth weights spread along the surface. A model without faces therefore gets another default deformer.
   if (has_triangles || b.way != Blending{}.way) take(deform::all_ways(), b.way, "way", asked.way);
   take(deform::all_weights(), b.weights, "weights", asked.choice.weights);
   take(deform::all_blends(), b.blend, "blend", asked.choice.blend);
@@ -143,7 +143,7 @@ struct Deformer::Impl {
   std::optional<mesh::Adjacency> around;  // the triangles of each vertex
   deform::Mask mask;
   deform::SharedShape shape;
-  std::unique_ptr<deform::ExactDeformer> exact_;  // exact() and live() create these
+  std::unique_ptr<deform::ExactDeformer> exact_;  // created by exact(); live_ is created by live()
   std::unique_ptr<deform::Deformer> live_;
 };
 

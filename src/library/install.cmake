@@ -1,10 +1,10 @@
-# Installs viete::deform: the archives of this room and of all rooms that it uses, without the headers of these rooms.
+# Installs viete::deform: the static libraries of this room and of the listed rooms, and one header, deform.h.
 set(rooms base mesh formats cages sparse deform analysis document files)
 foreach(room IN LISTS rooms)
   set_target_properties(viete_${room} PROPERTIES EXPORT_NAME room_${room})
 endforeach()
 set_target_properties(viete_library PROPERTIES EXPORT_NAME deform)
-# Users of viete::deform must link dependencies, but do not get their headers.
+# Programs link the dependencies of viete::deform, but do not need the headers of the dependencies.
 foreach(room IN LISTS rooms)
   get_target_property(linked viete_${room} INTERFACE_LINK_LIBRARIES)
   list(TRANSFORM linked REPLACE "^(dep::.+)" "$<BUILD_INTERFACE:\\1>")

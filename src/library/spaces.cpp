@@ -14,7 +14,7 @@ namespace viete {
 
 namespace library {
 
-// Poses or shapes in the order of the motion, and the logarithm of each.
+// Poses or shapes in the order of the motion, and their logarithms.
 struct Sequence {
   std::vector<document::SharedPose> poses;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors;
@@ -47,7 +47,7 @@ struct Sequence {
     }
     return terms;
   }
-  // If one weight is 1 and all others are 0, returns the entry with weight 1. Otherwise returns null.
+  // If one weight is 1 and all others are 0, returns the pose with weight 1. Otherwise returns null.
   const document::WholePose* only(std::span<const double> weights,
                                   const std::vector<deform::LogTerm>& sum) const {
     if (sum.size() != 1 || sum[0].factor != 1) return nullptr;

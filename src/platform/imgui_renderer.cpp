@@ -29,7 +29,7 @@ Scissor scissor(const ImDrawCmd& command, const ImDrawData& data) {
           static_cast<int>(bottom - top)};
 }
 
-// Compares bytes. ImGui must fill objects of type T with zeros before use, so that padding bytes are equal.
+// Compares bytes, also the unused bytes between members of T. ImGui sets these bytes to zero.
 template <class T>
 bool same(const ImVector<T>& a, const ImVector<T>& b) {
   return a.Size == b.Size &&

@@ -1,4 +1,4 @@
-// Draws the lists of Dear ImGui with OpenGL 3.3. The renderer in the ImGui package does not work with OSMesa.
+// Draws the panels of Dear ImGui with OpenGL 3.3. The renderer of ImGui itself does not work with OSMesa.
 #pragma once
 
 #include <imgui.h>
@@ -16,12 +16,12 @@ class ImGuiRenderer {
 public:
   explicit ImGuiRenderer(const render::Gl& gl);
 
-  /// Builds and uploads the font atlas. Call it again after a change of the fonts.
+  /// Builds and uploads the font atlas. Call this again after a change of the fonts.
   void upload_fonts();
-  /// Draws into the bound framebuffer. Its size must be DisplaySize * FramebufferScale. `data` is the result
-  /// of ImGui::GetDrawData() after ImGui::Render(). Turns blending and scissor off at the end.
+  /// Draws into the bound framebuffer, whose size must be DisplaySize * FramebufferScale. `data` is the
+  /// result of ImGui::GetDrawData() after ImGui::Render(). Turns blending and scissor off at the end.
   void draw(const ImDrawData& data);
-  /// True if the last draw() had equal data. The picture is then the same.
+  /// True if the last draw() had equal data, so that another draw() would give the same picture.
   bool has_drawn(const ImDrawData& data) const;
 
 private:
@@ -40,7 +40,7 @@ private:
   render::Buffer vertices_, indices_;
   render::Texture font_;
   std::vector<Drawn> drawn_;
-  ImVec2 size_{0, 0}, scale_{0, 0};  // the sizes in the last draw()
+  ImVec2 size_{0, 0}, scale_{0, 0};  // DisplaySize and FramebufferScale of the last draw()
 };
 
 }  // namespace viete::platform

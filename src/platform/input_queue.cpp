@@ -16,7 +16,7 @@ using Kind = InputEvent::Kind;
 
 enum Modifier { shift, ctrl, alt, no_modifier };
 
-// Returns the modifier of a key. GLFW's codes of the left and right modifier keys are consecutive.
+// GLFW's key codes are consecutive: left Shift, Ctrl, Alt and Super, then the same keys on the right.
 Modifier modifier_of(const InputEvent& e) {
   constexpr int left_shift = 340, right_alt = 346;
   if (e.kind != Kind::key || e.code < left_shift || e.code > right_alt) return no_modifier;
@@ -27,7 +27,7 @@ bool is_modifier(const InputEvent& e) {
   return modifier_of(e) != no_modifier;
 }
 
-// True if the key types a character. Includes the number pad.
+// True if the key types a character, also for keys of the number pad.
 bool writes(int code) {
   return (code >= 32 && code < 256) || (code >= 320 && code <= 334);
 }
@@ -103,9 +103,8 @@ bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   return true;
 }
 
-// Passes on many events per frame, but not two changes of one key or button, a move after a button, a
-// modifier change after a key or button, a second key or, in a text field, text after a key: ImGui reads its
-// input once per frame, and would lose short presses, positions, modifiers and the order of keys.
+// Stops at the first event that must wait for the next frame. ImGui reads its input once per frame. From all
+// events at once, it would lose short presses, the positions of clicks, and the order of keys and modifiers.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   const bool typing = io.WantTextInput;

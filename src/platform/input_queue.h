@@ -1,4 +1,4 @@
-// Passes the events of a window or a script to ImGui, in their order.
+// Passes the events of a window or a script to ImGui, in order.
 #pragma once
 
 #include <deque>
@@ -26,20 +26,20 @@ struct InputEvent {
   static InputEvent left_window() { return {.kind = Kind::leave}; }
 };
 
-/// Delays events for ImGui. If two events change one button in one frame, as in a fast click, ImGui may lose
-/// an event. The second event therefore waits for the next frame.
+/// Delays events for ImGui. If two events change the same button in one frame, as in a fast click, ImGui may
+/// lose an event. The second event therefore waits for the next frame.
 class InputQueue {
 public:
-  /// Returns ImGui's key for a key code; before ImGui 1.87, the code. For an unused key, returns 0.
+  /// Returns ImGui's key for a key code of GLFW, or 0 for an unused key. Before ImGui 1.87, returns the code.
   using KeyTable = int (*)(int code);
   explicit InputQueue(KeyTable imgui_key) : imgui_key_(imgui_key) {}
 
   void push(InputEvent event) { events_.push_back(std::move(event)); }
   bool empty() const { return events_.empty(); }
 
-  /// Configures the input of ImGui. Call it once per ImGui context.
+  /// Configures the input of ImGui. Call this once per ImGui context.
   static void configure();
-  /// Passes the events of a frame to ImGuiIO. Call it before ImGui::NewFrame().
+  /// Passes the events of a frame to ImGuiIO. Call this before ImGui::NewFrame().
   void feed_frame();
 
 private:
@@ -47,7 +47,7 @@ private:
 
   KeyTable imgui_key_;
   bool commands_ = false;     // true while Ctrl or Alt is pressed
-  std::vector<int> written_;  // pressed keys whose character was passed on instead of the key
+  std::vector<int> written_;  // pressed keys of which ImGui gets the character, but not the key
   std::deque<InputEvent> events_;
 };
 

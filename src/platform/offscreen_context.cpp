@@ -23,7 +23,7 @@ namespace {
 using base::Error;
 
 /// A library that stays loaded until the process ends, because drivers crash when they are unloaded.
-/// RTLD_LOCAL separates its GL functions from those of other libraries.
+/// RTLD_LOCAL hides its GL functions from other libraries.
 class Library {
 public:
   Library(std::initializer_list<const char*> names) {
@@ -125,7 +125,7 @@ private:
     std::array<EGLDeviceEXT, 64> devices{};
     EGLint count = 0;
     for (const char* software : {"1", "0"}) {
-      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads this when it initialises a display
+      setenv("LIBGL_ALWAYS_SOFTWARE", software, 1);  // Mesa reads this variable during open()
       if (open(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY)) return;
       if (query) query(static_cast<EGLint>(devices.size()), devices.data(), &count);
       for (EGLint i = 0; i < count; ++i)
@@ -170,7 +170,7 @@ std::unique_ptr<OffscreenContext> attempt(std::string& tried, Make make) {
 }  // namespace
 
 void spare_rasteriser_threads() {
-  constexpr int other_threads = 2;  // the driver's other threads
+  constexpr int other_threads = 2;  // threads of the driver, in addition to one for each processor
   const int wanted = static_cast<int>(std::thread::hardware_concurrency()) + other_threads;
   if (base::WorkerPool(wanted).threads() < wanted) setenv("LP_NUM_THREADS", "0", 0);
 }

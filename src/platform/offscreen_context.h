@@ -31,8 +31,8 @@ protected:
 };
 
 /// Call this before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to
-/// create its threads. If this would happen, turns the threads off by LP_NUM_THREADS=0, unless this variable
-/// is set.
+/// create its threads. Tests whether the system creates as many threads. If not, sets LP_NUM_THREADS=0 (Mesa
+/// then uses no threads), unless this variable is already set.
 void spare_rasteriser_threads();
 
 }  // namespace viete::platform

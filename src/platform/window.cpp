@@ -31,8 +31,8 @@ int labelled(int key, int scancode) {
   return letter ? name[0] - 'a' + GLFW_KEY_A : key;
 }
 
-// True if a display is named. Call this before GLFW is initialised. Otherwise, the Wayland library could
-// print an error, or open a window on any display that it finds in the runtime folder.
+// True if an environment variable names a display. If not, GLFW must not be initialised: the Wayland library
+// could print an error, or open a window on any display that it finds in the runtime folder.
 bool display_is_named() {
   const auto given = [](const char* variable) {
     const char* value = std::getenv(variable);
@@ -52,7 +52,7 @@ void take_end_signal(int number) {
   end_signal = 1;
 }
 
-// If a signal is already ignored, for example by nohup, it stays ignored.
+// If a signal is already ignored, as with nohup, the signal stays ignored.
 void listen_to_end_signals() {
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     if (std::signal(number, take_end_signal) == SIG_IGN) std::signal(number, SIG_IGN);
@@ -67,7 +67,7 @@ GLFWwindow* open_window(glm::ivec2 size) {
   glfwWindowHint(GLFW_SAMPLES, 0);
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);  // stay full screen while another screen is used
-  // The desktop finds the application by these names in assets/desktop/viete.desktop.
+  // The desktop compares these names with assets/desktop/viete.desktop, to find the icon of the window.
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "Viete");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "viete");
 #ifdef GLFW_WAYLAND_APP_ID
@@ -82,7 +82,7 @@ float content_scale(GLFWwindow* window) {
   return scale;
 }
 
-// Returns the screen's size without desktop bars and window frame. If it is unknown, returns `otherwise`.
+// Returns the largest window size that fits on the screen. If this size is unknown, returns `otherwise`.
 glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   GLFWmonitor* screen = glfwGetPrimaryMonitor();
   if (!screen) return otherwise;
@@ -93,7 +93,7 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Sets the window's size, limited to the screen. Also sets a minimum size that the panels need.
+// Sets the window's size, limited to the screen. Also sets the minimum size, for which the panels have room.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
@@ -118,7 +118,7 @@ Area area_of(GLFWmonitor* screen) {
   return {corner, corner + (mode ? glm::ivec2(mode->width, mode->height) : glm::ivec2(0))};
 }
 
-// Returns the screen that shows most of the window; the first screen if positions are unknown. Can be null.
+// Returns the screen that shows most of the window. If positions are unknown, returns the primary screen.
 GLFWmonitor* screen_of(const Area& window) {
   int count = 0;
   GLFWmonitor** const screens = glfwGetMonitors(&count);

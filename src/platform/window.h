@@ -46,7 +46,7 @@ public:
   void share_clipboard();
   void poll_events();
   void wait_for_events(double seconds);
-  /// True once for each signal or click on the close button.
+  /// True if the close button was clicked, or a signal arrived, since the last call.
   bool asked_to_close();
 
   void set_title(const std::string& title);
@@ -68,7 +68,7 @@ private:
   struct Place {
     glm::ivec2 corner, size;
   };
-  std::optional<Place> windowed_;  ///< the place to restore after full screen
+  std::optional<Place> windowed_;  ///< during full screen, the place to restore
 };
 
 }  // namespace viete::platform

@@ -17,11 +17,11 @@ namespace {
 using sym3::Affine, sym3::AffineLog;
 using Axes = std::vector<py::ssize_t>;
 
-// Arguments. Their leading axes broadcast to `shape` as in numpy. The first contains maps or logarithms.
+// The arguments of a function. Their leading axes broadcast to `shape`, as in numpy.
 class Arguments {
 public:
   Axes shape;
-  py::ssize_t rows, count = 1;  // rows of a matrix (3 or 4), number of maps for each result
+  py::ssize_t rows, count = 1;  // rows: of a matrix, 3 or 4; count: number of maps for each result
 
   Arguments(const char* function, const py::object& maps, bool several = false) : function_(function) {
     const py::array array = as_array(function, maps);
@@ -31,7 +31,7 @@ public:
     add("maps", array, several ? Axes{count, rows, rows} : Axes{rows, rows});
   }
 
-  // Adds an argument. Its last axes must be `own`. Numbers and vectors must be finite, matrices need not.
+  // Adds an argument, whose last axes must be `own`. Numbers and vectors must be finite.
   void add(const char* what, const py::object& object, const Axes& own) {
     const auto array = numbers(function_, what, object, own.size() < 2);
     const Axes axes(array.shape(), array.shape() + array.ndim());
@@ -52,7 +52,7 @@ public:
     for (py::ssize_t i = 0; i < size; ++i) f(i);
   }
 
-  // Returns the array of all maps or logarithms f(i).
+  // Returns an array of the maps or logarithms f(i), for all results i.
   template <class F>
   py::array results(const F& f) {
     Contiguous<double> result = numpy_.attr("zeros")(py::cast(shape) + py::cast(Axes{rows, rows}));
@@ -87,7 +87,6 @@ public:
     return map;
   }
 
-  // Returns f(maps, weights) for result i.
   template <class F>
   auto weighted(const F& f, py::ssize_t i) const {
     std::vector<Affine> maps;

@@ -132,7 +132,7 @@ void define_deformation(py::module_& m) {
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const base::Error& e) {
-      const std::string sentence = e.what();  // decodes file names like Python if they are not UTF-8
+      const std::string sentence = e.what();  // may contain file names that are not UTF-8
       const auto text = py::reinterpret_steal<py::object>(PyUnicode_DecodeUTF8(
           sentence.data(), static_cast<py::ssize_t>(sentence.size()), "surrogateescape"));
       if (text) PyErr_SetObject(error, text.ptr());

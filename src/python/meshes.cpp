@@ -51,7 +51,7 @@ void add_faces(const char* what, const py::object& faces, Mesh& mesh) {
       throw py::type_error("viete." + std::string(what) +
                            ": faces must be integers, (m, corners), or a list of lists if the numbers of "
                            "corners differ");
-    return Integers(*given);  // converts integers above 2^63 to negative integers
+    return Integers(*given);  // integers above 2^63 become negative, and add() rejects them
   };
   mesh.starts = {0};
   if (py::isinstance<py::buffer>(faces)) {

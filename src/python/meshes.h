@@ -48,7 +48,7 @@ public:
   explicit Guarded(T&& made) : object(std::move(made)) {}
   template <class Act>
   auto with(const Act& act) {
-    if (process_ != getpid()) {  // in a forked child, a parent's thread may have locked the mutex
+    if (process_ != getpid()) {  // after fork(), another thread may have left the mutex locked
       process_ = getpid();
       static_cast<void>(mutex_.release());
       mutex_ = std::make_unique<std::mutex>();
@@ -66,7 +66,7 @@ private:
 
 }  // namespace viete::python
 
-/// If __init__() of an object was not called, raises TypeError.
+/// Raises TypeError for an object whose __init__() was not called.
 template <class T>
 struct pybind11::detail::type_caster<viete::python::Guarded<T>>
     : pybind11::detail::type_caster_base<viete::python::Guarded<T>> {

@@ -46,8 +46,8 @@ py::object apply(const char* name, const py::object& a, const py::object& out, c
   });
 }
 
-/// Returns the number of directions for each matrix. If the shapes are equal, it is 1, otherwise the length
-/// of the additional first axis of e.
+/// Returns the number of directions for each matrix: the length of the additional first axis of `e`. If `e`
+/// has no additional axis, returns 1.
 std::size_t directions_at(const char* name, const py::array& a, const py::array& e) {
   const py::ssize_t more = e.ndim() - a.ndim();
   if ((more != 0 && more != 1) || !std::equal(a.shape(), a.shape() + a.ndim(), e.shape() + more))
@@ -121,8 +121,8 @@ py::object log_of(const char* name, const py::object& a) {
   return apply(name, a, py::none(), [](const auto&... v) { sym3::log(v...); });
 }
 
-/// Returns exp(base + sum of weights times logs). Weights are (..., k), logs are (..., k, 3, 3) or (..., k,
-/// 6). If `axes` is empty, there is one term and no axis k.
+/// Returns exp(base + sum of weight * log). If axes is "k", the sum is over axis k: weights are (..., k), and
+/// logs are (..., k, 3, 3) or (..., k, 6). If axes is "", there is one term and no axis k.
 py::object exp_of_sum(const char* name, const py::object& base, const char* axes, const py::object& weights,
                       const py::array& logs) {
   const std::string own = symmetric_shape(name, logs).axes == 2 ? "ij" : "i";
@@ -163,7 +163,7 @@ constexpr const char* tangent_text =
     "of the result by number k of the matrix, in the order xx xy xz yy yz zz.\n\na: as for the function.\n"
     "Releases the GIL.";
 
-// Defines a function of matrices and of further parameters of types P with the names `extra`.
+// Defines a function of matrices. Further parameters have the types P and the names `extra`.
 template <class... P, class F, class... Extra>
 void define(py::module_& m, const char* name, const F& f, const std::string& text, const Extra&... extra) {
   const auto call = [=](const py::object& a, P... p, const py::object& out) {

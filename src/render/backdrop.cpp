@@ -22,7 +22,6 @@ void Backdrop::draw(const Theme& theme) const {
 
 namespace {
 
-/// Returns the remainder of value / period. Computes in double, because `value` may be large.
 float phase(double value, double period) {
   return static_cast<float>(value - period * std::floor(value / period));
 }

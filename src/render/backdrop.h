@@ -31,7 +31,7 @@ struct GridStyle {
 };
 
 /// Draws fine lines of constant width on the ground. Lines fade with the distance and at flat viewing angles.
-/// Draw the grid after the surface: it is hidden by the surface, but does not write depth.
+/// Draw the grid after the surface, which hides it. The grid does not write depth.
 class Grid {
 public:
   explicit Grid(const Gl& gl);

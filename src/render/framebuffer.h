@@ -18,14 +18,14 @@ public:
   /// least 1. `samples` is limited to GL_MAX_SAMPLES; below 2, there is no multisampling. Throws base::Error
   /// if the driver rejects the size.
   void begin(glm::ivec2 size, int samples);
-  /// Averages the samples of each pixel. Binds the resolved picture, so that more can be drawn into it.
+  /// Averages the samples of each pixel into the resolved picture. Binds this picture for further drawing.
   void resolve();
-  /// Binds the target. Fills it with the resolved picture of another target, stretched to the size.
+  /// Binds this target without multisampling. Copies the resolved picture of `picture`, stretched to `size`.
   void begin_with(const Framebuffer& picture, glm::ivec2 size);
   /// Copies the resolved picture to the window, and leaves the window's framebuffer bound.
   void blit_to_window(glm::ivec2 window_size);
-  /// Returns the resolved picture, top row first. If `opaque`, sets alpha to 255. Otherwise keeps the alpha;
-  /// the colours are premultiplied by alpha.
+  /// Returns the resolved picture, top row first. If `opaque`, sets alpha to 255. Otherwise keeps alpha, and
+  /// colours are premultiplied by alpha.
   Image read(bool opaque = true);
 
   glm::ivec2 size() const { return size_; }

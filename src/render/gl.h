@@ -39,8 +39,8 @@ using Proc = void (*)();
 /// Returns a GL function by its full name ("glClear"), or null. Requires a current context.
 using GetProc = std::function<Proc(const char*)>;
 
-/// The functions of one context. Drawing objects keep a reference to them. Call them only in the thread in
-/// which the context is current.
+/// The functions of one context. Drawing objects keep a reference to this object. Call the functions only in
+/// the thread in which the context is current.
 struct Gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
   VIETE_GL_FUNCTIONS(X)
@@ -48,15 +48,15 @@ struct Gl {
   std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
-  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE; limits 3 * triangles and 2 * vertices
-  /// True for a CPU rasteriser (llvmpipe, softpipe, swrast). Multisampling in a window would be too slow.
+  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE; the limit of 3 * triangles and of 2 * vertices
+  /// True for a CPU rasteriser (llvmpipe, softpipe, swrast), which is too slow for multisampling in a window.
   bool software = false;
 };
 
-/// Loads the functions of the current context. Throws base::Error without OpenGL 3.3 or if one is missing.
+/// Loads the functions of the current context. If OpenGL 3.3 is not supported, throws base::Error.
 Gl load_gl(const GetProc& get);
 
-/// Throws base::Error if GL recorded an error after the last check. The message contains the place `where`.
+/// If GL recorded an error after the last check, throws base::Error with the place `where`.
 void check_gl(const Gl& gl, const char* where);
 
 /// Calls check_gl() in debug builds only, because check_gl() waits for the GPU.
@@ -90,12 +90,11 @@ private:
 
 using VertexArray = Object<&Gl::GenVertexArrays, &Gl::DeleteVertexArrays>;
 using Texture = Object<&Gl::GenTextures, &Gl::DeleteTextures>;
-/// The formats of a texture, and of the data to upload.
 struct TexelFormat {
   GLint stored;        ///< the texture's format, such as GL_RGBA8
   GLenum given, type;  ///< the data's format, such as GL_RGBA and GL_UNSIGNED_BYTE
 };
-/// Sets and binds a texture with one level, linear filtering and clamped edges. `data` may be null.
+/// Fills a texture and binds it. Sets one level, linear filtering and clamped edges. `data` may be null.
 void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int height,
                  const TexelFormat& format, const void* data);
 void bind_texture(const Gl& gl, int unit, const Texture& texture);
@@ -103,7 +102,7 @@ void bind_texture(const Gl& gl, int unit, const Texture& texture);
 using Renderbuffer = Object<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
 using FramebufferObject = Object<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 
-/// A GL buffer. If the size does not change, the buffer keeps its storage.
+/// A GL buffer. Keeps its storage for new content of the same size, except with GL_STATIC_DRAW.
 class Buffer {
 public:
   explicit Buffer(const Gl& gl) : gl_(&gl), object_(gl) {}
@@ -112,8 +111,8 @@ public:
   std::size_t bytes() const { return bytes_; }
   /// Replaces the content. Use GL_STATIC_DRAW for topology and GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
-  /// Discards the content without waiting for the GPU, and returns memory for new content. `bytes` must be
-  /// positive. Call unmap() after writing.
+  /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 of new content.
+  /// Call unmap() after writing. Throws base::Error if memory is short.
   void* map(std::size_t bytes);
   void unmap();
 

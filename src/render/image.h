@@ -14,7 +14,7 @@ namespace viete::render {
 using Rgba8 = std::array<std::uint8_t, 4>;
 using Image = base::Picture;
 
-/// Divides the colours by alpha. Drawing premultiplies colours by alpha, but files need plain colours.
+/// Divides the colours by alpha. Drawing multiplies colours by alpha, but files need the original colours.
 void divide_by_opacity(Image& image);
 
 /// Writes the image and replaces an existing file atomically. Throws base::Error.

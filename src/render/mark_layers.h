@@ -23,12 +23,12 @@ struct Disc {
 struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< the colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< the colour of rings (theme.hover)
-  /// The opacity factor of hidden discs; rings keep their opacity. A point is hidden only if it is at least
-  /// 2.5 radii behind a face. Otherwise, inclined faces around the point would cut its disc.
+  /// A factor for the opacity of hidden discs, but not of rings. A point counts as hidden if it is at least
+  /// 2.5 radii behind a face. With a smaller distance, faces around a visible point would cut its disc.
   float hidden_opacity = 0.3F;
 };
 
-/// Not thread-safe. Copies all spans. draw() throws base::Error if the numbers of discs and positions differ.
+/// Draws points. Copies all spans. draw() throws base::Error for different numbers of discs and positions.
 class DiscLayer {
 public:
   explicit DiscLayer(const Gl& gl);

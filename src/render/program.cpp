@@ -11,7 +11,7 @@ namespace viete::render {
 
 namespace {
 
-/// A shader object, deleted at the end of the scope. A program does not need its shaders after linking.
+/// A shader object. After linking, a program does not need its shaders: the destructor deletes the shader.
 struct Shader {
   Shader(const Gl& api, GLenum kind) : gl(api), id(api.CreateShader(kind)) {}
   Shader(const Shader&) = delete;

@@ -1,4 +1,4 @@
-// Compiles the shaders of the folder shaders/. The program contains their text.
+// Compiles the shaders of the folder shaders/. The executable contains their text.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -13,12 +13,12 @@ namespace viete::render {
 /// Returns the source of an embedded shader, such as "surface.vert". Throws base::Error for an unknown name.
 std::string_view shader_text(std::string_view file);
 
-/// A program linked from a vertex shader and a fragment shader. Call use() before set(). If the compiler
-/// removed a variable, set() ignores it.
+/// A program linked from a vertex shader and a fragment shader. Call use() before set(). set() ignores
+/// unknown names, because compilers remove unused variables.
 class Program {
 public:
-  /// Compiles shaders/NAME.vert and shaders/NAME.frag for NAME `name`, with `defines` ("#define A\n") after
-  /// the version line. Throws base::Error with the compiler's message ("surface.frag: 0:12(3): ...").
+  /// Compiles shaders/NAME.vert and shaders/NAME.frag for NAME = `name`. Inserts `defines` after the version
+  /// line. Throws base::Error with the compiler's message, such as "surface.frag: 0:12(3): ...".
   Program(const Gl& gl, const std::string& name, const std::string& defines = "");
   /// Compiles these sources. `name` is used in messages.
   Program(const Gl& gl, const std::string& name, std::string_view vertex, std::string_view fragment);

@@ -12,27 +12,27 @@
 
 namespace viete::render {
 
-/// A sample point on a triangle. Sample points are evenly spread over the area. Their number does not depend
-/// on the size of the surface, and is small enough to move all points in every frame.
+/// A sample point on a triangle.
 struct SpreadPoint {
-  std::array<std::uint32_t, 3> corners;
-  std::array<float, 3> shares;  ///< barycentric coordinates, with sum 1
+  std::array<std::uint32_t, 3> corners;  ///< the vertices of the triangle
+  std::array<float, 3> shares;           ///< barycentric coordinates, with sum 1
 };
-/// Returns evenly spread sample points of the triangles. All triangle indices must be valid.
+/// Returns 24,000 sample points, evenly spread over the area: few enough to move all points in every frame.
+/// If there is no area, returns no points. All triangle indices must be valid.
 std::vector<SpreadPoint> spread_points(std::span<const Triangle> triangles, std::span<const Point> positions);
 
 /// The darkness of the ground in a grid of cells, stored in rows.
 struct GroundShadow {
-  static constexpr int square = 6;  ///< the number of cells along a side of a drawn square
+  static constexpr int square = 6;  ///< side of a square in cells; squares without shadow are not drawn
   int width = 0, height = 0;        ///< in cells, multiples of `square`; 0 if there is no shadow
   glm::vec2 low{0, 0};              ///< the lower corner of the first cell
   float cell = 1;
   std::vector<std::uint8_t> darkness;                 ///< 0 to 255; 0 along the edges of the grid
-  std::vector<std::array<std::uint32_t, 2>> squares;  ///< the columns and rows of the squares with shadow
+  std::vector<std::array<std::uint32_t, 2>> squares;  ///< column and row of each square with shadow
 };
 
-/// Returns the shadow of points with z as the height, for a surface of this size. The shadow is dark and
-/// sharp near the ground, wide and faint below high points. Points far below the ground have no shadow.
+/// Returns the shadow of points on the ground z = 0. `size` is the size of the model. Points near the ground
+/// have a dark, sharp shadow, and high points a faint, wide one. Points far below the ground have no shadow.
 GroundShadow ground_shadow(std::span<const glm::vec3> points, float size);
 
 /// The ground plane, in world units.
@@ -44,18 +44,18 @@ struct ShadowStyle {
   friend bool operator==(const ShadowStyle&, const ShadowStyle&) = default;
 };
 
-/// Draws the shadow, in less than a millisecond for models of any size. Copies all spans. Not thread-safe.
+/// Draws the shadow in less than a millisecond, for all sizes of models. Copies all spans. Not thread-safe.
 class ShadowLayer {
 public:
   explicit ShadowLayer(const Gl& gl);
 
   /// Sets the triangles and the positions. Throws base::Error for invalid vertex indices.
   void set_triangles(std::span<const Triangle> triangles, std::span<const Point> positions);
-  /// Sets the vertices, with positions relative to `origin`. Call it for every frame.
+  /// Sets the vertices of a frame, with positions relative to `origin`.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
   void set_positions(std::span<const Point> positions);
 
-  /// Draw it after the surface and before the grid: tests the depth without writing it. Invisible from below.
+  /// Call this after drawing the surface and before drawing the grid. The shadow is invisible from below.
   void draw(const View& view, const Theme& theme, const ShadowStyle& style);
 
 private:
@@ -70,7 +70,7 @@ private:
   BufferTexture squares_;
   std::vector<SpreadPoint> spread_;
   std::size_t vertex_count_ = 0;
-  std::vector<glm::vec3> points_, over_ground_;  // relative to origin_; with z as the height above the ground
+  std::vector<glm::vec3> points_, over_ground_;  // points_: relative to origin_; over_ground_: z is up
   Point origin_{0, 0, 0};
   ShadowStyle cast_on_;
   GroundShadow shadow_;

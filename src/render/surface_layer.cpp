@@ -13,7 +13,7 @@ namespace viete::render {
 
 namespace {
 
-// Uploads the image, and mipmaps in linear light. Software rasterisers are too slow for anisotropic filters.
+// Uploads the image and makes mipmaps. On a GPU, also turns on anisotropic filtering if it is supported.
 void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
   constexpr GLenum anisotropy = 0x84FE, most_anisotropy = 0x84FF;  // from an extension; part of OpenGL 4.6
   bind_texture(gl, 4, texture);

@@ -15,8 +15,8 @@
 
 namespace viete::render {
 
-/// The appearance of the surface. `plain` has one colour. `file` uses the file's colours, `checker` a texture
-/// pattern, `normals` the normals as colours. `zebra` reflects stripes, whose bends show the curvature.
+/// The appearance of the surface. `plain` is one colour. `file` shows the file's colours, `checker` a texture
+/// pattern, `normals` the normals as colours. `zebra` reflects stripes: their bends show the curvature.
 enum class Paint { plain, file, checker, normals, porcelain, jade, zebra };
 
 /// Consecutive triangles with equal appearance.
@@ -28,22 +28,22 @@ struct SurfaceRun {
   bool flat = false;  ///< true: flat shading
 };
 
-/// The appearance that a file stores. An array is empty if the file does not have its data.
+/// The appearance that a file stores. If the file lacks one kind of data, the array of this kind is empty.
 struct SurfaceLooks {
   std::vector<std::array<float, 2>>
       texture_points;         ///< one per corner of each triangle; (0, 0) is the upper left
   std::vector<Rgba8> colors;  ///< as displayed; one per vertex, or per corner of each triangle
   bool colors_of_corners = false;
   std::vector<Image> images;     ///< pixels with opacity below 0.5 are not drawn
-  std::vector<SurfaceRun> runs;  ///< together, all triangles in order
+  std::vector<SurfaceRun> runs;  ///< contain all triangles, in order
 };
 
 struct SurfaceStyle {
   Paint paint = Paint::plain;
-  /// For a closed surface that is oriented outward: skips back faces. On a software rasteriser, this more
-  /// than halves the time of the layer. Parts that a deformation turned inside out then look transparent.
+  /// Skips back faces, for a closed surface that is oriented outward. Software rasterisers then need less
+  /// than half the time. If a deformation turns a part inside out, this part looks transparent.
   bool closed = false;
-  bool coarse = false;    ///< draws the coarse triangles, if they are set and the file's looks are not used
+  bool coarse = false;    ///< draws the coarse triangles, if set; ignored for paints file, checker, normals
   float wireframe = 0;    ///< the opacity of triangle edges; fainter on tiny triangles; 0 draws no edges
   float occlusion = 1;    ///< the strength of the baked darkening, from 0 to 1
   bool scalars = false;   ///< uses the colours of set_scalars() and set_palette() instead of theme.model
@@ -67,12 +67,12 @@ public:
   /// Sets fewer triangles between the same vertices, for SurfaceStyle::coarse. If empty, `coarse` has no
   /// effect. Call this after set_triangles(), which discards the coarse triangles.
   void set_coarse_triangles(std::span<const Triangle> triangles);
-  /// Sets the vertices, with positions relative to `origin`. Call it for every frame. A vertex that is not
-  /// finite moves to the origin.
+  /// Sets the vertices of a frame, with positions relative to `origin`. Vertices that are not finite are
+  /// drawn at the origin.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
   /// Sets world positions and normals. Stores the positions relative to the first finite position.
   void set_positions(std::span<const Point> positions, std::span<const base::PackedNormal> normals);
-  /// Per vertex 0 (dark) to 1 (open), see mesh/drawing.h. An empty span removes it.
+  /// Sets a factor for each vertex, 0 (dark) to 1 (open); see mesh/drawing.h. If empty, all factors are 1.
   void set_occlusion(std::span<const float> occlusion);
   /// Sets one value per vertex, in any range (see SurfaceStyle). If empty, removes the scalars.
   void set_scalars(std::span<const float> scalars);
@@ -91,8 +91,7 @@ private:
   void draw_runs(const View& view, const Theme& theme, const SurfaceStyle& style) const;
 
   const Gl& gl_;
-  // One program per combination of features, so that unused features cost nothing: with or without wireframe
-  // and vertex colours, for plain colour, scalars, looks, flat looks, a material or a depth pass.
+  // One program for each combination of features, so that unused features cost no time; see program_for().
   mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;   // three vertex indices per triangle

@@ -10,7 +10,7 @@
 
 namespace viete::render {
 
-/// Returns the first finite point, or (0, 0, 0). This is the origin for vertices that are stored in float.
+/// Returns the first finite point, or (0, 0, 0): the origin for positions that are stored in float.
 Point origin_of(std::span<const Point> points);
 
 /// Returns point - origin as float. If the point is not finite, returns 0.
@@ -38,7 +38,7 @@ extern template void require_indices<3>(const char*, std::span<const std::array<
 /// Sets the camera matrices for points stored relative to `origin`.
 void set_camera(const Program& program, const View& view, const Point& origin);
 
-/// While it exists, sets the GL state for translucent layers: blends, and tests the depth without writing it.
+/// Turns on blending and the depth test, and turns off depth writes. The destructor restores the usual state.
 class BlendScope {
 public:
   explicit BlendScope(const Gl& gl);
@@ -50,8 +50,8 @@ private:
   const Gl& gl_;
 };
 
-/// Draws the hidden parts, with set_opacity(hidden) and draw(). Then draws the visible parts, with
-/// set_opacity(visible) and draw().
+/// If `hidden` is above 0, draws the parts behind other surfaces: calls set_opacity(hidden) and draw(). Then
+/// draws the visible parts: calls set_opacity(visible) and draw().
 template <class SetOpacity, class Draw>
 void draw_hidden_then_visible(const Gl& gl, float hidden, float visible, SetOpacity set_opacity, Draw draw) {
   const BlendScope blend(gl);

@@ -11,12 +11,12 @@
 //   lines.draw(view, line_style);                  // cage edges
 //   discs.draw(view, disc_style);                  // cage vertices
 //   framebuffer.resolve();
-//   whole.begin_with(framebuffer, size);           // a second target: the view stays while panels change
+//   whole.begin_with(framebuffer, size);           // a second target: `framebuffer` is kept without panels
 //   imgui_renderer.draw(*ImGui::GetDrawData());    // panels
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
-// Every draw() sets the GL state that it needs. It leaves blending, depth test and scissor off, and depth
-// writes on. set_positions() does not allocate memory while the number of points stays the same.
+// Every draw() sets the GL state that it needs. At its end, blending, depth test and scissor are off, and
+// depth writes are on. set_positions() does not allocate memory while the number of points stays the same.
 #pragma once
 
 #include <array>
@@ -44,8 +44,8 @@ struct View {
 /// Returns the matrix to eye space for vertices that are stored relative to `origin`.
 glm::mat4 eye_matrix(const View& view, const Point& origin);
 
-/// Returns (factor x, factor y, offset x, offset y). The view ray of a device pixel, counted from the bottom
-/// left, is (factor * pixel + offset, -1) in eye space; in an orthographic view it is (0, 0, -1).
+/// Returns (factor x, factor y, offset x, offset y) for shaders. The view ray of a device pixel, counted from
+/// the bottom left, is (factor * pixel + offset, -1) in eye space. In an orthographic view, all four are 0.
 glm::vec4 eye_ray(const View& view);
 
 /// Returns the colour 0xRRGGBB with components from 0 to 1, as displayed (sRGB).
@@ -82,11 +82,11 @@ float linear_light(float display);
 
 // The palettes have `count` >= 2 colours, as displayed. Colour-blind people can distinguish the colours.
 
-/// For positive values: the colours are from blue to grey to yellow. The lightness increases, and shading
-/// stays visible.
+/// For positive values: from blue through grey to yellow, with increasing lightness. All colours are light
+/// enough to show the shading.
 std::vector<glm::vec3> surface_palette(int count = 256);
 
-/// For signed values: the colours are from blue to light grey to orange.
+/// For signed values: from blue through light grey to orange.
 std::vector<glm::vec3> diverging_palette(int count = 256);
 
 /// Interpolates between the colours `keys` in Oklab. Requires at least 2 keys, as displayed. Source: B.

@@ -1,4 +1,4 @@
-// Tests the bundled shapes. Halfway to a shape, log space keeps edge lengths, but linear blending does not.
+// Tests the bundled shapes. Halfway to a shape, edge lengths must be right in log space.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -20,7 +20,7 @@ using Places = std::vector<mesh::Point>;
 
 struct Shape {
   const char* name;
-  double edges_in_log_space, edges_in_straight_lines;  ///< root mean squares of logs: at most, at least
+  double edges_in_log_space, edges_in_straight_lines;  ///< edge errors halfway: upper limit, lower limit
 };
 constexpr Shape kShapes[] = {{"folded", 0.01, 0.4}, {"coiled", 0.03, 0.5}, {"sitting", 0.015, 0.15}};
 

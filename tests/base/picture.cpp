@@ -45,7 +45,7 @@ TEST_CASE("pictures_of_hostile_size_are_refused_before_they_are_decoded") {
        {head + counts, head + other + counts + start, head + start + counts,
         head + start + "\xff\xda\0\x08\1\1\0\0\x3f\0junk"s + counts, "\xff" + head + counts})
     CHECK(refusal(bad).find("damaged") != std::string::npos);
-  // In a comment of the file, these bytes are not tables.
+  // The same bytes in a comment of a valid JPEG do no harm.
   std::string good = test::file_bytes(test::source_dir() / "tests/fuzz/corpus/image/plain.jpg");
   CHECK(refusal(good) == "");
   good.insert(2, "\xff\xfe\0\x17"s + counts);

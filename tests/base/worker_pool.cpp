@@ -75,7 +75,7 @@ TEST_CASE("pool_works_with_the_threads_that_the_system_allows") {
   for (int left = 0; left < 7; ++left) {
     const viete::test::ThreadsLeft limit(left);
     WorkerPool pool(8);
-    CHECK(pool.threads() == 1 + left / 2);  // the other half ended
+    CHECK(pool.threads() == 1 + left / 2);  // the pool keeps half of the threads that it could start
     CHECK(visited_by(pool) == 100);
   }
   WorkerPool all(8);

@@ -97,7 +97,7 @@ def moving_both_objects_deforms_nothing():
         obj.location, obj.rotation_euler, obj.scale = (3, 1, -2), (0.3, 0.2, 0.1), (2, 2, 2)
     update()
     assert np.abs(key_of(ball) - rest).max() < 1e-4
-    cage.location.z += 2  # in world space: 1 along the ball's rotated axes
+    cage.location.z += 2  # 2 units of the world are 1 unit of the ball, which is scaled by 2
     update()
     assert abs(np.linalg.norm((key_of(ball) - rest).mean(axis=0)) - 1) < 1e-3
 
@@ -236,7 +236,7 @@ def blend_file_keeps_the_binding():
     ball.viete.cage.data.shape_keys.key_blocks["bent"].value = 0.2
     update()
     assert np.abs(key_of(ball) - before).max() > 0.1
-    assert len(follow.deformers) == made  # the binding was found by its content
+    assert len(follow.deformers) == made  # update() found the cached deformer
 
 
 def several_objects_share_a_cage_with_masks():

@@ -13,7 +13,7 @@ wrong() {
 has() { command -v "$1" >/dev/null; }
 
 ! has desktop-file-validate || desktop-file-validate "$entry"
-# Ignores that the component name should begin with a domain: the project has no domain.
+# The component name should begin with the project's domain. The project has no domain, so this check is off.
 ! has appstreamcli || appstreamcli validate --no-net --override=cid-desktopapp-is-not-rdns=info "$about"
 for file in "$types" "$about" "$data/icons/hicolor/scalable/apps/viete.svg"; do
   test -s "$file"
@@ -23,7 +23,7 @@ done
 grep -q -x 'Icon=viete' "$entry"
 for type in $(sed -n 's/^MimeType=//p' "$entry" | tr ';' ' '); do
   case $type in
-    model/obj | model/stl) ;;  # of shared-mime-info
+    model/obj | model/stl) ;;  # the package shared-mime-info defines these types
     *) grep -q "<mime-type type=\"$type\">" "$types" || wrong "$types does not say what $type is" ;;
   esac
 done

@@ -1,4 +1,4 @@
-# To be sourced. Parses the output of $program --help into words.
+# Functions for other scripts, which read this file by `.`. The functions parse the output of $program --help.
 
 # commands_of COMMAND...: prints the subcommands of the command, one per line.
 commands_of() {

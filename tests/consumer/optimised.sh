@@ -1,6 +1,6 @@
 #!/bin/sh
-# optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: configures a project without a build type. The library must be optimised,
-# unless the flags set a level. Kernels have their own level.
+# optimised.sh CMAKE GENERATOR COMPILER PROJECT BUILD: configures a project without a build type. Unless the
+# flags set an optimisation level, the library must be optimised. The level of kernels is not tested.
 set -eu
 cmake="$1" generator="$2" compiler="$3" project="$4" build="$5"
 unset CXXFLAGS CMAKE_BUILD_TYPE

@@ -1,11 +1,11 @@
 #!/bin/sh
-# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds and runs the example like a Makefile, and like the README.
+# pkg_config.sh PKGCONFIG_DIR COMPILER SOURCE README: builds the example as make does, then as in README.
 set -eu
 compiler="$2"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
-# Uses a shell as make does, because blanks in paths are escaped.
+# Calls eval, as make calls a shell, because pkg-config escapes blanks in paths.
 export PKG_CONFIG_PATH="$1"
 pkg-config --atleast-version=0.2 viete
 eval "\"\$compiler\" -std=c++20 \"\$3\" $(pkg-config --cflags --libs viete) -o \"\$work/program\""

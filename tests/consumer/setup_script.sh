@@ -7,7 +7,7 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 failures=0
 
-# The folder of the checkout has a blank in its name. The machine has every package.
+# fresh: makes a checkout in a folder with a blank in its name, and stubs for a machine with every package.
 fresh() {
   rm -rf "${scratch:?}"/*
   mkdir -p "$scratch/check out/third_party" "$scratch/bin" "$scratch/elsewhere"

@@ -1,6 +1,6 @@
-// A small fuzzer for compilers without libFuzzer. Runs the files of the corpus, then changed copies of them.
-// Usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. Equal seeds give equal inputs. If an input crashes the
-// reader, the input is in the file `fuzz-last-input` in the working directory.
+// A small fuzzer for compilers without libFuzzer. Reads the files of the corpus, then changed copies of these
+// files. Usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. Equal seeds give equal inputs. After a crash, the
+// file `fuzz-last-input` in the working directory has the input that caused the crash.
 #include <algorithm>
 #include <chrono>
 #include <cstdint>

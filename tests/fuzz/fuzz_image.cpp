@@ -1,5 +1,5 @@
-// Reads an input as a picture. The result must be a complete picture or base::Error. Compiles the decoder
-// here again, so that sanitizers check it.
+// Reads an input as a picture. The result must be a complete picture or base::Error. This file compiles its
+// own copy of the stb decoder, so that sanitizers check the decoder.
 #define STB_IMAGE_IMPLEMENTATION
 #include <stb_image.h>
 

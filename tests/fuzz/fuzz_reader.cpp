@@ -33,7 +33,7 @@ void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
   for (const auto& t : s.triangles) {
     for (const auto v : t) require(v < s.positions.size());
   }
-  // The limits grow with the file size and the number of instances.
+  // A small file must not give a large surface. `placed` is the limit for vertices of instances in glTF.
   require(s.positions.size() <= bytes + placed && s.corners.size() <= 4 * (bytes + placed) + 64);
 }
 
@@ -63,14 +63,14 @@ std::string written_again(const ReadResult& read, const std::vector<Point>& posi
   return all;
 }
 
-// A deformed file must be readable. If its format has shared vertices, the polygons must be equal.
+// Moves the vertices, writes the file and reads it again. The polygons must be equal.
 void check_moved(const ReadResult& read, Reader* reader) {
   auto moved = read.surface.positions;
   for (std::size_t v = 0; v < moved.size(); ++v) moved[v][v % 3] += 0.37 * static_cast<double>(v % 7);
   const std::string text = written_again(read, moved);
   const ReadResult again = reader(Source{"fuzz", "", text, nullptr});
   require(again.surface.polygon_count() == read.surface.polygon_count());
-  // Moved vertices can coincide. A glTF reader merges such vertices as a seam.
+  // STL has no shared vertices. The glTF reader merges vertices that coincide after the motion.
   if (!read.format.starts_with("STL") && !read.format.starts_with("glTF"))
     require(again.surface.corners == read.surface.corners);
 }
@@ -109,7 +109,7 @@ void check_converted(const ReadResult& read) {
       format.write(content, out);
       out.finish();
     } catch (const viete::base::Error& error) {
-      require(glb && !error.place().empty());  // beyond the range of float
+      require(glb && !error.place().empty());  // GLB rejects numbers beyond the range of float
       continue;
     }
     const ReadResult result = read_back(format.read, bytes);
@@ -124,7 +124,7 @@ void check_converted(const ReadResult& read) {
 void viete::fuzz::check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data,
                                std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const std::shared_ptr<const void> owner(std::shared_ptr<const void>(), data);  // outlives this call
+  const std::shared_ptr<const void> owner(std::shared_ptr<const void>(), data);  // does not delete the data
   const Source source{"fuzz", "", bytes, nullptr, owner};
   try {
     const ReadResult read = reader(source);

@@ -10,7 +10,7 @@ namespace viete::fuzz {
 
 using Reader = formats::ReadResult(const formats::Source&);
 
-/// If the result is neither, aborts. The surface may have `placed` vertices more than the file has bytes.
+/// For any other result, aborts. The surface may have at most `size + placed` vertices.
 void check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data, std::size_t size);
 
 }  // namespace viete::fuzz

@@ -6,7 +6,7 @@ using namespace viete;
 
 namespace {
 
-/// A renderer with its own ImGui context. It has the stage's size in logical pixels.
+/// A renderer with its own ImGui context. The panels cover the whole stage.
 struct Panels {
   explicit Panels(float framebuffer_scale = 1) {
     ImGuiIO& io = ImGui::GetIO();

@@ -275,7 +275,7 @@ class Arrays(WithFolder):
                     problem()
                 self.assertNotIn("--", str(raised.exception))
         self.assertTrue(issubclass(viete.Error, ValueError))
-        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # unchanged by the errors
+        self.assertEqual(d.deform(self.pose).shape, (count, 3))  # the errors have not changed the deformer
 
     def test_arrays_too_large_for_memory_are_memory_errors(self):
         rows = np.broadcast_to(np.zeros(3), (10**16, 3))  # a view without memory

@@ -279,7 +279,7 @@ class Arrays(unittest.TestCase):
 
         def seen_running():
             call = pool.submit(viete.exp, s, s)
-            time.sleep(1e-4)  # the call starts
+            time.sleep(1e-4)  # usually, the call starts during this time
             return call.running()
 
         with concurrent.futures.ThreadPoolExecutor(1) as pool:

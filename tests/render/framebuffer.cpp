@@ -28,7 +28,7 @@ TEST_CASE("top_row_of_the_picture_comes_first") {
   test::Stage stage;
   const render::Image image = stage.picture([&] {
     stage.gl.Enable(GL_SCISSOR_TEST);
-    stage.gl.Scissor(0, 190, 320, 10);  // the top rows: GL counts from the bottom
+    stage.gl.Scissor(0, 190, 320, 10);  // the top 10 rows of 200: GL counts from the bottom
     clear(stage.gl, 1, 1, 1, 1);
     stage.gl.Disable(GL_SCISSOR_TEST);
   });

@@ -31,7 +31,7 @@ TEST_CASE("a_picture_is_decoded_and_halved_until_it_is_short_enough") {
   const render::Image small = render::decode_image("a.png", bytes, 4);
   CHECK(small.width == 4);
   CHECK(small.height == 2);
-  CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // half of the red light
+  CHECK(small.pixel(0, 0) == render::Rgba8{188, 255, 255, 255});  // in sRGB, 188 is half of the light
   CHECK_THROWS_WITH_AS(render::decode_image("given", "nonsense", 4096), doctest::Contains("given: "),
                        base::Error);
 }

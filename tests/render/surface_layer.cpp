@@ -66,7 +66,7 @@ TEST_CASE("perspective_and_shifted_projections_put_the_highlight_where_it_belong
   Scene scene(test::ball(4));
   scene.stage.view.projection = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
   const render::Image middle = scene.picture();
-  // Shifts the frustum to the right by half a picture. The picture then moves left by 80 pixels.
+  // Shifts the projected picture to the left by 80 pixels: half a unit of clip space.
   const glm::dmat4 shift = glm::translate(glm::dmat4(1), glm::dvec3(-0.5, 0, 0));
   scene.stage.view.projection = shift * scene.stage.view.projection;
   const render::Image shifted = scene.picture();
@@ -222,7 +222,7 @@ TEST_CASE("image_is_upright_and_transparent_pixels_are_cut_out") {
 TEST_CASE("checker_and_normals_paint_the_surface") {
   Card card;
   const render::Image checker = card.painted(render::Paint::checker);
-  // 160 pixels with 16 squares: a square has 10 pixels.
+  // The card has 16 x 16 squares in 160 x 160 pixels. A square has a side of 10 pixels.
   const int a = test::brightness(checker.pixel(105, 45)), b = test::brightness(checker.pixel(115, 45));
   CHECK(std::abs(a - b) > 40);
   CHECK(std::abs(a - test::brightness(checker.pixel(115, 55))) < 20);

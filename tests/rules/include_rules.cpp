@@ -37,7 +37,7 @@ bool is_source(const fs::path& path) {
 
 namespace {
 
-// Calls use(room, path in src, text) for each file of a room.
+// Calls use(room, path, text) for each file of a room. Paths are relative to src.
 template <class Use>
 void for_sources(const Use& use) {
   const fs::path src = viete::test::source_dir() / "src";

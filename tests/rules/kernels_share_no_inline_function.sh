@@ -1,7 +1,7 @@
 #!/bin/sh
-# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: a kernel's object file may have weak symbols (inline
-# functions, templates) only in the namespaces N_* of its instruction sets. The linker keeps only one copy of other weak symbols. This
-# copy could be compiled for newer hardware.
+# kernels_share_no_inline_function.sh NM "SOURCE.cpp ..." LIBRARY.a...: kernels may define inline functions
+# and templates only in the namespaces N_* of their instruction sets. If several files define the same function
+# elsewhere, the linker keeps one copy. This copy could use instructions that the processor does not have.
 set -eu
 nm="$1" sources="$2"
 shift 2

@@ -19,7 +19,7 @@ struct Room {
   bool in_python = false;                 ///< true if the room has no C++ code
 };
 
-/// Returns the rooms by their folder in src. A nested room has the namespace of its first folder.
+/// Returns the rooms by their folder in src. The room deform/sparse has the namespace deform.
 inline const std::map<std::string, Room>& rooms() {
   static const std::map<std::string, Room> table = {
       {"base", {{}, {}, {"stb"}}},
@@ -59,7 +59,7 @@ inline const std::map<std::string, Room>& rooms() {
   return table;
 }
 
-/// Returns the room of a file in src or of an include. If the file is not in a room, the result is empty.
+/// Returns the room of a file, given its path in src. If the file is not in a room, returns nullopt.
 inline std::optional<std::string> room_of(std::string path) {
   for (auto slash = path.rfind('/'); slash != std::string::npos; slash = path.rfind('/')) {
     path.resize(slash);
@@ -73,8 +73,8 @@ inline std::string namespace_of(const std::string& room) {
   return room.substr(0, room.find('/'));
 }
 
-/// Returns a cycle of files that include each other, or an empty list. A header and its source count as one
-/// file. `includes` has the includes in src of each file, without file extensions.
+/// Returns a cycle of files that include each other, or an empty list. `includes` lists for each file the
+/// files that it includes. Paths have no extensions, so that a header and its source count as one file.
 inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<std::string>>& includes) {
   enum class State { entered, left };
   std::map<std::string, State> seen;
@@ -100,7 +100,7 @@ inline std::vector<std::string> find_cycle(const std::map<std::string, std::set<
   return {};
 }
 
-/// Returns the package of an include. If it is of the standard library or the system, the result is empty.
+/// Returns the package of an include. For headers of the standard library or the system, returns nullopt.
 inline std::optional<std::string> package_of(const std::string& include) {
   static const std::vector<std::pair<std::string, std::string>> prefixes = {
       {"Eigen/", "eigen"},
@@ -168,7 +168,7 @@ inline std::vector<std::string> foreign_names(const std::string& room, const std
   return found;
 }
 
-/// Returns the reason why a file of `room` must not include `include`. If it may, the result is empty.
+/// Returns the reason why a file of `room` must not include `include`, or nullopt if this include is allowed.
 inline std::optional<std::string> violation(const std::string& room, bool is_header,
                                             const std::string& include) {
   const Room& rules = rooms().at(room);
@@ -185,7 +185,7 @@ inline std::optional<std::string> violation(const std::string& room, bool is_hea
     if (*target == room || rules.knows.count(*target)) return std::nullopt;
     return room + " may not know " + *target;
   }
-  return std::nullopt;  // the standard library and the system
+  return std::nullopt;  // all rooms may include headers of the standard library and the system
 }
 
 }  // namespace viete::rules

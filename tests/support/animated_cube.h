@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Returns the cage rotated about z and moved along x. One vertex is pulled out: no pose is a rigid motion.
+/// Returns the cage rotated about z and moved along x. `pull` moves one vertex: no pose is a rigid motion.
 inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
                                 double pull = 0.5) {
   const double a = degrees / 180 * 3.14159265358979323846;
@@ -20,8 +20,8 @@ inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double
   return pose;
 }
 
-/// A document with files of a cube, and with three keys: rest at frame 1, a rotation by 90 degrees at frame
-/// 9, and a rotation by 190 degrees at frame 17.
+/// A document of a cube and its cage, with three keys: rest at frame 1, a rotation by 90 degrees at frame 9,
+/// and a rotation by 190 degrees at frame 17.
 struct AnimatedCube : CubeFiles {
   document::Document document = document::open_document(model, cage);
 

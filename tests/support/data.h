@@ -15,7 +15,7 @@ inline std::filesystem::path assets_dir() {
   return source_dir() / "assets";
 }
 
-/// Returns the folder of real meshes. If it does not exist, skips the test case and returns an empty path.
+/// Returns the folder of real meshes. Without this folder, skips the test case and returns an empty path.
 inline std::filesystem::path shared_data(const std::string& below = "") {
   for (auto base : {source_dir().parent_path() / "shared" / "data", source_dir() / "shared" / "data"}) {
     if (std::filesystem::exists(base / below)) return base / below;

@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Returns the largest distance. If a number is NaN, the result is NaN. If the sizes differ, it is infinite.
+/// Returns the largest distance: NaN if a number is NaN, and infinity if the sizes differ.
 inline double largest_distance(std::span<const base::Vec3> a, std::span<const base::Vec3> b) {
   double largest = a.size() == b.size() ? 0 : HUGE_VAL;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {

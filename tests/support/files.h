@@ -25,7 +25,7 @@ struct CubeFiles : TemporaryFolder {
     put_file(broken, "v 0 0 0\nf 1 2 3\n");
   }
 
-  // Returns a cube with an additional vertex in each triangle's center. It has more vertices than the cage.
+  // Returns a cube with an additional vertex in each triangle. The cage has fewer vertices.
   static mesh::Surface subdivided_cube() {
     mesh::Surface surface = cube(1);
     std::vector<mesh::Triangle> triangles;

@@ -47,7 +47,7 @@ inline void put_file(const std::filesystem::path& path, const std::string& bytes
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Simulates a full disk while it exists, by a limit on file sizes.
+/// Simulates a full disk by a limit on file sizes. The destructor removes the limit.
 class FullDisk {
 public:
   explicit FullDisk(rlim_t bytes_a_file) {

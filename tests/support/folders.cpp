@@ -1,4 +1,4 @@
-// The only source with absolute paths. A compiler cache therefore works for all other sources.
+// The only source with absolute paths. A compiler cache can thus use all other sources in any checkout.
 #include "support/data.h"
 
 namespace viete::test {

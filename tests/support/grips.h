@@ -1,4 +1,4 @@
-// The grip of the selected cage vertices. It has no mirror and no soft selection.
+// The grip of the selected cage vertices, without mirror and without soft selection.
 #pragma once
 
 #include "interact/grip.h"

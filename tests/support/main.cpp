@@ -1,5 +1,4 @@
-// The main() of every test. Tests use a temporary folder for settings, so that the user's settings do not
-// change.
+// The main() of every test program. Tests use a temporary folder for settings, to keep the user's settings.
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -15,7 +14,7 @@ namespace {
 constexpr int skipped_code = 77;  // the exit code of skipped tests, as in Automake
 bool skipped = false, none_chosen = false;
 
-// Counts the cases that match a filter. If no case matches, the test fails.
+// Counts the test cases that match the command line. If no case matches, the program fails.
 struct CountsCases : doctest::IReporter {
   explicit CountsCases(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}

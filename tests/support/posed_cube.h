@@ -18,7 +18,7 @@ inline std::vector<mesh::Point> turned(std::vector<mesh::Point> positions, doubl
   return positions;
 }
 
-/// Returns the cage rotated about z by any angle, including whole turns.
+/// Returns the cage rotated about z. The angle may be above 360 degrees: the pose counts full turns.
 inline deform::Pose turned_cube(double degrees) {
   return {turned(cube(1.5).positions, degrees), {{0, 0, degrees / 180 * std::numbers::pi}}};
 }

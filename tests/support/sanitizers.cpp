@@ -1,5 +1,5 @@
-// Settings of sanitizers. Libraries stay loaded, so that reports contain their names. Graphics drivers keep
-// some memory at the end; reports ignore this memory.
+// Settings of sanitizers. dlclose() keeps libraries loaded, so that reports contain their names. Reports
+// ignore the memory that graphics drivers do not free.
 extern "C" int dlclose(void*) {
   return 0;
 }
@@ -22,7 +22,7 @@ extern "C" const char* __tsan_default_options() {
   return "detect_deadlocks=0";  // LLVM locks more mutexes at once than the detector supports
 }
 
-// These libraries are compiled without the sanitizer, so that it cannot see how their threads synchronise.
+// These libraries are compiled without the sanitizer, which therefore does not see their locks.
 extern "C" const char* __tsan_default_suppressions() {
   return "called_from_lib:libOSMesa.so\n"
          "called_from_lib:libEGL_mesa.so\n"

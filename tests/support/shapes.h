@@ -52,7 +52,7 @@ inline Surface cube() {
   return s;
 }
 
-/// The unit sphere: triangles with vertices on it, each subdivided into 4^levels triangles.
+/// The unit sphere: subdivides each triangle into 4^levels triangles. All points must be on the sphere.
 inline Surface sphere_from(std::vector<Point> points, std::vector<Triangle> triangles, int levels) {
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -84,8 +84,7 @@ inline Surface sphere(int levels) {
                      levels);
 }
 
-/// A torus about the z axis with radii 2 and 0.5. If `open`, a ring of quads is missing, which leaves two
-/// holes.
+/// A torus about the z axis with radii 2 and 0.5. If `open`, one ring of quads is missing.
 inline Surface torus(std::uint32_t around, std::uint32_t across, bool open = false) {
   Surface s;
   const double pi = std::acos(-1.0);
@@ -144,14 +143,14 @@ inline formats::ReadResult read_text(const std::string& bytes, const std::string
   return formats::read(formats::Source{"given." + extension, extension, bytes, nullptr});
 }
 
-/// Reads a file, and keeps its bytes for written_again().
+/// Reads a file. The result owns the file's bytes, for written_again().
 inline formats::ReadResult read_kept(const std::string& bytes, const std::string& extension,
                                      const std::filesystem::path& folder = {}) {
   const auto kept = std::make_shared<const std::string>(bytes);
   return formats::read(formats::Source{"given." + extension, extension, *kept, nullptr, kept, folder});
 }
 
-/// Returns the bytes of the file after writing it with new positions.
+/// Writes the file again, with new positions. Returns the bytes.
 inline std::string written_again(const formats::ReadResult& read, const std::vector<Point>& positions,
                                  formats::Digits digits = {}) {
   std::string all;
@@ -162,7 +161,7 @@ inline std::string written_again(const formats::ReadResult& read, const std::vec
   return all;
 }
 
-/// Returns the message of the error when these bytes are read; empty without an error.
+/// Reads the bytes. Returns the message of the error, or an empty text without an error.
 inline std::string refusal(const std::string& bytes, const std::string& extension) {
   try {
     read_text(bytes, extension);
@@ -174,7 +173,7 @@ inline std::string refusal(const std::string& bytes, const std::string& extensio
   return {};
 }
 
-/// Checks that each file causes an error that contains the text.
+/// `files` are pairs of bytes and text. Checks that reading the bytes causes an error with the text.
 inline void check_refusals(const std::string& extension,
                            const std::vector<std::pair<std::string, std::string>>& files) {
   for (const auto& [bytes, said] : files) {

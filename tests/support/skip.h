@@ -1,5 +1,4 @@
-// Marks test cases that have special requirements (real meshes, a display, much memory) or longer runs
-// (`ctest -L long`).
+// Marks test cases that need real meshes, a display or much memory, and test cases with longer runs.
 #pragma once
 
 #include <cstdlib>
@@ -7,16 +6,16 @@
 
 namespace viete::test {
 
-/// TEST_CASE("name" * doctest::test_suite(if_present)) marks a case that may be skipped. These cases have a
-/// separate ctest entry. If one of them is skipped, the entry is shown as skipped.
+/// TEST_CASE("name" * doctest::test_suite(if_present)) marks a case that may call skip(). These cases have a
+/// separate ctest entry. If a case calls skip(), ctest shows this entry as skipped.
 inline constexpr const char* if_present = "if_present";
 
-/// Prints the reason. The case must return after this call. The test exits with code 77; other ctest entries
-/// treat this code as a failure.
+/// Prints the reason. The case must return after this call. The program then exits with code 77. ctest shows
+/// the if_present entries as skipped, and other entries as failed.
 void skip(const std::string& why);
 
-/// TEST_CASE("name" * doctest::test_suite(longer)) marks a case with an additional ctest entry. In this
-/// entry, the case runs more rounds.
+/// TEST_CASE("name" * doctest::test_suite(longer)) marks a case that also runs in `ctest -L long`, where
+/// rounds() returns a larger number.
 inline constexpr const char* longer = "longer";
 
 inline int rounds(int usual, int in_a_long_run) {

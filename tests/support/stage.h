@@ -39,7 +39,7 @@ struct Stage {
   explicit Stage(platform::OffscreenContext::Kind kind = platform::OffscreenContext::Kind::any)
       : context(platform::OffscreenContext::create(kind)), gl(load(*context)), framebuffer(gl) {
     view.size = {320, 200};
-    // Looks along -z from (0, 0, 10). In the plane z = 0, a unit of length has 10 pixels.
+    // Looks along -z from (0, 0, 10). The projection is parallel: a unit of length has 10 pixels.
     view.view = glm::lookAt(glm::dvec3(0, 0, 10), glm::dvec3(0), glm::dvec3(0, 1, 0));
     view.projection = glm::ortho(-16.0, 16.0, -10.0, 10.0, 0.1, 100.0);
   }
@@ -52,7 +52,7 @@ struct Stage {
     return framebuffer.read();
   }
 
-  /// Returns the pixel of a point, from the top left.
+  /// Returns the pixel of a point. The pixel (0, 0) is at the top left.
   glm::ivec2 pixel_of(const Point& point) const {
     const glm::dvec4 clip = view.projection * view.view * glm::dvec4(point[0], point[1], point[2], 1);
     const glm::dvec2 ndc = glm::dvec2(clip) / clip.w;
@@ -100,7 +100,7 @@ inline int brightness(const render::Rgba8& c) {
   return c[0] + c[1] + c[2];
 }
 
-/// Returns the area of a white shape on black, in pixels. A pixel adds its red channel, from 0 to 1.
+/// Returns the area of a white shape on black, in pixels. Grey pixels at the edge count in part.
 inline double lit_area(const render::Image& image) {
   double area = 0;
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) area += image.rgba[i] / 255.0;

@@ -13,7 +13,7 @@ std::atomic<int> left{no_limit};
 
 }  // namespace
 
-// Replaces the system's function. The standard library also calls this function.
+// Replaces the system's function, which std::thread calls.
 extern "C" int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
                               void* argument) noexcept {
   using Create = int (*)(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);

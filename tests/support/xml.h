@@ -1,4 +1,4 @@
-// Checks that a page is well-formed and does not use other pages.
+// Checks that a page is well-formed and does not use other files.
 #pragma once
 
 #include <regex>
@@ -31,7 +31,7 @@ inline std::string xml_problem(const std::string& text) {
   return open.empty() ? "" : "not closed: " + open.back();
 }
 
-/// Returns the first link in the page to another site or script; empty without such a link.
+/// Returns the first element of the page that is a script or uses another file; empty if there is none.
 inline std::string outside_of(const std::string& page) {
   static const std::regex outside(
       R"((\s(src|href|srcset|action|data)="(?!#|data:,)[^"]*")|url\(|@import|<(script|iframe|object|embed|form)\b)");

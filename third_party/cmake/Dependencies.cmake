@@ -22,7 +22,7 @@ dep(threads Threads::Threads)
 if(VIETE_BUILD_VIEWER)
   find_package(PkgConfig REQUIRED)
 
-  # Types only: OpenGL is not linked; render/gl.h looks up entry points at run time.
+  # Headers only: OpenGL is not linked. render/gl.h loads its functions at run time.
   find_path(GL_HEADER_DIR GL/glcorearb.h)
   find_path(EGL_HEADER_DIR EGL/eglext.h)
   if(NOT GL_HEADER_DIR OR NOT EGL_HEADER_DIR)

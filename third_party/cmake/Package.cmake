@@ -20,7 +20,6 @@ function(install_debian component folder)
   install(FILES ${ARGN} DESTINATION ${CMAKE_INSTALL_DATADIR}/${folder} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 set(copyright ${CMAKE_CURRENT_LIST_DIR}/copyright)
-# Further documents of each package.
 execute_process(COMMAND gzip -9nc ${CMAKE_CURRENT_LIST_DIR}/changelog.debian OUTPUT_FILE ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
 set(documents ${copyright} ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
 
@@ -51,8 +50,8 @@ if(VIETE_BUILD_VIEWER)
   install_debian(viewer_debian zsh/vendor-completions ${PROJECT_SOURCE_DIR}/assets/desktop/completion/viete.zsh RENAME _viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME viete)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION graphics)
-  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # films of numbered pictures
-  # Libraries linked and libraries opened at run time.
+  set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg")  # makes films from numbered pictures
+  # SHLIBDEPS finds the linked libraries. DEPENDS lists the libraries that the program opens at run time.
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "libgl1, libegl1 | libosmesa6")
   set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS
@@ -67,7 +66,7 @@ if(VIETE_BUILD_PYTHON AND VIETE_BUILD_VIEWER)
   list(APPEND CPACK_COMPONENTS_ALL python_debian blender_debian)
   set(CPACK_COMPONENT_PYTHON_DEBIAN_GROUP python)
   set(CPACK_COMPONENT_BLENDER_DEBIAN_GROUP blender)
-  # The module folder of Debian packages; `cmake --install` uses the local one.
+  # The module folder of Debian packages. `cmake --install` uses VIETE_PYTHON_DIR instead.
   set(modules lib/python3/dist-packages)
   install(TARGETS viete_python LIBRARY DESTINATION ${modules} COMPONENT python_debian EXCLUDE_FROM_ALL)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/python/viete-stubs DESTINATION ${modules} COMPONENT python_debian EXCLUDE_FROM_ALL)

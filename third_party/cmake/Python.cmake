@@ -1,11 +1,11 @@
 # Finds the distribution's Python with numpy and pybind11. Sets VIETE_HAS_PYTHON, and VIETE_PYTHON_DIR, the module folder.
-# Uses /usr/bin/python3, which packages serve, instead of the first python3 on the PATH.
+# Prefers /usr/bin/python3 to another python3 on the PATH: the distribution's packages are for this Python.
 if(NOT Python_EXECUTABLE AND EXISTS /usr/bin/python3)
   set(Python_EXECUTABLE /usr/bin/python3)
 endif()
 find_package(Python 3.8 QUIET COMPONENTS Interpreter Development.Module)
 set(PYBIND11_FINDPYTHON ON)
-if(Python_Development.Module_FOUND)  # without it, as when cross-compiling, pybind11 fails
+if(Python_Development.Module_FOUND)  # pybind11 fails without this component, for example when cross-compiling
   find_package(pybind11 2.9 QUIET CONFIG)
 endif()
 

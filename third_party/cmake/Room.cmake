@@ -1,7 +1,7 @@
-# Compile settings of all targets, and functions that make a library of a room.
+# Compile settings of all targets, and functions that define the library of a room.
 
-# Contraction is off everywhere: a*b+c means two roundings unless fma is written out, so that results
-# are the same at every optimisation level, in every kernel and on every machine.
+# -ffp-contract=off: the compiler must not replace a * b + c by fma(a, b, c), which rounds only once. Results
+# are then the same at every optimisation level, in every kernel and on every machine.
 add_library(viete_compile INTERFACE)
 target_compile_features(viete_compile INTERFACE cxx_std_20)
 target_compile_options(viete_compile INTERFACE
@@ -9,15 +9,15 @@ target_compile_options(viete_compile INTERFACE
 option(VIETE_WERROR "Compiler warnings are errors" OFF)
 if(VIETE_WERROR)
   target_compile_options(viete_compile INTERFACE -Werror)
-  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # those of the optimiser come and go with GCC's version: they stay warnings
+  if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)  # these warnings are not the same in every version of GCC
     target_compile_options(viete_compile INTERFACE -Wno-error=array-bounds -Wno-error=maybe-uninitialized -Wno-error=stringop-overflow)
   endif()
 endif()
-# Optimises if the enclosing project sets neither a build type nor an optimisation level; otherwise only kernels would be.
+# If the enclosing project sets neither a build type nor an optimisation level, uses -O2.
 if(NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
   target_compile_options(viete_compile INTERFACE $<$<STREQUAL:$<CONFIG>,>:-O2>)
 endif()
-# GCC 12 warns about std::string's operator+ (GCC bug 105651).
+# GCC 12 warns about std::string's operator+ without reason (GCC bug 105651).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   target_compile_options(viete_compile INTERFACE -Wno-restrict)
 endif()
@@ -26,8 +26,7 @@ if(VIETE_SANITIZE)
   target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
 endif()
 
-# GCC 12 vectorises kernels only at -O3; results are the same at every level. With sanitizers, -O3 takes minutes per file
-# and finds nothing more.
+# GCC 12 vectorises kernels only at -O3. With sanitizers, -O3 takes minutes per file and finds no more errors.
 set(VIETE_KERNEL_OPTIONS "")
 if(NOT VIETE_SANITIZE)
   set(VIETE_KERNEL_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>)
@@ -36,14 +35,14 @@ elseif(VIETE_SANITIZE MATCHES address)
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
 
-# Highway's NEON needs AES, but GCC generates implicit constructors of structures of its vectors outside of the part of a file
-# that is compiled with it.
+# Highway's NEON code needs AES. Highway turns AES on for a part of each file, but GCC places some
+# constructors outside this part. This option turns AES on for the whole file.
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
   list(APPEND VIETE_KERNEL_OPTIONS -march=armv8-a+crypto)
 endif()
 
-# All instruction sets are compiled; the best one is selected at run time. `native` compiles only those that this machine
-# would select: half the build time, but the program only runs on similar machines.
+# `all` compiles kernels for all instruction sets; the program selects the best set at run time. `native`
+# compiles only the set of this machine: in half the time, but the program only runs on similar machines.
 set(VIETE_KERNELS all CACHE STRING "Instruction sets of the kernels: all or native")
 set_property(CACHE VIETE_KERNELS PROPERTY STRINGS all native)
 if(NOT VIETE_KERNELS MATCHES "^(all|native)$")
@@ -62,7 +61,7 @@ if(VIETE_KERNELS STREQUAL native AND NOT CMAKE_CROSSCOMPILING AND CMAKE_SYSTEM_P
   endif()
 endif()
 
-# Sources that Highway compiles once per instruction set, in separate translation units.
+# Marks sources as kernels. Highway compiles each kernel once per instruction set, outside unity batches.
 function(viete_kernels)
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_OPTIONS "${VIETE_KERNEL_OPTIONS}")
   set_property(SOURCE ${ARGN} APPEND PROPERTY COMPILE_DEFINITIONS "VIETE_KERNELS_LEFT_OUT=${VIETE_KERNELS_LEFT_OUT}")
@@ -70,16 +69,16 @@ function(viete_kernels)
   set_property(GLOBAL APPEND PROPERTY VIETE_KERNEL_SOURCES ${ARGN})  # for tests/rules
 endfunction()
 
-# Compiles several sources of a room as one unit: reading headers once halves the build time.
+# Compiles several sources of a room as one unit. This halves the build time: each header is read only once.
 option(VIETE_UNITY "Compile sources in batches, in rooms that allow it" ON)
 set(VIETE_BATCH 24 CACHE STRING "Number of sources per batch")
 
-# Lower optimisation for targets without heavy computation: compiles in two thirds of the time.
+# Lowers the optimisation of targets without heavy computation. Compiling takes two thirds of the time.
 function(viete_quickly_compiled target)
   target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
-# Applies both settings to the sources of a target.
+# `unity`: compiles the sources of the target as one unit. `quick`: lowers the optimisation.
 function(viete_compiled target unity quick)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(unity AND VIETE_UNITY)
@@ -114,7 +113,7 @@ function(viete_room room)
 endfunction()
 
 # viete_public_headers(sym3 exp.h ...): public headers of a room, included as <viete/sym3/exp.h> in an install and in the build.
-# They include each other by that name too.
+# In both places, the headers include each other by such names.
 function(viete_public_headers room)
   set(include_dir ${PROJECT_BINARY_DIR}/include)
   foreach(header IN LISTS ARGN)

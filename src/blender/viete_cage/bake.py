@@ -23,7 +23,7 @@ def frames_of(context, obj):
 
 
 def chosen(frames, tolerance):
-    """The frames that become shape keys: all others are linear interpolations within the tolerance."""
+    """The frames for shape keys. Linear interpolation gives all other frames within the tolerance."""
     def between(a, b):
         if b - a < 2:
             return []
@@ -81,7 +81,7 @@ class VIETE_OT_bake_mdd(OnMesh):
         frames = [vertices for _, vertices in frames_of(context, obj)]
         times = np.arange(len(frames)) / rate
         whole = bpy.path.abspath(self.filepath)
-        part = whole + ".part"  # replaces an existing file only when complete
+        part = whole + ".part"  # when complete, replaces an existing file
         try:
             with open(part, "wb") as file:
                 file.write(struct.pack(">ii", len(frames), len(obj.data.vertices)))

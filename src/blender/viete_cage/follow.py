@@ -15,12 +15,12 @@ MOST_KEPT = 16  # deformers kept for later; each uses memory or a child process
 
 deformers = {}  # deformers by the hash of model, cage, settings and mask
 current = {}    # the deformer of each object
-followed = {}   # the last pose of the cage of each object
+followed = {}   # the last cage pose of each object
 busy = False
 
 
 def rest_of(obj):
-    """The undeformed model: the basis of its shape keys, or its vertices."""
+    """The undeformed model: the basis shape key or, without shape keys, the mesh."""
     keys = obj.data.shape_keys
     source = keys.reference_key.data if keys else obj.data.vertices
     rest = np.empty((len(source), 3), np.float32)
@@ -65,7 +65,7 @@ def bytes_of(faces):
 
 
 def deformer_of(obj):
-    """The object's deformer. It is cached until the model or the mask may change; equal objects share it."""
+    """The object's deformer, cached until model or mask may change. Equal objects use one deformer."""
     if obj.name in current:
         return current[obj.name]
     settings, rest, mask = obj.viete, rest_of(obj), mask_of(obj)
@@ -95,7 +95,7 @@ def check(obj):
 
 
 def let_go(obj):
-    """Removes the object from the caches."""
+    """Forgets the deformer and the last pose of the object."""
     current.pop(obj.name, None)
     followed.pop(obj.name, None)
 
@@ -134,7 +134,7 @@ def deformed(obj, depsgraph):
 
 
 def write(key, places):
-    """Sets the vertices of a shape key. Copies to contiguous memory: fifty times as fast as foreach_set."""
+    """Sets the vertices of a shape key. Copying bytes is 50 times as fast as foreach_set."""
     points = key.data
     count = len(points)
     try:
@@ -148,7 +148,7 @@ def write(key, places):
 
 
 def update(obj, depsgraph):
-    """Writes the shape key if the cage has moved."""
+    """If the cage has moved, updates the shape key of the object."""
     settings = obj.viete
     key = obj.data.shape_keys and obj.data.shape_keys.key_blocks.get(KEY)
     if obj.mode != "OBJECT":  # the model or the mask may change

@@ -1,4 +1,4 @@
-"""Interpolates halfway between two shapes: edges keep their lengths in log space, but not along straight lines."""
+"""Interpolates halfway between two shapes. Compares edge lengths in log space and along straight lines."""
 import numpy as np
 import viete
 

@@ -1,4 +1,4 @@
-/* Uses the C header from C: all layouts agree, and invalid arguments are rejected. */
+/* Uses the C header from C: all layouts must give equal results, and invalid arguments must be rejected. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

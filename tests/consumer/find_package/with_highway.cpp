@@ -1,4 +1,4 @@
-// An external vectorised loop, as documented in exp-inl.h. It is compiled for one instruction set.
+// A vectorised loop of another project, as documented in exp-inl.h, compiled for one instruction set.
 #define HWY_COMPILE_ONLY_SCALAR
 #include <viete/sym3/highway_targets.h>
 #define HWY_TARGET_INCLUDE "with_highway.cpp"
@@ -13,7 +13,7 @@ namespace stranger::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 namespace lanes = viete::sym3::HWY_NAMESPACE;
 
-/// Computes the entries (x, x) of exp of the matrix [x y z; y x y; z y x] and of the rotation by (x, y, z).
+/// With (x, y, z) = numbers: out[0] = exp([x y z; y x y; z y x]).xx, and out[1] = rotation(x, y, z).xx.
 void both(const float* numbers, float* out) {
   const hn::CappedTag<float, 1> d;
   using V = hn::Vec<decltype(d)>;
