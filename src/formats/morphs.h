@@ -34,11 +34,12 @@ public:
   const std::string& name() const { return name_; }                     ///< animation name; may be empty
   const std::vector<double>& seconds() const { return seconds_; }       ///< ascending; may be empty
   const std::vector<std::string>& targets() const { return targets_; }  ///< a non-empty name for each target
-  const std::vector<std::string>& notes() const { return notes_; }      ///< what was ignored or changed
+  const std::vector<std::string>& notes() const { return notes_; }      ///< messages about ignored content
 
-  /// Return the positions of the surface at a key, or with one target at full weight. Between keys, callers
-  /// interpolate linearly. If the file contains invalid data, the functions throw base::Error.
+  /// Returns the positions of the surface at a key. Between keys, callers interpolate linearly. If the file
+  /// contains invalid data, throws base::Error.
   virtual std::vector<mesh::Point> at_key(std::size_t key) const = 0;
+  /// Returns the positions with one target at full weight and all others at 0. Throws like at_key().
   virtual std::vector<mesh::Point> at_target(std::size_t target) const = 0;
 
 protected:

@@ -43,8 +43,8 @@ struct PointCacheHead {
 };
 
 /// Writes a file atomically. Only one frame is in memory at a time. frame(i) must return x, y, z of every
-/// point of frame i. If sizes exceed the format, the disk is full or a number is not finite, throws
-/// base::Error. Does not catch exceptions of `frame`.
+/// point of frame i. If sizes exceed the limits of the format, the disk is full or a number is not finite,
+/// throws base::Error. Does not catch exceptions of `frame`.
 void write_point_cache(const std::filesystem::path& path, const PointCacheHead& head,
                        const std::function<std::span<const float>(std::size_t)>& frame);
 

@@ -21,11 +21,11 @@ public:
   /// Learns the format from a word of the file, normally a number.
   void learn(std::string_view word);
 
-  /// Ensures enough decimals that a number of this size has at least `significant` digits.
+  /// Sets a minimum of decimals: a number as large as `size` gets at least `significant` digits.
   void keep(int significant, double size);
 
-  /// Prints with decimals or with an exponent, like the learned numbers, and with their largest number of
-  /// digits. If all learned numbers had equally many digits, pads with zeros. room: at least 400 bytes.
+  /// Prints with the largest number of decimals of the learned numbers, and with an exponent if all have one.
+  /// Removes zeros at the end if learned numbers differ in decimals. room: a buffer of at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
   /// Returns true if a and b are printed as equal text.
@@ -43,7 +43,7 @@ private:
   bool capital_ = false;                       // true if the file uses E instead of e
 };
 
-/// Prints with the writer's number of decimals, or with the shortest digits that give the exact number again.
+/// Prints with the writer's fixed decimals. Without fixed decimals, prints the shortest exact digits.
 void print_point(const mesh::Point& p, TextWriter& out);
 
 inline constexpr double largest_float = std::numeric_limits<float>::max();

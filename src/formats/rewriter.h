@@ -19,7 +19,7 @@ using ThreeWords = std::array<std::string_view, 3>;
 
 /// Returns the next three words of the line. Missing words are empty.
 inline ThreeWords three_words(TextCursor& text) {
-  return {text.word(), text.word(), text.word()};  // the order is from left to right
+  return {text.word(), text.word(), text.word()};  // braces evaluate from left to right
 }
 
 /// Replacements must be in file order. The bytes between replacements are copied.
