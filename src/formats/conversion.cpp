@@ -27,7 +27,6 @@ std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const
   return common;
 }
 
-// Returns names of content that the format cannot store.
 std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
                                            const Attributes& a, const Attributes& deformed) {
   const bool is_named =

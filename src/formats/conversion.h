@@ -29,8 +29,8 @@ struct SpreadNormals {
   SpreadNormals(const mesh::Surface& surface, const Attributes& attributes);
 };
 
-/// For each vertex, returns the index that is given for all its corners, or mesh::none without corners. If
-/// two corners of a vertex have different indices, returns nullopt. of_corner: an index for each corner.
+/// of_corner: an index for each corner. For each vertex, returns the index of all its corners, or mesh::none
+/// if it has no corners. If two corners of a vertex have different indices, returns nullopt.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surface,
                                                        const std::vector<std::uint32_t>& of_corner);
 

@@ -119,7 +119,8 @@ private:
     }
   }
 
-  // Returns the value as text or bytes of the file, or nullopt if it exceeds the type's range.
+  // Returns the value as text or as bytes for the file. If the value exceeds the type's range, returns
+  // nullopt.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
     return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
       using Number = decltype(number);

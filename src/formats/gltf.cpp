@@ -139,7 +139,7 @@ private:
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
     take_weights(p, mesh);
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
-      if (accessor_of(primitive, "POSITION") < 0) continue;  // invisible according to the specification
+      if (accessor_of(primitive, "POSITION") < 0) continue;  // glTF does not draw this primitive
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
     }

@@ -179,7 +179,7 @@ private:
     });
   }
 
-  // data: an accessor, or the indices or values of a sparse accessor.
+  // data: an accessor, or the member `indices` or `values` of a sparse accessor.
   void check_data(const std::string& at, const GltfJson& data) const {
     whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
     const auto view = count_of(data, "bufferView");
@@ -230,7 +230,7 @@ private:
     }
   }
 
-  // Throws base::Error if the member exists and is not `good`. A JSON null counts as existing.
+  // Throws base::Error if the member exists and `good` is false. A JSON null counts as existing.
   void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
     if (!good && of.is_object() && of.contains(key))
       fail(at, "\"" + std::string(key) + "\" should be " + form);
@@ -358,7 +358,8 @@ private:
     }
   }
 
-  // Copies each view only once. Views can overlap, so all copies together are limited to the buffers' size.
+  // Returns the bytes of a buffer view, or null. Copies each view only once. Views can overlap, so all copies
+  // together are limited to the size of the buffers.
   std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
     const GltfJson& views = list_of(document_, "bufferViews");
     if (!view || *view >= views.size()) return nullptr;

@@ -39,7 +39,7 @@ struct WeightTrack {
   }
 };
 
-// `values` has an in-tangent, a value and an out-tangent for each key. Returns only the values.
+// `values` has `count` in-tangents, values and out-tangents for each key. Returns only the values.
 SharedNumbers keys_of_cubic(const Numbers& values, std::size_t count) {
   Numbers keys;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -319,7 +319,7 @@ std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t pa
   GltfJson accessor = {{"componentType", gltf_float}, {"count", count}};
   accessor["type"] = parts == 3 ? "VEC3" : "SCALAR";
   const std::size_t index_size = count <= std::size_t{1} << 16 ? 2 : 4;
-  constexpr std::size_t cost = 128;  // bytes of JSON for a sparse accessor
+  constexpr std::size_t cost = 128;  // estimated bytes of JSON for a sparse accessor
   if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
     accessor["sparse"] = sparse(where, some, index_size);
   } else {

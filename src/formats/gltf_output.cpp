@@ -171,7 +171,7 @@ private:
     return made;
   }
 
-  // Adds an accessor with values of all vertices and stores its index in the attribute. Returns the values.
+  // Adds an accessor with values of all vertices. Stores the accessor's index in `attribute`.
   template <class Fill>
   std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
     std::vector<float> values(vertices_.size() * components);

@@ -246,7 +246,7 @@ private:
                            : mesh::Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // Returns the unit vector x for which x + added has the direction `unit`.
+  // Returns a unit vector x such that x + added has the direction `unit`, if this is possible.
   static mesh::Vec3 before_targets(const mesh::Vec3& unit, const mesh::Vec3& added) {
     const double along = mesh::dot(unit, added), rest = along * along - mesh::dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);

@@ -25,7 +25,7 @@ struct AffineMap {
   }
   mesh::Vec3 of_point(const mesh::Point& p) const { return of_vector(p) + offset; }
   /// Maps a plane's normal by the matrix of cofactors. Even if the map is a mirror, the normal stays on the
-  /// same side of the plane. The result may have any length.
+  /// same side of the plane. The result can have any length.
   mesh::Vec3 of_normal(const mesh::Vec3& n) const;
   /// Returns nullopt if the map is singular.
   std::optional<AffineMap> inverse() const;

@@ -18,7 +18,7 @@ struct MorphMotion {
   std::vector<std::string> targets;  ///< a name for each target; a name may be empty
   std::vector<float> weights;        ///< targets.size() weights for each key
   std::vector<char> moves;           ///< for each vertex, true if a target moves the vertex
-  /// Returns the positions at full weight. It is called once for each target, in order.
+  /// Returns the positions at full weight of the target. Called once for each target, in order.
   std::function<std::vector<mesh::Point>(std::size_t target)> positions;
   bool normals = true;  ///< true to animate normals and tangents too
 };
@@ -26,7 +26,7 @@ struct MorphMotion {
 /// If there are no keys, times do not increase, or sizes do not match, throws base::Error.
 void check_motion(const MorphMotion& motion, std::size_t vertices);
 
-/// The morph animation of a glTF file. It computes positions when they are needed. Immutable and thread-safe.
+/// The morph animation of a glTF file. Computes positions only on request. Immutable and thread-safe.
 class MorphClip {
 public:
   virtual ~MorphClip() = default;

@@ -63,7 +63,7 @@ private:
     return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
   }
 
-  // Reads up to three components. Repeats the last for missing components. Ignores other forms of colours.
+  // Reads up to three components. Repeats the last for missing components. Ignores spectral and CIE colours.
   void diffuse(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);

@@ -68,8 +68,8 @@ public:
   std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
 
 private:
-  // Stores values of a property: the offset in (*places)[row][axis], and factor * value in *number. Unused
-  // pointers are null.
+  // The destinations of a property: (*places)[row][axis] gets the offset of the value, *number gets
+  // factor * value. Unused pointers are null.
   struct Column {
     std::vector<FileVectors::Places>* places = nullptr;
     std::size_t axis = 0;
@@ -107,7 +107,7 @@ private:
     return &vectors;
   }
 
-  // Returns the list of each corner's face row, which lists() fills, or null if faces have no normals.
+  // Returns a list for the face row of each corner, or null if faces have no normals. lists() fills the list.
   std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
     FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     if (!vectors) return nullptr;

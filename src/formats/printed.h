@@ -13,7 +13,7 @@
 
 namespace viete::formats {
 
-/// A number format. learn() detects it from the numbers of a text file, or Digits define it.
+/// A number format, defined by Digits or detected from the numbers of a text file by learn().
 class Printed {
 public:
   explicit Printed(Digits digits = {}) : digits_(digits) {}
@@ -36,8 +36,8 @@ private:
   int decimals() const;
 
   Digits digits_;
-  int most_ = 0, least_ = 400;  // numbers of decimals in learned numbers without exponent
-  int most_mantissa_ = 0;       // number of decimals in learned numbers with exponent
+  int most_ = 0, least_ = 400;  // largest and smallest number of decimals without exponent
+  int most_mantissa_ = 0;       // largest number of decimals with exponent
   int needed_ = 0, needed_mantissa_ = 0;
   std::size_t plain_ = 0, with_exponent_ = 0;  // counts of learned numbers without and with exponent
   bool capital_ = false;                       // true if the file uses E instead of e

@@ -27,7 +27,7 @@ class Rewriter {
 public:
   Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
 
-  /// `word` must be a part of the bytes.
+  /// `word` must be a view of a part of the bytes.
   void replace(std::string_view word, std::string_view by) {
     copy_until(static_cast<std::size_t>(word.data() - bytes_.data()));
     out_.text(by);

@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// If attribute bytes follow triangles and all are within the file, sets the offsets and returns true.
+// If triangles have attribute bytes and the file contains all bytes, sets the offsets and returns true.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;
@@ -121,7 +121,7 @@ private:
   mesh::PointIndex index_;
 };
 
-// Describes the corners and normals of facets. The caller sets their places.
+// Describes the corners and normals of facets. The caller sets the places.
 VectorFile vectors_of_facets(bool text) {
   VectorFile file{.format = "STL", .text = text};
   file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});

@@ -36,7 +36,8 @@ public:
   void comments(TextCursor& text);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
-  /// Triangulates the polygons. Without vertices, throws base::Error. Adds warnings about dropped polygons.
+  /// Triangulates the polygons. Without vertices, throws base::Error. Warns about dropped or missing
+  /// polygons.
   ReadResult finish(std::string format);
 
 private:

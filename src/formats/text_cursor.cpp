@@ -11,8 +11,8 @@ namespace viete::formats {
 
 namespace {
 
-// `number` is outside the range of double. Returns true if its size is too small, false if too large. The
-// error code of std::from_chars is the same for both.
+// `number` must be outside the range of double. Returns true if the number is too close to 0, and false if
+// the number is too large. The error code of std::from_chars is the same for both.
 bool is_tiny(std::string_view number) {
   long double value = 0;
   const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
@@ -127,7 +127,8 @@ double TextCursor::coordinate() {
   return value;
 }
 
-// Accepts a plus sign, which from_chars rejects. Underflow gives 0, overflow infinity. Throws base::Error.
+// Accepts a plus sign, which from_chars rejects. Underflow gives 0, and overflow gives infinity. If the word
+// is not a number, throws base::Error.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
   const char* const number = from + (plus ? 1 : 0);

@@ -99,7 +99,7 @@ private:
   std::size_t line_ = 1;
 };
 
-/// Returns the word as a finite number. If it is not a finite number, returns nullopt.
+/// Returns the word as a number, or nullopt if the word is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
 /// Returns the word in quotes for messages, cut after 32 bytes, with '?' for all but printable ASCII.

@@ -76,7 +76,7 @@ public:
     for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
   }
 
-  /// Replaces control characters by blanks and removes blanks and backslashes at the end.
+  /// Replaces control characters by blanks. Removes blanks and backslashes at the end.
   static std::string one_line(std::string text) {
     for (char& c : text) {
       if (static_cast<unsigned char>(c) < 32) c = ' ';

@@ -46,8 +46,8 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies external files to the folder of the new file and adds them to `written`. Does not copy files outside
-// the old folder, and does not overwrite files. Returns messages for the user.
+// Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
+// outside the old folder, and does not overwrite files. Returns messages for the user.
 std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
                                          std::vector<fs::path>& written) {
   if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};

@@ -36,12 +36,12 @@ std::vector<std::string> write(const std::filesystem::path& path, const Content&
 
 /// Writes .glb or .gltf with morph targets and an animation. At rest, the model has content.positions.
 /// If writes_itself(original, path), keeps the targets and animations of the original. All targets are in
-/// memory at once. Also throws base::Error for an invalid motion, see check_motion(), and for other formats.
+/// memory at once. Also throws base::Error for other formats and for a motion that check_motion() rejects.
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress = nullptr);
 
-/// Throws base::Error for STL and glTF, because they change the number and order of vertices.
+/// Throws base::Error for the formats that change the number and order of vertices: STL and glTF.
 void check_keeps_vertices(const std::filesystem::path& path);
 
 }  // namespace viete::formats
