@@ -29,8 +29,8 @@ struct SpreadNormals {
   SpreadNormals(const mesh::Surface& surface, const Attributes& attributes);
 };
 
-/// of_corner: an index for each corner. For each vertex, returns the index of all its corners, or mesh::none
-/// if it has no corners. If two corners of a vertex have different indices, returns nullopt.
+/// Returns for each vertex the index of all its corners, or mesh::none for a vertex without corners. If two
+/// corners of a vertex have different indices, returns nullopt. of_corner: an index for each corner.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surface,
                                                        const std::vector<std::uint32_t>& of_corner);
 

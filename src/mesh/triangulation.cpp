@@ -236,7 +236,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // A notch that touches the ear's tip can fill the whole ear. Even if not, it is better to clip later.
+    // A notch that touches the ear's tip can fill the whole ear. If not, the ear is clipped later.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }
