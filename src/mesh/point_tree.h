@@ -17,7 +17,7 @@ public:
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
   /// Returns the index of the point nearest to the triangle. If several points are equally near, returns the
-  /// lowest index. For an edge or a point, pass equal corners.
+  /// lowest index. For an edge, pass two equal corners. For a point, pass three equal corners.
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
   /// Calls visit(i) for every point i whose distance to p is at most the radius, in any order.
