@@ -17,24 +17,24 @@ namespace viete::formats {
 using Vec2 = std::array<double, 2>;
 using Color = std::array<float, 4>;  ///< red, green, blue (sRGB) and opacity, each in [0, 1]
 
-/// The size in bytes of the largest image file that can be decoded.
+/// The largest size of an image file in bytes. Larger files cannot be decoded.
 inline constexpr std::size_t most_image_bytes = std::size_t{1} << 29;
 
-/// An encoded image: an external file, or bytes in the model's file. It is decoded only to display it.
+/// An encoded image: an external file, or bytes in the model's file. Only the display decodes images.
 struct ImageFile {
   std::filesystem::path path;                ///< absolute path; empty if the image is in the model's file
-  std::shared_ptr<const std::string> bytes;  ///< PNG, JPEG ... if it is in the model's file; otherwise null
+  std::shared_ptr<const std::string> bytes;  ///< PNG, JPEG ...; null if the image is an external file
   std::string name;                          ///< for messages
 };
 
 struct Material {
   std::string name;
   Color base_color{0.8F, 0.8F, 0.8F, 1};
-  std::uint32_t base_color_image = mesh::none;  ///< index into Attributes::images; base_color scales it
-  bool repeats = true;  ///< outside [0, 1], true: the image repeats; false: its border colour continues
+  std::uint32_t base_color_image = mesh::none;  ///< index into images; the image is multiplied by base_color
+  bool repeats = true;  ///< false: outside [0, 1], the border colour of the image continues
 };
 
-/// Consecutive polygons that have one object, one group name, one material and one kind of shading.
+/// Consecutive polygons with the same object, name, material and shading.
 struct Group {
   std::uint32_t first_polygon = 0;      ///< the group ends before the first polygon of the next group
   std::string object, name;             ///< may be empty
@@ -42,7 +42,7 @@ struct Group {
   bool smooth = true;                   ///< false: flat shading
 };
 
-/// If a file does not have an attribute, the array is empty. Corners are the entries of Surface::corners.
+/// Attributes of a surface. Arrays of missing attributes are empty. Corner i is Surface::corners[i].
 struct Attributes {
   std::vector<Vec2> texture_points;           ///< (u, v); v increases upwards
   std::vector<std::uint32_t> corner_texture;  ///< for each corner an index into texture_points, or mesh::none

@@ -10,7 +10,7 @@
 
 namespace viete::formats {
 
-/// Reads the first bytes as a number of type T.
+/// Reads the first sizeof(T) bytes as a number.
 template <class T>
 T number_of_bytes(const char* bytes, std::endian order = std::endian::little) {
   std::array<char, sizeof(T)> raw;
@@ -29,7 +29,7 @@ auto bytes_of_number(T value, std::endian order = std::endian::little) {
 /// Types of the numbers in a file.
 enum class NumberType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
 
-/// Calls use(x), where x is a zero of the type `type`. Returns the result.
+/// Calls use(x), where x is 0 and has the C++ type for `type`. Returns the result of use(x).
 template <class Use>
 auto with_type(NumberType type, const Use& use) {
   switch (type) {

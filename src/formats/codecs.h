@@ -7,48 +7,47 @@
 
 namespace viete::formats {
 
-/// Every reader can throw base::Error and base::Cancelled. If source.owner is set, ReadResult::original is
-/// set.
-///
-/// Source: Wavefront Advanced Visualizer manual, appendix B1. Reads the keywords v (x y z and an optional
-/// colour), vt, vn, f, o, g, s, usemtl and mtllib, also in capitals. Supports relative indices, continued
-/// lines, and faces before their vertices. If an index of a texture point or normal is invalid, or a material
-/// library is unreadable, only adds a warning.
+// Readers can throw base::Error and base::Cancelled. If source.owner is set, they set ReadResult::original.
+
+/// Specification: Wavefront Advanced Visualizer manual, appendix B1. Reads the keywords v (x y z and an
+/// optional colour), vt, vn, f, o, g, s, usemtl and mtllib, also in capitals. Supports relative indices,
+/// continued lines, and faces before their vertices. Invalid indices of texture points or normals and
+/// unreadable material libraries only cause warnings.
 ReadResult read_obj(const Source& source);
-/// Returns true if the first non-comment line starts with a keyword unique to OBJ.
+/// Returns true if the first line with content starts with an OBJ keyword in lower case.
 bool looks_like_obj(const Source& source);
 /// Returns true if at least 90 % of the lines are valid OBJ statements and the file has a vertex.
 bool is_certainly_obj(const Beginning& file);
-/// Writes colours, texture points and normals, but no groups or materials. If the caller does not request
-/// other digits, numbers get the shortest digits that give the exact number again.
+/// Writes colours, texture points and normals, but no groups or materials. By default, positions have the
+/// shortest digits from which the exact number can be read.
 void write_obj(const Content& content, TextWriter& out);
 
-/// Source: Greg Turk, The PLY polygon file format, 1994. Reads x, y, z of element vertex, vertex_indices or
-/// vertex_index of element face, tristrips, and the properties listed at PlyBody. Checks the counts in the
-/// header against the file size before it allocates memory. Rewriting the file updates x y z, nx ny nz and tx
-/// ty tz of vertices and nx ny nz of faces. All other content stays.
+/// Specification: Greg Turk, The PLY polygon file format, 1994. Reads positions, faces, triangle strips, and
+/// the properties listed at PlyBody in ply.cpp. Compares the counts in the header with the file size before
+/// it allocates memory. Rewriting the file updates x y z, nx ny nz and tx ty tz of vertices, and nx ny nz of
+/// faces. All other content stays.
 ReadResult read_ply(const Source& source);
 /// Returns true if the bytes start with the PLY signature.
 bool looks_like_ply(const Source& source);
 /// Returns true if the file begins with a complete header.
 bool is_certainly_ply(const Beginning& file);
-/// Writes binary little-endian PLY with positions in double, colours and texture points. If a vertex has
-/// several normals, writes no normals.
+/// Writes binary little-endian PLY with positions in double, normals, colours and texture points. If any
+/// vertex has several normals, writes no normals.
 void write_ply(const Content& content, TextWriter& out);
 
-/// Source: Geomview manual, "OFF Files". Reads OFF and the variants with colours, normals or texture
+/// Specification: Geomview manual, "OFF Files". Reads OFF and the variants with colours, normals or texture
 /// coordinates after the positions. The keyword OFF may be missing, and colours need not be declared. A face
 /// may continue on the next line. Not supported: 4OFF, nOFF, BINARY.
 ReadResult read_off(const Source& source);
 /// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// Returns true if only numbers follow the optional keyword, as many as the counts require.
+/// Returns true if only numbers follow the optional keyword, at least as many as the counts require.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
-/// Source: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates become
-/// one vertex (0 and -0 are equal). Vertices are in the order of their first corner. Rewriting the file keeps
-/// the attributes of triangles, and updates the normals of moved triangles. Normals 0 0 0 stay 0 0 0.
+/// Specification: 3D Systems, StereoLithography Interface Specification, 1989. Corners with equal coordinates
+/// become one vertex (0 and -0 are equal). Vertices are in the order of their first corner. Rewriting the
+/// file keeps the attributes of triangles, and updates the normals of moved triangles. Normals 0 0 0 stay.
 ReadResult read_stl(const Source& source);
 /// Returns true if the size matches the triangle count of a binary STL, or the text starts with "solid".
 bool looks_like_stl(const Source& source);
@@ -57,23 +56,24 @@ bool is_certainly_stl(const Beginning& file);
 /// Writes triangles as text, because binary STL rounds positions to float. Does not write unused vertices.
 void write_stl(const Content& content, TextWriter& out);
 
-/// Source: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene and places
-/// them by their nodes. Morph targets have their default weights; skins and animations are not applied.
-/// Coincident vertices of a node become one vertex, even if their normals or texture points differ. Points
-/// and lines become vertices without polygons. External buffers must be in the folder of source.name or
-/// below. There may be at most 4 million more vertices and corners than bytes in all buffers.
+/// Specification: The Khronos Group, glTF 2.0 Specification, 2021. Reads all meshes of the default scene,
+/// with the transforms of their nodes. Morph targets have their default weights, unless source.played is
+/// true. Skins and animations are not applied. Coincident vertices of a node become one vertex, even if their
+/// normals or texture points differ. Points and lines become vertices without polygons. External buffers must
+/// be in the folder of the file or below. Vertices + corners must be <= bytes of all buffers + 4 million.
 ReadResult read_gltf(const Source& source);
 /// Returns true for a GLB file, or for JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);
 /// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
 /// Writes one node with one mesh and one primitive: positions in float, texture points, normals, colours.
-/// Computes missing normals, except for is_flat() surfaces: glTF shows flat shading without normals. Polygons
-/// become triangles. If the file exceeds 4 GB, the limit of GLB, throws base::Error.
+/// Computes missing normals. A surface that is_flat() and has no normals stays without normals, because
+/// viewers then use flat shading. Polygons become triangles. If the GLB exceeds 4 GB, throws base::Error.
 void write_glb(const Content& content, TextWriter& out);
-/// Writes the content of write_glb() as JSON with embedded buffers.
+/// Works like write_glb(), but writes JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
-/// Also writes an animation, see check_motion(). progress may be null. Can also throw base::Cancelled.
+/// If `binary`, works like write_glb(), otherwise like write_gltf(). Adds an animation. `motion` must pass
+/// check_motion() or have no targets. progress may be null. Can also throw base::Cancelled.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
 

@@ -10,8 +10,8 @@ namespace viete::formats {
 
 namespace {
 
-// Returns a number for each corner: the polygon if it has flat shading, otherwise the vertex. Corners with
-// different numbers get separate normals.
+// For each corner, returns a number for its polygon (flat shading) or for its vertex (smooth shading).
+// Corners with different numbers get separate normals.
 std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const Attributes& attributes) {
   std::vector<std::uint64_t> common(surface.corners.begin(), surface.corners.end());
   constexpr std::uint64_t polygons = std::uint64_t{1} << 32;
@@ -27,7 +27,6 @@ std::vector<std::uint64_t> common_to_corners(const mesh::Surface& surface, const
   return common;
 }
 
-// Returns names of content that the format cannot store, in the order of messages.
 std::vector<std::string> names_of_left_out(const Format& format, const mesh::Surface& surface,
                                            const Attributes& a, const Attributes& deformed) {
   const bool is_named =

@@ -35,7 +35,7 @@ public:
     if (file.text) learn();
     if (!are_positions_) follow();
     if (vectors.count > 0) {
-      std::size_t row = 0;  // the first row with numbers
+      std::size_t row = 0;  // becomes the first row that has places
       while (row + 1 < vectors.count && vectors.places(row) == no_places) ++row;
       std::ranges::sort(axes_, {}, [order = vectors.places(row)](std::size_t axis) { return order[axis]; });
     }
@@ -51,13 +51,12 @@ public:
   }
 
 private:
-  // Returns the word or the bytes at a place.
   std::string_view at(std::size_t place, NumberType type) const {
     const std::string_view rest = source_.bytes.substr(place);
     return file_.text ? TextCursor(Source{"", "", rest}, {}).rest_of_word() : rest.substr(0, size_of(type));
   }
 
-  // Returns the vector in a row. Words that are not numbers give NaN; a row without places gives 0 0 0.
+  // Returns the vector in a row, or zero for a row without places. Components that are not numbers are NaN.
   mesh::Vec3 direction(std::size_t row) const {
     const FileVectors::Places places = vectors_.places(row);
     if (places == no_places) return {0, 0, 0};
@@ -70,7 +69,6 @@ private:
     return v;
   }
 
-  // Learns the number format from the first rows.
   void learn() {
     constexpr std::size_t enough = 10'000;
     for (std::size_t row = 0; row < std::min(enough, vectors_.count); ++row) {
@@ -95,7 +93,6 @@ private:
     mesh::keep_lengths(before_, now_);
   }
 
-  // Returns the values of a row before and after the deformation.
   std::pair<mesh::Vec3, mesh::Vec3> values(std::size_t row) const {
     if (!are_positions_) return {before_[row], now_[row]};
     const std::size_t v = vectors_.rows == FileVectors::Rows::corners ? rest_.corners[row] : row;
@@ -122,7 +119,8 @@ private:
     }
   }
 
-  // Returns the value as text or bytes of the file, or nullopt if it exceeds the type's range.
+  // Returns the value as text or as bytes for the file. If the value exceeds the type's range, returns
+  // nullopt.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
     return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
       using Number = decltype(number);
@@ -152,10 +150,10 @@ private:
   bool are_positions_;
   Printed printed_;
   std::vector<mesh::Vec3> before_, now_;      // directions before and after the deformation
-  std::array<std::size_t, 3> axes_{0, 1, 2};  // in the order of the file
+  std::array<std::size_t, 3> axes_{0, 1, 2};  // sorted by the places of the numbers in a row
   std::size_t next_ = 0, place_ = nowhere;
   NumberType type_ = NumberType::float64;  // type of the number at place_
-  std::string_view words_;                 // new text or bytes of this number
+  std::string_view words_;                 // new text or bytes of the number at place_
   std::array<char, 400> room_;
 };
 

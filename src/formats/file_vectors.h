@@ -29,7 +29,7 @@ struct FileVectors {
   Rows rows = Rows::vertices;  ///< row i belongs to vertex i or corner i; for faces see row_of_corner
   std::string element;         ///< name of a row in messages
   std::size_t count = 0;       ///< number of rows
-  /// Returns the offsets of the row's three numbers in the file. If it returns no_places, the row stays.
+  /// Returns the offsets of the row's three numbers in the file. For no_places, the row is not rewritten.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
   /// For Rows::faces: returns the row of the face to which the corner belongs, or mesh::none.
@@ -49,16 +49,16 @@ inline constexpr FileVectors::Places no_places = [] {
 /// Moves past the next three words of the line. Returns their offsets, or no_places if a word is missing.
 FileVectors::Places places_of_three(TextCursor& text);
 
-/// Describes a file so that it can be rewritten. Only moved positions, and the normals and tangents that
-/// depend on them, change. Numbers are rounded to their type in the file. Text gets as many decimals as the
-/// old text, and at least six significant digits relative to the model's diagonal.
+/// Describes a file so that it can be rewritten. Rewriting changes moved positions, and the normals and
+/// tangents that depend on moved positions. Numbers are rounded to their type in the file. New text has as
+/// many decimals as the old text, but at least six significant digits relative to the model's diagonal.
 struct VectorFile {
   std::string_view format;  ///< Format::name
   bool text = true;
   std::endian order = std::endian::little;  ///< byte order of binary numbers
   std::vector<FileVectors> vectors = {};
-  std::vector<std::string> beyond_attributes = {};  ///< see Original
-  Companions companions = {};                       ///< see Original
+  std::vector<std::string> beyond_attributes = {};  ///< see Original::beyond_attributes()
+  Companions companions = {};                       ///< see Original::companions()
 };
 
 /// Returns null if source.owner is null. If a number exceeds its type's range, writing throws base::Error.

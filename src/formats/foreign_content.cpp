@@ -21,7 +21,7 @@ constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"s
                export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
                download = "download the model file, not the web page about it"sv;
 
-// The start of the file is compared with these texts. Upper and lower case are equal.
+// The file starts with Signature::begins, in upper or lower case.
 constexpr Signature signatures[] = {
     {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself"sv,
      "fetch the file itself with `git lfs pull`"sv},
@@ -75,7 +75,7 @@ constexpr Signature signatures[] = {
     {"GIF8"sv, "a picture (GIF)"sv, "open the model instead"sv},
 };
 
-// Root elements of XML files.
+// Root elements of XML files. The first 4096 bytes contain Signature::begins.
 constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<X3D"sv, "an X3D file"sv, export_it},
                                   {"<VTKFile"sv, "a VTK file"sv, export_it},
@@ -93,7 +93,6 @@ bool holds(std::string_view bytes, std::string_view signature) {
   return lower_case(bytes).find(lower_case(signature)) != std::string::npos;
 }
 
-// Returns the matching signature, or null.
 const Signature* signature_of(std::string_view bytes) {
   static constexpr Signature xml{"", "text in XML or HTML"sv, export_it};
   const auto find = [&](std::span<const Signature> all, const auto& is) -> const Signature* {

@@ -25,7 +25,7 @@ constexpr Format gltf_as(std::string_view extension, void (*write)(const Content
           .all_held = points | texture_points | colors | polygon_colors | normals | corner_normals};
 }
 
-// Returns a list with each word once: "a, b or c".
+// Returns a list without duplicates: "a, b or c".
 std::string listing(bool (*is)(const Format&), std::string_view before, std::string_view Format::*word,
                     std::string_view last) {
   std::vector<std::string> words;

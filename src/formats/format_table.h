@@ -31,12 +31,12 @@ struct Format {
 
   ReadResult (*read)(const Source&) = nullptr;  ///< reads a surface; null for point caches
   bool (*recognised)(const Source&) = nullptr;  ///< detects the format by content; may be null
-  /// A stricter test before a file is overwritten. It rejects other content with a similar beginning.
+  /// A stricter test than `recognised`, used before a file is overwritten.
   bool (*is_certain)(const Beginning&) = nullptr;
   void (*write)(const Content&, TextWriter&) = nullptr;
 
   bool may_be_binary = false;  ///< true if read() accepts binary content that recognised() rejects
-  bool keeps_order = false;    ///< true if files keep the vertex order, on which poses and keys depend
+  bool keeps_order = false;    ///< true if files keep the vertex order; poses and keys need this order
   bool holds_morphs = false;
   bool is_sequence = false;  ///< true for a point cache: positions of several frames
   char up = 0;               ///< the usual up axis, 'y' or 'z'; 0 if there is no convention
@@ -49,20 +49,20 @@ struct Format {
 /// All formats, in the order of menus and messages.
 std::span<const Format> all_formats();
 
-/// If the extension is unknown, both functions return null.
+/// The next two functions return null if the extension is unknown.
 const Format* format_by_extension(std::string_view extension);
 const Format* find_format(const std::filesystem::path& file);
 
-/// Returns the format for a surface file's extension. If unknown, throws base::Error with all extensions.
+/// Returns the format for a surface file's extension. For other extensions, throws base::Error.
 const Format& surface_format(const std::filesystem::path& file);
 
-/// Returns true if `file` has the original's format, so that it can be rewritten. original may be null.
+/// Returns true if `original` can be rewritten to a file with this extension. original may be null.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
-/// Detects the format by content with Format::is_certain, without the extension. Returns null if unknown.
+/// Detects the format only by content: by Format::is_certain, or as a point cache. Returns null if unknown.
 const Format* format_of_content(const std::filesystem::path& file, const Beginning& beginning);
 
-/// Returns the format for a ReadResult::format such as "glTF binary", or null if unknown.
+/// Returns the surface format for a ReadResult::format such as "glTF binary", or null if unknown.
 const Format* format_of_description(std::string_view description);
 
 /// Returns the names of the formats that satisfy `is`: "OBJ, PLY or OFF". `last` precedes the last name.

@@ -132,7 +132,6 @@ private:
     material.repeats = index_of(sampler, "wrapS") != gltf_clamp_to_edge;
   }
 
-  // Adds all primitives of a mesh, then merges coincident vertices.
   void place_mesh(std::size_t placement) {
     const GltfPlacement& p = map_.placements[placement];
     const GltfJson& mesh = element_of(file_.document, "meshes", p.mesh);
@@ -140,14 +139,14 @@ private:
     const std::size_t first = points_.size(), first_corner = map_.corner_vertex.size();
     take_weights(p, mesh);
     for (const GltfJson& primitive : list_of(mesh, "primitives")) {
-      if (accessor_of(primitive, "POSITION") < 0) continue;  // invisible according to the specification
+      if (accessor_of(primitive, "POSITION") < 0) continue;  // glTF does not draw this primitive
       add_group(p, mesh, primitive);
       add_polygons(primitive, piece_of(placement, primitive), p.map.determinant() < 0);
     }
     weld(first, first_corner);
   }
 
-  // Sets weights_ to the default weights of the morph targets. If all are 0, the list becomes empty.
+  // Sets weights_ to the default weights of the morph targets. If all weights are 0, weights_ becomes empty.
   void take_weights(const GltfPlacement& p, const GltfJson& mesh) {
     std::size_t count = 0;
     for (const GltfJson& primitive : list_of(mesh, "primitives"))
@@ -160,7 +159,7 @@ private:
     shaped_.clear();
   }
 
-  // Returns a cached list, because many nodes may place the same mesh.
+  // Caches the list, because many nodes can place the same mesh.
   std::shared_ptr<const std::vector<GltfTarget>> targets_of(const GltfJson& primitive) {
     auto& targets = targets_[&primitive];
     if (targets) return targets;
@@ -170,7 +169,7 @@ private:
     return targets = std::make_shared<const std::vector<GltfTarget>>(std::move(all));
   }
 
-  // Returns offsets of positions or normals at the default weights. If all are 0, the list is empty.
+  // Returns offsets of positions or normals at the default weights. If all weights are 0, the list is empty.
   std::vector<double> differences(int GltfTarget::*of) {
     const GltfPiece& piece = map_.pieces.back();
     for (const double weight : weights_) spend(weight == 0 ? 0 : piece.count);
@@ -188,7 +187,7 @@ private:
     group.smooth = accessor_of(primitive, "NORMAL") >= 0;
     auto& groups = attributes_->groups;
     if (!groups.empty() && groups.back().first_polygon == polygons_)
-      groups.pop_back();  // the group has no polygons
+      groups.pop_back();  // the previous group has no polygons
     groups.push_back(group);
   }
 
@@ -197,8 +196,8 @@ private:
     return transform_of(member_of(member_of(material, "pbrMetallicRoughness"), "baseColorTexture"));
   }
 
-  // Returns the index of the material if it transforms texture coordinates, otherwise -1. Primitives share
-  // vertices only if this index is equal.
+  // Returns the index of the material if the material transforms texture coordinates, otherwise -1.
+  // Primitives with different results get separate vertices.
   static int mover_of(const GltfJson& primitive, const TextureTransform& transform) {
     return transform == TextureTransform{.set = transform.set} ? -1 : index_of(primitive, "material");
   }
@@ -228,7 +227,7 @@ private:
     return pieces_[key] = piece;
   }
 
-  // Limits the number of vertices and corners. Instances and sparse accessors can multiply this number.
+  // Limits the number of vertices and corners, because a small file can contain many instances.
   void spend(std::size_t elements) {
     spent_ += elements;
     if (spent_ > budget_ + instanced_vertices)
@@ -267,7 +266,7 @@ private:
     return accessors_.numbers(accessor, components);
   }
 
-  // In glTF, v = 0 is the top row of the image. In Attributes, it is the bottom row.
+  // In glTF, v = 0 is the top row of the image. In Attributes, v = 0 is the bottom row.
   void add_texture(const Piece& piece, int accessor, const TextureTransform& transform) {
     attributes_->texture_points.resize(piece.first + piece.count, Vec2{0, 0});
     if (accessor < 0) return;
@@ -340,7 +339,8 @@ private:
     ++polygons_;
   }
 
-  // Merges vertices that coincide at rest and also with the default weights.
+  // For each vertex from `first`, returns the lowest vertex that has the same place both at rest and with the
+  // default weights. Results are relative to `first`.
   std::vector<std::uint32_t> lowest_vertices(std::size_t first) const {
     auto lowest = mesh::lowest_in_place(std::span(points_).subspan(first));
     if (shaped_.empty()) return lowest;
@@ -401,7 +401,7 @@ private:
   std::map<PieceKey, Piece> pieces_;
   std::map<const GltfJson*, std::shared_ptr<const std::vector<GltfTarget>>> targets_;  // for each primitive
   std::vector<double> weights_;      // weights of the current placement's targets; empty if all are 0
-  std::vector<mesh::Point> shaped_;  // points of this placement after applying weights_; empty if weights_ is
+  std::vector<mesh::Point> shaped_;  // points of this placement with weights_; empty if weights_ is empty
   std::size_t budget_ = 0, spent_ = 0, unseen_primitives_ = 0;
   std::uint32_t polygons_ = 0;
   bool has_texture_ = false, has_normals_ = false, has_colors_ = false, morphs_ = false, is_shaped_ = false;

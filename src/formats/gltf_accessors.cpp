@@ -11,12 +11,11 @@ namespace viete::formats {
 
 namespace {
 
-// The index is the component type minus gltf_byte. glTF does not define the type after gltf_unsigned_short.
+// The index is the component type minus gltf_byte. glTF does not use the entry int32.
 constexpr NumberType number_types[] = {NumberType::int8,   NumberType::uint8, NumberType::int16,
                                        NumberType::uint16, NumberType::int32, NumberType::uint32,
                                        NumberType::float32};
 
-// Returns the size in bytes, or 0 for an unknown type.
 std::size_t component_size(int type) {
   const bool known = type >= gltf_byte && type <= gltf_float && type != gltf_unsigned_short + 1;
   return known ? size_of(number_types[type - gltf_byte]) : 0;

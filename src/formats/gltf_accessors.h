@@ -11,9 +11,10 @@
 
 namespace viete::formats {
 
-/// The location of an accessor's elements. It has been checked to be within the buffer.
+/// The location of an accessor's elements. All elements are within the buffer.
 struct GltfPlace {
-  std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;  ///< size: bytes per element
+  /// The buffer has `count` elements of `size` bytes. Element i is at the byte offset + i * stride.
+  std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;
   bool has_bytes = false;  ///< false: all elements are 0, except sparse values
 };
 
@@ -22,7 +23,6 @@ class GltfAccessors {
 public:
   explicit GltfAccessors(const GltfFile& file) : file_(file) {}
 
-  /// The number of elements.
   std::size_t count(int accessor) const { return place(accessor).count; }
 
   /// Returns the number of components of each element, or 0 for a matrix.
@@ -39,7 +39,7 @@ public:
   /// Returns true for float elements with this number of components and without sparse values.
   bool holds_floats(int accessor, std::size_t components) const;
 
-  /// Throws base::Error about element `index` of the list `what`.
+  /// Throws base::Error about a part of the file, for example what = "buffer view" and index = 3.
   [[noreturn]] void fail(const std::string& what, int index, const std::string& problem) const;
 
 private:

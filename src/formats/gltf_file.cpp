@@ -66,7 +66,7 @@ Chunks chunks_of(const Source& source) {
 }
 
 // Rejects JSON that is nested too deeply for the stack. Also rejects objects with too many members, because
-// finding a member is a linear search.
+// the search for a member is linear.
 void check_shape(const Source& source, std::string_view text) {
   constexpr std::size_t deepest = 64, most_members = 4096;
   std::array<std::size_t, deepest + 1> members{};
@@ -125,8 +125,8 @@ std::optional<fs::path> path_of_uri(const Source& source, std::string_view uri) 
   return fs::path(source.name).parent_path() / relative;
 }
 
-// Works like path_of_uri(), but a path with ".." also gives nullopt: buffers become part of the output, so
-// only files in the model's folder are read.
+// Works like path_of_uri(), but also returns nullopt for a path with "..". Buffers become part of the output,
+// so only buffers in the model's folder may be read.
 std::optional<fs::path> path_within(const Source& source, std::string_view uri) {
   const auto path = path_of_uri(source, uri);
   const fs::path relative = base::percent_decoded(uri);
@@ -135,8 +135,8 @@ std::optional<fs::path> path_within(const Source& source, std::string_view uri) 
   return leads_out ? std::nullopt : path;
 }
 
-// Checks the types of members of scenes, nodes, meshes, accessors and buffer views. Other lists must contain
-// objects. Throws base::Error.
+// Checks the types of members of scenes, nodes, meshes, accessors and buffer views. Checks that all other
+// lists contain objects. For wrong types, throws base::Error.
 class GltfShape {
 public:
   GltfShape(const std::string& name, const GltfJson& document) : name_(name), document_(document) {}
@@ -179,7 +179,7 @@ private:
     });
   }
 
-  // data: an accessor, or the indices or values of a sparse accessor.
+  // data: an accessor, or the member `indices` or `values` of a sparse accessor.
   void check_data(const std::string& at, const GltfJson& data) const {
     whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
     const auto view = count_of(data, "bufferView");
@@ -214,7 +214,6 @@ private:
     member(at, of, key, form, value.is_array() && std::all_of(value.begin(), value.end(), is));
   }
 
-  // Returns the member, or a JSON null if it is missing.
   const GltfJson& object(const std::string& at, const GltfJson& of, const char* key) const {
     member(at, of, key, "an object", member_of(of, key).is_object());
     return member_of(of, key);
@@ -231,7 +230,7 @@ private:
     }
   }
 
-  // Throws base::Error if the member exists and is not `good`. A JSON null counts as existing.
+  // Throws base::Error if the member exists and `good` is false. A JSON null counts as existing.
   void member(const std::string& at, const GltfJson& of, const char* key, const char* form, bool good) const {
     if (!good && of.is_object() && of.contains(key))
       fail(at, "\"" + std::string(key) + "\" should be " + form);
@@ -359,7 +358,8 @@ private:
     }
   }
 
-  // Keeps one copy for each view. Views may overlap, so all copies are limited to the size of the buffers.
+  // Returns the bytes of a buffer view, or null. Copies each view only once. Views can overlap, so all copies
+  // together are limited to the size of the buffers.
   std::shared_ptr<const std::string> bytes_of_view(std::optional<std::uint64_t> view) {
     const GltfJson& views = list_of(document_, "bufferViews");
     if (!view || *view >= views.size()) return nullptr;

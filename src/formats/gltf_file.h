@@ -32,7 +32,7 @@ enum GltfComponent {
 enum GltfMode { gltf_points = 0, gltf_triangles = 4, gltf_strip, gltf_fan };
 inline constexpr int gltf_array_buffer = 34962, gltf_element_buffer = 34963, gltf_clamp_to_edge = 33071;
 
-/// Returns a member of an object, or a JSON null if it is missing.
+/// Returns a member of an object. If the member is missing, returns a JSON null.
 inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   static const GltfJson nothing;
   if (!object.is_object()) return nothing;
@@ -40,7 +40,6 @@ inline const GltfJson& member_of(const GltfJson& object, const char* key) {
   return found == object.end() ? nothing : *found;
 }
 
-/// Returns a list of an object, or an empty list if it is missing.
 inline const GltfJson& list_of(const GltfJson& object, const char* key) {
   static const GltfJson no_list = GltfJson::array();
   const GltfJson& value = member_of(object, key);
@@ -63,19 +62,18 @@ inline std::optional<std::uint64_t> count_of(const GltfJson& object, const char*
   return count_of(member_of(object, key));
 }
 
-/// Returns a member that is an index, or -1 if it is missing.
+/// Returns a member that is an index, or -1 if the member is missing.
 inline int index_of(const GltfJson& object, const char* key) {
   constexpr std::uint64_t largest = std::numeric_limits<int>::max();
   const auto count = count_of(object, key);
   return count ? static_cast<int>(std::min(*count, largest)) : -1;
 }
 
-/// Returns the accessor of a primitive's attribute, or -1 if it is missing.
 inline int accessor_of(const GltfJson& primitive, const char* attribute) {
   return index_of(member_of(primitive, "attributes"), attribute);
 }
 
-/// Returns an element of a list of the document, or a JSON null if it is missing.
+/// Returns document[list][index], or a JSON null if the element is missing.
 inline const GltfJson& element_of(const GltfJson& document, const char* list, int index) {
   static const GltfJson nothing;
   const GltfJson& all = list_of(document, list);
@@ -84,10 +82,11 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 }
 
 struct GltfBuffer {
-  enum class Home { chunk, text, beside };  ///< binary chunk of a GLB, base64 in the JSON, external file
+  /// chunk: the binary chunk of a GLB. text: base64 in the JSON. beside: an external file.
+  enum class Home { chunk, text, beside };
   Home home = Home::chunk;
   std::filesystem::path path;  ///< path of an external file; otherwise empty
-  std::string bytes;           ///< as many bytes as the JSON declares
+  std::string bytes;           ///< its size is the byteLength in the JSON
 };
 
 struct GltfImage {
@@ -105,8 +104,8 @@ struct GltfFile {
   std::string other_chunks;           ///< unknown chunks of a GLB with their headers
 };
 
-/// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. Images are not
-/// opened. If data needed for the surface is missing, compressed or invalid, throws base::Error.
+/// Parses glTF 2.0, JSON or GLB. External buffers must be in the file's folder or below. External images are
+/// not opened. If data of the surface is missing, compressed or invalid, throws base::Error.
 GltfFile take_apart(const Source& source);
 
 /// Writes a GLB. bytes: the binary chunk; if empty, the file has no binary chunk. others: further chunks with

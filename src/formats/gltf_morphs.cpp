@@ -39,7 +39,7 @@ struct WeightTrack {
   }
 };
 
-// Returns the keys of a cubic track without the tangents before and after each key.
+// `values` has `count` in-tangents, values and out-tangents for each key. Returns only the values.
 SharedNumbers keys_of_cubic(const Numbers& values, std::size_t count) {
   Numbers keys;
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -81,7 +81,6 @@ public:
   }
 
 private:
-  // Reads the target names and default weights of a placement.
   void take_placement(std::size_t p) {
     const GltfPlacement& placement = map_->placements[p];
     resting_[p] = default_weights(document_, placement, counts_[p]);
@@ -93,7 +92,7 @@ private:
     }
   }
 
-  // Reads each accessor only once, because many channels may use it.
+  // Reads each accessor only once, because many channels can use the same accessor.
   SharedNumbers numbers(int accessor) {
     SharedNumbers& known = times_of_[accessor];
     if (!known) known = std::make_shared<const Numbers>(accessors_.numbers(accessor, 1));
@@ -248,7 +247,6 @@ std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> fil
 
 namespace {
 
-// Appends zeros until there are `count` weights.
 void widen_list(GltfJson& of, std::size_t count) {
   GltfJson& weights = of["weights"];
   if (!weights.is_array()) weights = GltfJson::array();
@@ -305,8 +303,8 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
   return add_floats(deltas, 3);
 }
 
-// Adds an accessor. If a sparse accessor with only the nonzero values is smaller, adds this instead. A sparse
-// accessor needs at least one value.
+// Adds an accessor and returns its index. If a sparse accessor is smaller, stores only the nonzero elements.
+// If all elements are zero, stores the last, because a sparse accessor must have an element.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
   std::vector<float> some;
@@ -321,7 +319,7 @@ std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t pa
   GltfJson accessor = {{"componentType", gltf_float}, {"count", count}};
   accessor["type"] = parts == 3 ? "VEC3" : "SCALAR";
   const std::size_t index_size = count <= std::size_t{1} << 16 ? 2 : 4;
-  constexpr std::size_t cost = 128;  // bytes of JSON for a sparse accessor
+  constexpr std::size_t cost = 128;  // estimated bytes of JSON for a sparse accessor
   if (where.size() * (index_size + 4 * parts) + cost < 4 * values.size()) {
     accessor["sparse"] = sparse(where, some, index_size);
   } else {
@@ -365,7 +363,7 @@ std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
   return found;
 }
 
-// Copies the sampler, because another node may also use it.
+// Appends `added` zeros to the weights of each key. Copies the sampler, which other nodes can use too.
 void GltfMorphs::widen(const Output& output, std::span<const double> numbers, std::size_t before,
                        std::size_t added) {
   if (before == 0 || numbers.size() % before != 0) return;

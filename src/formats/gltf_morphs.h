@@ -1,4 +1,4 @@
-// Reads morph targets of a glTF file and the animation of their weights, and adds new targets.
+// Reads the morph targets and their animated weights from a glTF file. Adds new targets to a file.
 #pragma once
 
 #include <cstddef>
@@ -20,24 +20,24 @@ namespace viete::formats {
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// Returns the weighted sum of the targets' offsets of positions, normals or tangents, with three numbers per
-/// vertex. If all weights are 0, the result is empty. Can throw base::Error.
+/// Returns the sum of weight * offset over all targets, with three numbers per vertex. of: the positions,
+/// normals or tangents of the targets. If all weights are 0, the result is empty. Can throw base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
 /// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
-/// ignores animations of nodes. The first of several merged vertices gives the position. Throws base::Error.
+/// ignores animations of nodes. A merged vertex gets the position of its first vertex. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
-/// Appends data to `bytes` at a multiple of four and adds a buffer view. Returns the index of the view.
+/// Pads `bytes` to a multiple of four, appends the data and adds a buffer view. Returns the view's index.
 std::size_t add_gltf_view(GltfJson& document, std::string& bytes, const void* data, std::size_t size,
                           std::size_t buffer = 0);
 
-/// Sets "min" and "max" for each component.
+/// Sets the members "min" and "max" of the accessor, with one number per component.
 void set_gltf_bounds(GltfJson& accessor, std::span<const float> values, std::size_t components);
 
-/// Vertices that several primitives of a mesh use. Values at rest have three numbers per vertex.
+/// Vertices that one or more primitives of a mesh use. The values are at rest, three numbers per vertex.
 struct MorphedVertices {
   std::size_t node = 0;  ///< the only node that places the mesh
   std::vector<std::size_t> primitives;
@@ -50,14 +50,14 @@ public:
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
   /// Adds a target to the primitives. The arguments are the values at full weight, three numbers per vertex.
-  /// If normals or tangents are empty, they are not animated.
+  /// Empty normals or tangents are not animated.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
-  /// Appends the motion's targets and its animation to the meshes of these nodes. For each target, calls
-  /// add_target(positions), which must call GltfMorphs::add_target() for all vertices. floats: the number of
-  /// floats that one target adds. Existing animations of weights get zeros for the new targets;
-  /// numbers_of(accessor) must return their weights. progress may be null.
+  /// Appends the motion's targets and its animation to the meshes of these nodes. For each target, calls the
+  /// callback add_target(positions). The callback must call GltfMorphs::add_target() for all vertices.
+  /// floats: the number of floats that one target adds. Existing animations of weights get zeros for the new
+  /// targets. numbers_of(accessor) must return the existing weights. progress may be null.
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
            base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {

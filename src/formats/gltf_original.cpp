@@ -59,7 +59,7 @@ public:
     return files;
   }
 
-  // Writes a single file with embedded data.
+  // If no position changed, copies the bytes. Otherwise writes a single file with embedded data.
   std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                  TextWriter& out) const override {
     if (is_at_rest(rest, positions)) return out.text(bytes_), std::vector<std::string>();
@@ -122,7 +122,7 @@ private:
         "data:application/octet-stream;base64," + base::base64(result.buffers[buffer]);
   }
 
-  // In a GLB the first buffer is the binary chunk. All other buffers keep their URIs.
+  // In a GLB, the first buffer is the binary chunk and has no URI. All other buffers keep their URIs.
   void put(GltfRewritten& result, bool binary, TextWriter& out) const {
     const auto& buffers = result.buffers;
     for (std::size_t i = 0; i < buffers.size(); ++i)
@@ -133,7 +133,8 @@ private:
                      file_.other_chunks, out);
   }
 
-  // In a GLB, embeds the buffers. In a .gltf, buffers stay embedded or external, as in the original.
+  // For a GLB, embeds all buffers except the first, the binary chunk. For a .gltf, embeds the buffers that
+  // were embedded, and writes all others to external files.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
@@ -171,7 +172,7 @@ private:
                              " in the folder of the old file: keep both folders together");
   }
 
-  // Returns the first free name of "out.bin", "out-2.bin", ... that is not in `taken`.
+  // Returns the first name of "out.bin", "out-2.bin", ... that is free or is_of_older_result().
   fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
     for (int i = 1;; ++i) {
       const std::string number = i == 1 ? "" : "-" + std::to_string(i);

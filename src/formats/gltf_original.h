@@ -1,4 +1,4 @@
-// Keeps a glTF file in memory and writes it again with other positions.
+// Keeps a glTF file in memory. Writes the file again with other positions.
 #pragma once
 
 #include <memory>
@@ -13,9 +13,9 @@
 namespace viete::formats {
 
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a
-/// separate mesh. External buffers are written to the folder of the new file under its name, and never
-/// overwrite unrelated files. External images stay in place. If source.owner is set and no position changed,
-/// the original copies the bytes of `source` if possible.
+/// separate mesh. Writes the external buffers of out.gltf to out.bin, out-2.bin, ..., and never overwrites
+/// unrelated files. External images stay in place. If no position changed, there are no external files and
+/// source.owner is set, writing copies the bytes of `source`.
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
 
 /// The rewritten file before conversion to JSON or GLB.
@@ -26,9 +26,9 @@ struct GltfRewritten {
 };
 
 /// Copies the file with new values for positions that differ from `rest`, and for the normals and tangents
-/// that depend on them. Replaces values in place. If values are shared or not floats, adds new accessors
-/// instead. motion: is appended to the file's targets and animations; may be null. progress may be null. Can
-/// throw base::Error and base::Cancelled.
+/// that depend on these positions. Replaces values in place. If values are shared or are not floats, adds new
+/// accessors instead. Appends `motion` to the file's targets and animations. motion and progress may be null.
+/// Can throw base::Error and base::Cancelled.
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
                              std::span<const mesh::Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);

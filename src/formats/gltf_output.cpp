@@ -69,7 +69,8 @@ public:
   }
 
 private:
-  // Collects the given normals. For each corner without a normal, adds a computed vertex normal.
+  // Collects the given normals. Corners without a normal get a computed vertex normal. Exception: a flat
+  // surface without any normal stays without normals.
   void list_normals() {
     normals_ = given_.normals;
     corner_normal_ = given_.corner_normal;
@@ -170,7 +171,7 @@ private:
     return made;
   }
 
-  // Adds an accessor with values of all vertices and stores its index in the attribute. Returns the values.
+  // Adds an accessor with values of all vertices. Stores the accessor's index in `attribute`.
   template <class Fill>
   std::vector<float> add_vectors(GltfJson& attribute, std::size_t components, const Fill& fill) {
     std::vector<float> values(vertices_.size() * components);
@@ -211,7 +212,6 @@ std::size_t padded_to_four(std::size_t size) {
   return (size + 3) / 4 * 4;
 }
 
-// Writes a chunk. Padding makes the size a multiple of four bytes.
 void put_chunk(std::string_view bytes, std::string_view kind, char padding, TextWriter& out) {
   constexpr std::size_t portion = 1 << 20;
   out.little_endian(static_cast<std::uint32_t>(padded_to_four(bytes.size()))).text(kind);

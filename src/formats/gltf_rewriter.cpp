@@ -23,8 +23,8 @@ namespace {
 
 using Json = GltfJson;
 
-// Finds accessors whose bytes no other accessor or image uses. Their values can be replaced in place. Ignores
-// later changes of the document. `accessors` must outlive this object.
+// Finds accessors whose bytes no other accessor or image uses. Such accessors can be changed in place. Later
+// changes of the document have no effect here. `accessors` must outlive this object.
 class GltfSharing {
 public:
   GltfSharing(const Json& document, const GltfAccessors& accessors) : accessors_(accessors) {
@@ -32,10 +32,9 @@ public:
     list_bytes(document);
   }
 
-  // Returns the number of references to this accessor.
   std::size_t uses(std::size_t accessor) const { return uses_[accessor]; }
 
-  // Returns true for float elements of this size if no other accessor or image uses any of their bytes.
+  // Returns true for elements of `components` floats, if no other accessor or image uses the same bytes.
   bool is_alone(int accessor, std::size_t components) {
     const auto index = static_cast<std::size_t>(accessor);
     const GltfPlace place = accessors_.place(accessor);
@@ -53,7 +52,7 @@ private:
   struct Bytes {
     std::size_t buffer, begin, end, stride;
     std::size_t accessor;      // npos for an image
-    std::size_t furthest = 0;  // largest `end` in this buffer in the list so far
+    std::size_t furthest = 0;  // largest `end` of this and all previous ranges of the same buffer
 
     friend bool operator<(const Bytes& a, const Bytes& b) {
       return std::tie(a.buffer, a.begin) < std::tie(b.buffer, b.begin);
@@ -91,7 +90,7 @@ private:
       try {
         const GltfPlace place = accessors_.place(static_cast<int>(i));
         if (place.has_bytes) bytes_.push_back(bytes_of(place, i));
-      } catch (const base::Error&) {  // accessors that no surface uses may be invalid
+      } catch (const base::Error&) {  // skips invalid accessors, which the surface does not use
       }
     }
     for (const Json& image : list_of(document, "images")) {
@@ -112,7 +111,7 @@ private:
     return {p.buffer, p.offset, p.offset + (p.count - 1) * p.stride + p.size, p.stride, accessor};
   }
 
-  // Returns true if the elements of both accessors alternate in one buffer without overlap.
+  // Returns true if the elements of both accessors alternate without overlap. Both must be in one buffer.
   bool interleaved(const GltfPlace& a, const Bytes& other) const {
     if (a.stride != other.stride) return false;
     const GltfPlace b = accessors_.place(static_cast<int>(other.accessor));
@@ -155,7 +154,6 @@ private:
     return false;
   }
 
-  // Finds the placements that have a vertex that a target moves.
   void find_morphing(const MorphMotion& motion) {
     morphing_.assign(map_.placements.size(), false);
     for (const GltfPiece& piece : map_.pieces) {
@@ -190,7 +188,7 @@ private:
     return *inverse;
   }
 
-  // If several nodes use a mesh, gives each moved node a copy. One node keeps the original mesh.
+  // If several nodes use a mesh, gives each moved node a copy. The last user keeps the original mesh.
   void part_instances() {
     std::map<int, std::size_t> users;
     for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
@@ -210,7 +208,6 @@ private:
                        ", because their nodes deform differently");
   }
 
-  // Computes the normals and tangents in scene coordinates, before and after the deformation.
   void deform_directions() {
     std::vector<mesh::Vec3> normals(map_.surface_vertex.size(), mesh::Vec3{0, 0, 0}), tangents = normals;
     bool has_normals = false, has_tangents = false;
@@ -237,7 +234,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Returns the sum of the file's targets at default weights. Viewers add this sum to the written values.
+  // Returns the offsets at default weights of the file's targets. Viewers add these offsets.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -249,7 +246,7 @@ private:
                            : mesh::Vec3{numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]};
   }
 
-  // Returns the unit vector x for which x + added has the direction `unit`.
+  // Returns a unit vector x such that x + added has the direction `unit`, if this is possible.
   static mesh::Vec3 before_targets(const mesh::Vec3& unit, const mesh::Vec3& added) {
     const double along = mesh::dot(unit, added), rest = along * along - mesh::dot(added, added) + 1;
     const double length = rest < 0 ? 1 : along + std::sqrt(rest);
@@ -311,7 +308,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // Pieces that differ only in texture points have equal primitives. Returns only the first of these pieces.
+  // Returns only one of several pieces that differ only in texture points: their primitives are equal.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;
@@ -409,7 +406,7 @@ private:
     return {numbers.begin(), numbers.end()};
   }
 
-  // Replaces the values in place if no other part of the file uses them.
+  // Replaces the values in place if no other part of the file uses the accessor. Otherwise adds an accessor.
   void put(const GltfPiece& piece, const char* attribute, int accessor, std::size_t components,
            const std::vector<float>& values) {
     const std::vector<Json*> primitives = primitives_of(piece);
@@ -424,12 +421,12 @@ private:
                     components * sizeof(float));
     }
     for (Json* primitive : primitives) (*primitive)["attributes"][attribute] = to;
-    Json& json = document_["accessors"][to];  // positions must have bounds; others may
+    Json& json = document_["accessors"][to];  // in glTF, only positions must have min and max
     if (*attribute == 'P' || json.contains("min") || json.contains("max"))
       set_gltf_bounds(json, values, components);
   }
 
-  using Vertices = std::array<int, 4>;  // a mesh, and accessors of positions, normals, tangents
+  using Vertices = std::array<int, 4>;  // a mesh; accessors of positions, normals and tangents
 
   void list_primitives() {
     const Json& meshes = list_of(file_.document, "meshes");

@@ -121,7 +121,7 @@ private:
   void place(int index, int mesh, const GltfJson& node, const AffineMap& map) {
     if (element_of(file_.document, "meshes", mesh).is_null())
       refuse_node(file_, index, "refers to mesh " + std::to_string(mesh) + ", which does not exist");
-    // Bones place a skinned mesh; its node does not. At rest, the mesh has the coordinates of the file.
+    // Bones place a skinned mesh; its node has no effect. Bones at rest do not move the mesh.
     placements_.push_back({index, mesh, index_of(node, "skin") >= 0 ? AffineMap{} : map});
   }
 

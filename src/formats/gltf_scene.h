@@ -13,7 +13,7 @@
 
 namespace viete::formats {
 
-/// Maps a point x to M x + offset; `columns` are the columns of the matrix M.
+/// Maps a point x to M * x + offset. `columns` are the columns of the matrix M.
 struct AffineMap {
   std::array<mesh::Vec3, 3> columns{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   mesh::Vec3 offset{0, 0, 0};
@@ -25,7 +25,7 @@ struct AffineMap {
   }
   mesh::Vec3 of_point(const mesh::Point& p) const { return of_vector(p) + offset; }
   /// Maps a plane's normal by the matrix of cofactors. Even if the map is a mirror, the normal stays on the
-  /// same side of the plane. The result may have any length.
+  /// same side of the plane. The result can have any length.
   mesh::Vec3 of_normal(const mesh::Vec3& n) const;
   /// Returns nullopt if the map is singular.
   std::optional<AffineMap> inverse() const;
@@ -53,7 +53,7 @@ struct GltfTarget {
 struct GltfPiece {
   std::size_t placement = 0, first = 0, count = 0;
   int positions = -1, normals = -1, tangents = -1;         ///< accessors; -1 means missing
-  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first of these primitives
+  std::shared_ptr<const std::vector<GltfTarget>> targets;  ///< targets of the first primitive of the piece
 };
 
 struct GltfMap {

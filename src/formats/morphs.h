@@ -18,7 +18,7 @@ struct MorphMotion {
   std::vector<std::string> targets;  ///< a name for each target; a name may be empty
   std::vector<float> weights;        ///< targets.size() weights for each key
   std::vector<char> moves;           ///< for each vertex, true if a target moves the vertex
-  /// Returns the positions at full weight. It is called once for each target, in order.
+  /// Returns the positions at full weight of the target. Called once for each target, in order.
   std::function<std::vector<mesh::Point>(std::size_t target)> positions;
   bool normals = true;  ///< true to animate normals and tangents too
 };
@@ -26,7 +26,7 @@ struct MorphMotion {
 /// If there are no keys, times do not increase, or sizes do not match, throws base::Error.
 void check_motion(const MorphMotion& motion, std::size_t vertices);
 
-/// The morph animation of a glTF file. It computes positions when they are needed. Immutable and thread-safe.
+/// The morph animation of a glTF file. Computes positions only on request. Immutable and thread-safe.
 class MorphClip {
 public:
   virtual ~MorphClip() = default;
@@ -34,11 +34,12 @@ public:
   const std::string& name() const { return name_; }                     ///< animation name; may be empty
   const std::vector<double>& seconds() const { return seconds_; }       ///< ascending; may be empty
   const std::vector<std::string>& targets() const { return targets_; }  ///< a non-empty name for each target
-  const std::vector<std::string>& notes() const { return notes_; }      ///< what was ignored or changed
+  const std::vector<std::string>& notes() const { return notes_; }      ///< messages about ignored content
 
-  /// Return the positions of the surface at a key, or with one target at full weight. Between keys, callers
-  /// interpolate linearly. If the file contains invalid data, the functions throw base::Error.
+  /// Returns the positions of the surface at a key. Between keys, callers interpolate linearly. If the file
+  /// contains invalid data, throws base::Error.
   virtual std::vector<mesh::Point> at_key(std::size_t key) const = 0;
+  /// Returns the positions with one target at full weight and all others at 0. Throws like at_key().
   virtual std::vector<mesh::Point> at_target(std::size_t target) const = 0;
 
 protected:

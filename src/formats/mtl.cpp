@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 constexpr TextRules mtl_rules{.comment = '#', .continued_lines = true};
 constexpr std::size_t most_library_bytes = 64 << 20;
 
-// Returns the largest number of arguments of a map option, or 0 for an unknown option.
+// Returns the maximum number of arguments of a map option, or 0 for an unknown option.
 std::size_t option_words(std::string_view option) {
   constexpr auto one =
       std::to_array<std::string_view>({"-blendu", "-blendv", "-bm", "-boost", "-cc", "-clamp", "-colorspace",
@@ -63,7 +63,7 @@ private:
     return word.starts_with("map_") || std::find(others.begin(), others.end(), word) != others.end();
   }
 
-  // Reads three components and repeats the last if some are missing. Ignores spectral curves and CIE colours.
+  // Reads up to three components. Repeats the last for missing components. Ignores spectral and CIE colours.
   void diffuse(Color& color) {
     std::array<double, 3> rgb{};
     const std::size_t count = text_.numbers(rgb);
@@ -108,7 +108,7 @@ std::vector<MtlMaterial> materials_in(const fs::path& path) {
   return read_mtl(Source{path.string(), "mtl", bytes.view(), nullptr, nullptr, path.parent_path()});
 }
 
-// If a file has the whole text as its name, returns this file. Otherwise returns a file for each word.
+// If `names` is the name of an existing file or has no blanks, returns one path, otherwise one path per word.
 std::vector<fs::path> library_paths(const fs::path& folder, std::string_view names) {
   std::error_code code;
   const fs::path whole = path_beside(folder, names);

@@ -12,18 +12,18 @@ namespace viete::formats {
 
 /// A `newmtl` section: the statements Kd, d, Tr and map_Kd, and the file names of other maps.
 struct MtlMaterial {
-  Material material;                        ///< the material without base_color_image
-  std::filesystem::path image;              ///< the file of map_Kd, or empty; it may not exist
+  Material material;                        ///< base_color_image is not set
+  std::filesystem::path image;              ///< path of map_Kd; the file can be missing; empty without map_Kd
   std::vector<std::filesystem::path> maps;  ///< files of all maps, including `image`
 };
 
 /// Reads a material library and skips unreadable lines. source.folder: the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// Sets colours and images of the model's materials by name. libraries: the text after the keyword of each
-/// `mtllib` line: one file name with blanks, or several file names, in source.folder. If this folder is
-/// empty, does nothing. If there are materials and a library is unreadable, adds a warning. Returns the paths
-/// of all libraries and images.
+/// Sets colours and images of the model's materials by name. libraries: for each `mtllib` line, the text
+/// after the keyword. The text is one file name, perhaps with blanks, or several file names. Files are
+/// relative to source.folder. If this path is empty, does nothing. If there are materials and a library is
+/// unreadable, adds a warning. Returns the paths of all libraries and images.
 std::vector<std::filesystem::path> read_materials(const Source& source,
                                                   const std::vector<std::string>& libraries,
                                                   Attributes& attributes, SurfaceBuilder& builder);

@@ -22,16 +22,16 @@ namespace {
 constexpr std::size_t most_groups = 100'000, most_libraries = 64, most_name_bytes = 255;
 constexpr Color white{1, 1, 1, 1};
 
-// Collects attributes. If an attribute is invalid, only adds a warning.
+// Collects attributes. An invalid attribute only causes a warning.
 class ObjAttributes {
 public:
   explicit ObjAttributes(const Source& source) : source_(source) {}
 
-  // Reads the colour after x y z. Ignores a single number, because it is a weight.
+  // Reads the colour after x y z. Ignores fewer than three numbers: a single number is a weight.
   void behind_position(TextCursor& text, std::size_t vertex) {
     std::array<double, 4> values{};
     const std::size_t count = text.numbers(values);
-    if (count < 3) return;  // a single number is a weight
+    if (count < 3) return;
     Color color = white;
     for (std::size_t i = 0; i < count; ++i) color[i] = static_cast<float>(std::clamp(values[i], 0.0, 255.0));
     found_.colors.resize(vertex, white);
@@ -57,7 +57,7 @@ public:
     found_.normals.push_back(values);
   }
 
-  // Call this before adding the corner to the builder. behind_vertex: the text after its vertex index.
+  // Call this before adding the corner to the builder. behind_vertex: the text after the vertex index.
   void corner(std::size_t corner, std::string_view behind_vertex) {
     const ObjIndices indices = obj_indices(behind_vertex);
     bad_indices_ += !indices.readable;
@@ -126,8 +126,8 @@ public:
   }
 
 private:
-  // Stores an index of the corner. Negative indices count back from the `count` elements that have been read.
-  // If an index refers to a later element, it is checked at the end of the file.
+  // Stores an index of the corner. Index -1 is the last of the `count` elements that have been read. Indices
+  // of later elements are stored too: check() tests all indices at the end of the file.
   void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
     if (index == 0 && indices.empty()) return;
     indices.resize(corner, mesh::none);
@@ -146,7 +146,6 @@ private:
     }
   }
 
-  // If all groups are unnamed, smooth and without material, removes them.
   void finish_groups() {
     const auto plain = [](const Group& g) {
       return g.object.empty() && g.name.empty() && g.material == mesh::none && g.smooth;
@@ -307,7 +306,7 @@ private:
   ObjAttributes attributes_;
   std::vector<std::uint32_t> normal_blocks_;  // see obj_original()
   std::size_t lines_ = 0;
-  std::int64_t highest_ = 0;  // largest vertex index in a face before that vertex
+  std::int64_t highest_ = 0;  // largest vertex index of faces that come before their vertices
   std::size_t highest_line_ = 0;
   std::size_t free_forms_ = 0, unknown_ = 0, first_unknown_line_ = 0;
   std::string first_unknown_;

@@ -24,8 +24,8 @@ std::string words_of(const mesh::Vec3& normal, const Printed& printed) {
   return words;
 }
 
-// The `vn` lines after a deformation. If several vertices or flat-shaded polygons use a line, they may now
-// need different normals. Normals with different digits get additional lines after the block.
+// The `vn` lines after a deformation. If several vertices or flat-shaded polygons used one line, the
+// deformation can give them different normals. Each normal with new digits gets a new line after the block.
 class ObjNormals {
 public:
   // blocks: see obj_original(). attributes must have normals.
@@ -38,7 +38,7 @@ public:
     for (std::size_t n = 0; n < attributes.normals.size(); ++n) {
       const auto begin = spread.first[n], end = spread.first[n + 1];
       first_.push_back(static_cast<std::uint32_t>(values_.size()));
-      // If a corner still uses the original line, the line stays.
+      // If one copy of the normal did not change, the original line stays.
       const auto kept = std::find(moved.begin() + begin, moved.begin() + end, attributes.normals[n]);
       values_.push_back(kept == moved.begin() + end ? moved[begin] : *kept);
       value_of[begin] = first_[n];
@@ -57,7 +57,7 @@ public:
     number(blocks, attributes, value_of_corner);
   }
 
-  // Returns the normal for an original line. An unmoved normal has the same bits as before.
+  // Returns the new normal of an original line. An unmoved normal has the same bits as before.
   const mesh::Vec3& of_line(std::size_t line) const { return values_[first_[line]]; }
   // Returns the normals of the `vn` lines that are added after an original `vn` line.
   std::span<const mesh::Vec3> added(std::size_t line) const {
@@ -91,13 +91,12 @@ private:
     }
   }
 
-  std::vector<mesh::Vec3> values_;    // for each original line: its normal, the added normals
+  std::vector<mesh::Vec3> values_;    // for each original line: its normal, then the normals of added lines
   std::vector<std::uint32_t> first_;  // index in values_ of each original line's normal
   std::vector<std::uint32_t> index_;
   std::vector<std::uint32_t> corner_index_;  // empty if no lines are added
 };
 
-// Learns the number format from the first lines with this keyword.
 Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   constexpr std::size_t enough = 10'000;
   Printed printed(digits);
@@ -110,7 +109,7 @@ Printed printed_like(const Source& source, ObjWord kind, Digits digits) {
   return printed;
 }
 
-// Returns the line end immediately before this offset.
+// Returns "\r", "\r\n" or "\n": the line end immediately before this offset.
 std::string_view line_end_before(std::string_view bytes, std::size_t place) {
   if (place > 0 && bytes[place - 1] == '\r') return "\r";
   return place > 1 && bytes[place - 2] == '\r' ? "\r\n" : "\n";
@@ -163,7 +162,7 @@ private:
     }
   }
 
-  // Writes the lines that are added after the block that ends here.
+  // Writes the added `vn` lines at the end of the block, at block_end_.
   void add_normals() {
     if (!normals_ || added_ == lines_) return;
     const std::string_view line_end = line_end_before(source_.bytes, block_end_);
@@ -179,7 +178,7 @@ private:
     }
   }
 
-  // Returns true if a line end is immediately before this offset. Only a last line may have no line end.
+  // Returns true if a line end is immediately before this offset. Only the last line can lack a line end.
   bool ends_line(std::size_t place) const {
     return place > 0 && (source_.bytes[place - 1] == '\n' || source_.bytes[place - 1] == '\r');
   }
@@ -219,7 +218,7 @@ private:
   std::optional<ObjNormals> normals_;
   std::size_t vertices_ = 0, corner_ = 0;
   std::size_t lines_ = 0;     // number of vn lines that have been read
-  std::size_t added_ = 0;     // number of vn lines after which added lines have been written
+  std::size_t added_ = 0;     // number of original vn lines whose added lines have been written
   std::int64_t written_ = 0;  // number of vn lines that have been written
   std::size_t block_end_ = 0;
   std::vector<ObjIndices> indices_;

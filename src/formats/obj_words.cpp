@@ -26,7 +26,7 @@ constexpr std::string_view other_words[] = {
     "lod",   "maplib", "mg",        "p",     "parm",     "res",  "scrv", "shadow_obj", "sp",
     "stech", "step",   "trace_obj", "trim",  "usemap",   "vp"};
 
-// Reads an index after a slash. If the index is missing, it stays 0. If the text is invalid, returns false.
+// Reads an index after a slash. If there is no index, leaves `index`. If the text is invalid, returns false.
 bool take_index(std::string_view& rest, std::int64_t& index) {
   if (rest.empty() || rest.front() == '/') return true;
   const char* const from = rest.data() + (rest.front() == '+' ? 1 : 0);

@@ -34,12 +34,12 @@ ObjWord obj_word(std::string_view word);
 /// Works like obj_word(), but accepts only lower case.
 ObjWord small_obj_word(std::string_view word);
 
-/// Returns true for statements that end a block of vertices and normals. Added lines come before them.
+/// Returns true for statements that end a block of vertices and normals. A block is v, vt and vn lines.
 inline bool ends_block(ObjWord word) {
   return word >= ObjWord::face && word <= ObjWord::use_material;
 }
 
-/// The indices of a corner as in the file: from 1, negative if relative, or 0 if missing.
+/// The indices of a corner as in the file: absolute from 1, relative from -1, or 0 if missing.
 struct ObjIndices {
   std::int64_t texture_point = 0, normal = 0;
   std::string_view normal_word;  ///< the text of the normal's index
@@ -50,8 +50,8 @@ struct ObjIndices {
 ObjIndices obj_indices(std::string_view behind_vertex);
 
 /// Returns an original that writes the file again with other positions. Moved coordinates get as many
-/// decimals as in the file, and at least six significant digits relative to the model's diagonal. If the
-/// corners of a `vn` line need different normals, it adds `vn` lines after the block and renumbers the
+/// decimals as in the file, but at least six significant digits relative to the model's diagonal. If the
+/// corners of a `vn` line need different normals, writing adds `vn` lines after the block and renumbers the
 /// indices of faces. attributes may be null. normal_blocks: for each block of `vn` lines, the number of `vn`
 /// lines from the start of the file to the end of the block. files: material libraries and images.
 std::shared_ptr<const Original> obj_original(const Source& source,

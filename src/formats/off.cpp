@@ -24,8 +24,8 @@ constexpr TextRules off_rules{.comment = '#'};
 // The kinds of values after the position of each vertex.
 struct OffForm {
   bool normals = false, colors = false, texture = false;
-  bool more_axes = false;     //< true for 4OFF and nOFF
-  bool colors_first = false;  //< four colour components before the normal, as MeshLab writes
+  bool more_axes = false;     // true for 4OFF and nOFF
+  bool colors_first = false;  // true if four colour components come before the normal, as in MeshLab's files
 
   std::size_t numbers() const { return (normals ? 3U : 0U) + (colors ? 4U : 0U) + (texture ? 2U : 0U); }
 };
@@ -114,7 +114,7 @@ private:
     return static_cast<std::size_t>(value);
   }
 
-  // Compares the counts with the file size. A vertex has at least six bytes, a face at least two.
+  // Compares the counts with the file size. A vertex has six or more bytes, a face has two or more bytes.
   void check_room(std::size_t vertices, std::size_t faces) const {
     const std::size_t left = text_.bytes_left() + 1;
     if (vertices <= left / 6 && faces <= (left - 6 * vertices) / 2) return;
@@ -123,7 +123,7 @@ private:
                "the file seems to be truncated: export or copy it again");
   }
 
-  // Returns true if colours come before normals. Components of normals are at most 1 and are rarely integers.
+  // Returns true if colours come before normals: if an integer above 1 comes before the first fraction.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {
@@ -159,7 +159,7 @@ private:
     return std::span(numbers_).first(text_.numbers(std::span(numbers_).first(most)));
   }
 
-  // Reads the optional normal, colour (three or four numbers) and texture point.
+  // Reads the normal, colour (three or four numbers) and texture point that the keyword declares.
   void behind_position() {
     if (form_.numbers() == 0) return unnamed();
     std::span<const double> left = numbers(form_.numbers());
@@ -193,7 +193,7 @@ private:
     if (is_color) unnamed_colors_.emplace_back(builder_.vertex_count() - 1, off_color(behind));
   }
 
-  // Returns one colour for each element. Elements without a colour get the default colour.
+  // Returns one colour for each element, or no colours if none are given. Missing colours become the default.
   static std::vector<Color> spread(const std::vector<std::pair<std::size_t, Color>>& given,
                                    std::size_t count) {
     std::vector<Color> colors;
@@ -222,7 +222,7 @@ private:
   void face() {
     const std::size_t corners = count("number of corners");
     for (std::size_t i = 0; i < corners; ++i) {
-      text_.need_word("the last face");  // indices may continue on the next line
+      text_.need_word("the last face");  // the next index can be on the next line
       const std::int64_t index = text_.integer("vertex index");
       if (index < 0 || static_cast<std::size_t>(index) >= builder_.vertex_count()) {
         text_.fail("face refers to vertex " + std::to_string(index) + ", the file has " +
@@ -236,7 +236,7 @@ private:
     text_.next_line();
   }
 
-  // Reads three or four numbers after the corners. Ignores a single number, the index of a colour map.
+  // Reads three or four numbers after the corners. Ignores a single number: an index into a colour map.
   void face_color(std::size_t polygon) {
     const auto behind = numbers(4);
     if (behind.size() >= 3) face_colors_.emplace_back(polygon, off_color(behind));

@@ -1,4 +1,4 @@
-// Keeps a file in memory to write it again with other positions.
+// Keeps a file in memory, so that the file can be written again with other positions.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +20,7 @@ namespace viete::formats {
 /// External files with relative paths in the model's file: material libraries and images.
 struct Companions {
   std::filesystem::path folder;
-  std::vector<std::filesystem::path> files;  ///< absolute paths; files may not exist
+  std::vector<std::filesystem::path> files;  ///< absolute paths; some files can be missing
 };
 
 /// A file that was read. Each format has a subclass. Immutable and thread-safe.
@@ -36,34 +36,35 @@ public:
 
   std::string_view format() const { return format_; }
 
-  /// Content that is not in the surface or its attributes; other formats lose it: "animations", "12 lines".
+  /// Names the content that only this file format stores: "animations", "12 lines".
   virtual std::vector<std::string> beyond_attributes() const { return {}; }
 
   /// The external files that write_file() copies.
   virtual Companions companions() const { return {}; }
 
-  /// All external files with a reference in the file. They may not exist.
+  /// All external files to which the file refers. Some files can be missing.
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
   /// Writes the whole file with new values for positions that differ from `rest`, and for the normals and
-  /// tangents that depend on them. rest: the surface read from the file. Returns messages for the user, one
-  /// line each. Can throw base::Error and base::Cancelled.
+  /// tangents that depend on these positions. rest: the surface read from the file. Returns messages for the
+  /// user, one line each. Can throw base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                          TextWriter& out) const = 0;
 
-  /// Writes a file and replaces an existing file atomically. Also writes external buffers, and copies
-  /// companions that the folder does not have. progress may be null.
+  /// Works like write(), and replaces an existing file atomically. Also writes external buffers, and copies
+  /// companions that are missing in the new folder. progress may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const mesh::Surface& rest,
                                               std::span<const mesh::Point> positions, Digits digits,
                                               base::Progress* progress) const;
 
-  /// Also writes morph targets, see check_motion(). If the format has no morph targets, throws base::Error.
+  /// Works like write_file(), and adds morph targets. `motion` must pass check_motion(). If the format has no
+  /// morph targets, throws base::Error.
   virtual std::vector<std::string> write_animated(const std::filesystem::path& path,
                                                   const mesh::Surface& rest,
                                                   std::span<const mesh::Point> positions,
                                                   const MorphMotion& motion, base::Progress* progress) const;
 
-  /// Returns the morph animation, or null if there is no animation. If it is invalid, throws base::Error.
+  /// Returns the morph animation, or null if there are no targets. For invalid data, throws base::Error.
   virtual std::shared_ptr<const MorphClip> morphs() const { return nullptr; }
 
 protected:

@@ -32,9 +32,9 @@ double part_of_largest(NumberType type) {
   });
 }
 
-// Reads vertices with normals (nx ny nz), colours (red green blue alpha, also with the prefix diffuse_) and
-// texture coordinates (s t, u v, also with the prefix texture_). Reads faces with colours, a list texcoord (u
-// v per corner) and texnumber, as MeshLab writes them. Also reads triangle strips.
+// Reads vertices, faces and triangle strips. Optional properties of vertices: normals (nx ny nz), colours
+// (red green blue alpha, or diffuse_red ...), texture coordinates (s t, u v, texture_u texture_v, texture_s
+// texture_t). Optional properties of faces: colours; texcoord (a list with u v for each corner); texnumber.
 class PlyBody {
 public:
   PlyBody(const PlyHeader& header, const Source& source, SurfaceBuilder& builder, const PlyValues& values)
@@ -68,7 +68,8 @@ public:
   std::vector<FileVectors> take_vectors() { return std::move(vectors_); }
 
 private:
-  // The destinations of a property's values: a component of a vector's places, and a number.
+  // The destinations of a property: (*places)[row][axis] gets the offset of the value, *number gets
+  // factor * value. Unused pointers are null.
   struct Column {
     std::vector<FileVectors::Places>* places = nullptr;
     std::size_t axis = 0;
@@ -77,8 +78,8 @@ private:
   };
   using RowOfCorner = std::vector<std::uint32_t>;
 
-  // Describes the vectors of three properties in the following rows. If a property is missing, returns null.
-  // Binary rows without lists have equal lengths. For other rows, rows() records the places.
+  // Adds FileVectors for three properties. If a property is missing or source_.owner is null, returns null.
+  // Computes the places in binary rows without lists. In other rows, rows() records the places.
   FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
                       const std::array<const char*, 3>& names) {
     std::array<std::size_t, 3> at;
@@ -106,7 +107,7 @@ private:
     return &vectors;
   }
 
-  // Returns a list for the row of each corner's normal, to be filled later. Null if there are no normals.
+  // Returns a list for the face row of each corner, or null if faces have no normals. lists() fills the list.
   std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
     FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     if (!vectors) return nullptr;
@@ -116,8 +117,8 @@ private:
     return rows;
   }
 
-  // Reads these properties into `to`. If a property is missing, returns false. Integer colours are divided by
-  // the maximum of their type.
+  // Selects these properties: each row's values will be stored in to[0], to[1], ... If a property is missing,
+  // returns false. colors: multiply values by part_of_largest().
   bool find(const PlyElement& element, std::initializer_list<std::string> names, double* to,
             bool colors = false) {
     std::vector<std::size_t> found;
@@ -195,8 +196,8 @@ private:
     });
   }
 
-  // Reads binary rows of equal length on all processors. If rows have other lengths or a value needs an error
-  // message, reads nothing and returns false.
+  // Reads binary rows of equal length on all processors. If rows differ in length or a value is invalid,
+  // reads nothing and returns false.
   bool read_positions(const PlyElement& element, const std::array<std::size_t, 3>& axes) {
     const std::string_view bytes = values_.bytes();
     const std::size_t row = element.row_bytes();
@@ -220,7 +221,7 @@ private:
     return true;
   }
 
-  // Does this for faces that are only lists of three vertices.
+  // Reads binary triangles on all processors. If a face has other content, reads nothing and returns false.
   bool read_triangles(const PlyElement& element) {
     mesh::Surface& s = builder_.surface();
     const std::string_view bytes = values_.bytes();
@@ -306,7 +307,7 @@ private:
     }
   }
 
-  // Starts a group for each texnumber. The texnumber becomes the material.
+  // Starts a group if the texnumber changes. The texnumber is the index of the material.
   void use_image() {
     const bool is_number = image_ >= 0 && image_ < 65536;
     const std::uint32_t material = is_number ? static_cast<std::uint32_t>(image_) : mesh::none;
@@ -343,7 +344,7 @@ private:
     found_.groups = std::move(groups_);
   }
 
-  // Returns the value. If it is not a finite number, returns 0.
+  // Returns the next value, or 0 if the next value is not a finite number.
   double value(const PlyProperty& property) {
     const double value = values_.value(property.type);
     return std::isfinite(value) ? value : 0;
@@ -359,7 +360,6 @@ private:
     return static_cast<std::size_t>(length);
   }
 
-  // Stores the value if a column needs it, otherwise skips it.
   void take(const PlyProperty& property, std::size_t p) {
     if (const Column& c = columns_[p]; c.number) {
       *c.number = c.factor * value(property);
@@ -383,8 +383,8 @@ private:
     builder_.end_polygon();
   }
 
-  // Adds triangle strips separated by -1. Every second triangle is reversed. Triangles with repeated corners
-  // only join strips and are not added.
+  // Adds triangle strips separated by -1. Reverses every second triangle of a strip. Skips triangles with
+  // repeated corners, which only join strips.
   void strips(std::size_t length) {
     std::uint32_t a = 0, b = 0;
     std::size_t run = 0;
@@ -415,7 +415,8 @@ private:
   std::vector<Column> columns_;  // one per property of the current element
   std::size_t vertex_count_ = 0;
   NumberType index_type_ = NumberType::int32;
-  mesh::Vec3 normal_{0, 0, 0};  // normal of the current row; the next four members also belong to this row
+  // The next five members belong to the current row.
+  mesh::Vec3 normal_{0, 0, 0};
   std::array<double, 4> color_{};
   Vec2 texture_{};
   double image_ = 0;
@@ -428,7 +429,6 @@ private:
   std::vector<Group> groups_;
 };
 
-// Returns names of the elements and properties that are not part of a surface or its attributes.
 std::vector<std::string> beyond_attributes(const PlyHeader& header) {
   constexpr std::string_view of_vertices =
       " x y z nx ny nz red green blue alpha diffuse_red diffuse_green diffuse_blue s t u v texture_u "
@@ -477,7 +477,7 @@ ReadResult read_ply(const Source& source) {
 
 bool looks_like_ply(const Source& source) {
   std::string_view bytes = source.bytes;
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // skips the mark, like TextCursor
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);  // the UTF-8 byte order mark
   return bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
 }
 

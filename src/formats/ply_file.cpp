@@ -99,7 +99,7 @@ bool header_line(TextCursor& text, PlyHeader& header, SurfaceBuilder& builder) {
       text.fail("a property stands before the first element", "export the model again");
     header.elements.back().properties.push_back(property(text));
   } else {
-    constexpr std::size_t most = 64;  // limits warnings about an endless header
+    constexpr std::size_t most = 64;  // rejects a file that only begins like PLY
     if (++header.unknown_lines > most)
       text.fail("a PLY header cannot hold " + in_quotes(word), "export the model again");
     if (header.unknown_lines == 1)

@@ -29,8 +29,9 @@ struct PlyElement {
 
   /// Returns the index of the first property with one of these names, or properties.size().
   std::size_t find(const std::string& name, const std::string& other = "") const;
-  /// Number of bytes of each row, and before a property, in a binary file. If rows contain lists, 0.
+  /// Number of bytes of each row in a binary file. If rows contain lists, returns 0.
   std::size_t row_bytes() const { return bytes_before(properties.size()); }
+  /// Number of bytes of each row before this property. If rows contain lists, returns 0.
   std::size_t bytes_before(std::size_t property) const;
 };
 
@@ -47,7 +48,7 @@ struct PlyHeader {
 };
 
 /// Moves the cursor past the header. Adds comments to the builder. Skips lines without a header keyword and
-/// adds a warning. If the declared elements exceed the rest of the file, also throws base::Error.
+/// adds a warning. If the declared elements do not fit in the rest of the file, throws base::Error.
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 
 /// Reads the values of the body one after the other. In text, a value is a word and a row is a line. Errors
@@ -67,7 +68,7 @@ public:
     index_ = index;
     if (is_text_) text_.need_word("the last " + std::string(element));
   }
-  /// Skips and counts additional values of the line.
+  /// Text only: if the line has more values, skips these values and counts the line for longer_rows().
   void end_row() {
     if (!is_text_ || text_.at_line_end()) return;
     if (longer_rows_++ == 0) first_longer_ = text_.line();

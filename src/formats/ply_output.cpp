@@ -9,8 +9,8 @@ namespace viete::formats {
 
 namespace {
 
-// Writes positions in double, vertex normals, colours and texture points. If a vertex has several texture
-// points, they are written for each face, otherwise for each vertex.
+// Writes positions in double, vertex normals, colours and texture points. If any vertex has several texture
+// points, writes texture points for each face, otherwise for each vertex.
 class PlyOutput {
 public:
   PlyOutput(const Content& content, TextWriter& out)
@@ -18,7 +18,7 @@ public:
     if (!a_.corner_normal.empty()) normals_ = one_a_vertex(s_, a_.corner_normal);
     if (!a_.corner_texture.empty()) texture_ = one_a_vertex(s_, a_.corner_texture);
     faces_textured_ = !a_.corner_texture.empty() && !texture_;
-    const std::uint32_t most = faces_textured_ ? 127 : 255;  // because a list length is one byte
+    const std::uint32_t most = faces_textured_ ? 127 : 255;  // list lengths are one byte
     for (std::size_t p = 0; p < s_.polygon_count(); ++p)
       large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
   }

@@ -21,15 +21,16 @@ namespace viete::formats {
 ///
 /// pc2  Pointcache 2 of 3ds Max, little-endian: "POINTCACHE2\0", int32 version 1, int32 points, float32
 ///      number of the first frame, float32 frames per sample, int32 samples; then float32 x, y, z of every
-///      point, sample after sample. Readers: 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier)
-///      and Maya (`cacheFile -pc2 1 -pcf FILE ...` converts it to Maya's own cache).
+///      point, sample after sample. Read by 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier)
+///      and Maya (`cacheFile -pc2 1 -pcf FILE ...` converts the file to Maya's own cache).
 /// mdd  LightWave, big-endian: int32 frames, int32 points, float32 seconds of every frame; then float32 x, y,
-///      z, frame after frame. Readers: LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
+///      z, frame after frame. Read by LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
 ///
-/// Positions have the axes and the unit of the model's file. Blender applies them in object space, before the
-/// object's rotation and scale, and rotates them only by the modifier's *Forward axis* and *Up axis*.
-/// Blender's OBJ import rotates the object, not its coordinates. Until that rotation is applied (Ctrl-A), the
-/// modifier's defaults (Y, Z) are correct. Maya and Houdini do not rotate the model or the cache.
+/// Positions have the axes and the unit of the model's file. Blender applies positions in object space,
+/// before the object's rotation and scale. Only the modifier's *Forward axis* and *Up axis* rotate positions.
+/// Blender's OBJ import rotates the object, not its coordinates. Until the object's rotation is applied
+/// (Ctrl-A), the modifier's defaults (Y, Z) are correct. Maya and Houdini do not rotate the model or the
+/// cache.
 enum class PointCacheFormat { pc2, mdd };
 
 /// Returns the format for the extension, .pc2 or .mdd.
@@ -38,13 +39,13 @@ std::optional<PointCacheFormat> point_cache_format(const std::filesystem::path& 
 struct PointCacheHead {
   PointCacheFormat format = PointCacheFormat::pc2;
   std::size_t points = 0, frames = 0;  ///< 1 to 2147483647 each
-  float start = 0, rate = 1;           ///< PC2: number of the first frame; frames per sample
-  std::vector<float> seconds{};        ///< MDD: time of each frame
+  float start = 0, rate = 1;           ///< PC2 only: number of the first frame, frames per sample
+  std::vector<float> seconds{};        ///< MDD only: time of each frame
 };
 
 /// Writes a file atomically. Only one frame is in memory at a time. frame(i) must return x, y, z of every
-/// point of frame i. If sizes exceed the format, the disk is full or a number is not finite, throws
-/// base::Error. Does not catch exceptions of `frame`.
+/// point of frame i. If sizes exceed the limits of the format, the disk is full or a number is not finite,
+/// throws base::Error. Does not catch exceptions of `frame`.
 void write_point_cache(const std::filesystem::path& path, const PointCacheHead& head,
                        const std::function<std::span<const float>(std::size_t)>& frame);
 

@@ -12,7 +12,7 @@ namespace viete::formats {
 
 namespace {
 
-constexpr int most_decimals = 330;  // enough for 1e-300
+constexpr int most_decimals = 330;
 
 constexpr auto powers_of_ten = [] {
   std::array<double, 16> powers{};
@@ -24,7 +24,8 @@ constexpr auto powers_of_ten = [] {
 // Integers up to this limit are exact in double.
 constexpr double largest_whole = 9007199254740992.0;
 
-// Prints value * 10^decimals as an integer, ten times as fast as std::to_chars. May round ties differently.
+// Prints `value` with fixed decimals, from the integer value * 10^decimals. This is ten times as fast as
+// std::to_chars, but can round ties differently.
 char* print_whole(double value, int decimals, char* to) {
   if (std::signbit(value)) *to++ = '-';
   auto whole = static_cast<std::uint64_t>(std::abs(value) * powers_of_ten[decimals] + 0.5);

@@ -13,7 +13,7 @@
 
 namespace viete::formats {
 
-/// A number format. learn() detects it from the numbers of a text file, or Digits define it.
+/// A number format, defined by Digits or detected from the numbers of a text file by learn().
 class Printed {
 public:
   explicit Printed(Digits digits = {}) : digits_(digits) {}
@@ -21,11 +21,11 @@ public:
   /// Learns the format from a word of the file, normally a number.
   void learn(std::string_view word);
 
-  /// Ensures enough decimals that a number of this size has at least `significant` digits.
+  /// Sets a minimum of decimals: a number as large as `size` gets at least `significant` digits.
   void keep(int significant, double size);
 
-  /// Prints with decimals or with an exponent, like the learned numbers, and with their largest number of
-  /// digits. If all learned numbers had equally many digits, pads with zeros. room: at least 400 bytes.
+  /// Prints with the largest number of decimals of the learned numbers, and with an exponent if all have one.
+  /// Removes zeros at the end if learned numbers differ in decimals. room: a buffer of at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
   /// Returns true if a and b are printed as equal text.
@@ -36,14 +36,14 @@ private:
   int decimals() const;
 
   Digits digits_;
-  int most_ = 0, least_ = 400;  // numbers of decimals in learned numbers without exponent
-  int most_mantissa_ = 0;       // number of decimals in learned numbers with exponent
+  int most_ = 0, least_ = 400;  // largest and smallest number of decimals without exponent
+  int most_mantissa_ = 0;       // largest number of decimals with exponent
   int needed_ = 0, needed_mantissa_ = 0;
   std::size_t plain_ = 0, with_exponent_ = 0;  // counts of learned numbers without and with exponent
   bool capital_ = false;                       // true if the file uses E instead of e
 };
 
-/// Prints with the writer's number of decimals, or with the shortest digits that give the exact number again.
+/// Prints with the writer's fixed decimals. Without fixed decimals, prints the shortest exact digits.
 void print_point(const mesh::Point& p, TextWriter& out);
 
 inline constexpr double largest_float = std::numeric_limits<float>::max();

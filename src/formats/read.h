@@ -11,10 +11,10 @@
 namespace viete::formats {
 
 /// Detects the format by content, then by extension. Throws base::Error with file, place and advice, or
-/// base::Cancelled. Checks declared sizes against the file size before it allocates memory. Rejects
+/// base::Cancelled. Compares declared sizes with the file size before it allocates memory. Rejects
 /// coordinates above 1e100, so that volumes stay finite. If a file has no faces, the result has only points
-/// and a warning. progress may be null. played: true if the caller plays the morph targets; the surface then
-/// excludes them. If false, morph targets have their default weights and cause a warning.
+/// and a warning. progress may be null. played: if true, morph targets are not applied, because the caller
+/// plays the targets. If false, morph targets have their default weights, and there is a warning.
 ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr, bool played = false);
 
 /// Reads from memory.

@@ -19,7 +19,7 @@ using ThreeWords = std::array<std::string_view, 3>;
 
 /// Returns the next three words of the line. Missing words are empty.
 inline ThreeWords three_words(TextCursor& text) {
-  return {text.word(), text.word(), text.word()};  // the order is from left to right
+  return {text.word(), text.word(), text.word()};  // braces evaluate from left to right
 }
 
 /// Replacements must be in file order. The bytes between replacements are copied.
@@ -27,7 +27,7 @@ class Rewriter {
 public:
   Rewriter(std::string_view bytes, TextWriter& out) : bytes_(bytes), out_(out) {}
 
-  /// `word` must be a part of the bytes.
+  /// `word` must be a view of a part of the bytes.
   void replace(std::string_view word, std::string_view by) {
     copy_until(static_cast<std::size_t>(word.data() - bytes_.data()));
     out_.text(by);

@@ -19,12 +19,12 @@ struct Source {
   std::string extension;   ///< lower case, without the dot; may be empty
   std::string_view bytes;  ///< arbitrary, untrusted content
   base::Progress* progress = nullptr;
-  /// Keeps the bytes valid to write the file again. If null, they are valid only during reading.
+  /// Keeps the bytes valid, to write the file again. If null, bytes are valid only during reading.
   std::shared_ptr<const void> owner = nullptr;
-  std::filesystem::path folder = {};  ///< folder of external files; if empty, readers do not look for them
-  bool played = false;                ///< true if the caller plays morph targets: the surface excludes them
+  std::filesystem::path folder = {};  ///< folder of external files; an empty path: no external files
+  bool played = false;  ///< true if the caller plays morph targets: readers do not apply targets
 
-  /// Reports the reader's progress, 0 to 1. Disk reading was the first fifth. Throws base::Cancelled.
+  /// done: the reader's progress, 0 to 1. (FileBytes reports the first fifth.) Throws base::Cancelled.
   void report(double done) const {
     if (progress) progress->report(0.2 + 0.8 * done);
   }
@@ -39,8 +39,8 @@ std::size_t regular_file_size(const std::filesystem::path& path);
 /// A whole file in memory.
 class FileBytes {
 public:
-  /// Also throws base::Error if the file exceeds `most` bytes, is unreadable or does not fit in memory.
-  /// Throws base::Cancelled.
+  /// Throws base::Error like regular_file_size(), and also if the file exceeds `most` bytes, is unreadable or
+  /// does not fit in memory. Throws base::Cancelled.
   FileBytes(const std::filesystem::path& path, base::Progress* progress,
             std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -74,7 +74,7 @@ std::string lower_case(std::string_view text);
 /// Returns the extension in lower case, without the dot.
 std::string extension_of(const std::filesystem::path& path);
 
-/// Returns the canonical path of a file's folder, or of `file` if it is a folder.
+/// Returns the canonical path of the folder that contains the file.
 std::filesystem::path folder_of(const std::filesystem::path& file);
 
 /// Resolves a name relative to the folder. Accepts backslashes, because programs on Windows write them.

@@ -20,12 +20,12 @@ namespace {
 
 constexpr std::size_t head_bytes = 84, triangle_bytes = 50;  // sizes in a binary file
 
-// Returns the first 16 letters in lower case. No keyword has more letters.
+// Returns at most 16 letters, in lower case. All keywords are shorter.
 std::string lower_stl_word(std::string_view word) {
   return lower_case(word.substr(0, 16));
 }
 
-// Returns false for implausible coordinates or normals. They show that the offset is wrong.
+// Returns false for implausible coordinates or normals: the offset is then wrong.
 bool is_plausible(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));
@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// If attribute bytes follow the triangles and the file is long enough, sets the offsets and returns true.
+// If triangles have attribute bytes and the file contains all bytes, sets the offsets and returns true.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;
@@ -80,7 +80,7 @@ bool follow_attributes(std::string_view bytes, Layout& layout) {
   return true;
 }
 
-// If the file length contradicts the triangle count, throws base::Error.
+// Returns the layout. If the file size does not match the triangle count, throws base::Error.
 Layout layout_of(const Source& source) {
   const auto refuse = [&](const std::string& problem) {
     throw base::Error(source.name, problem, "it seems to be truncated or damaged: export or copy it again");
@@ -121,7 +121,7 @@ private:
   mesh::PointIndex index_;
 };
 
-// Describes the corners and normals of facets. The caller sets their places.
+// Describes the corners and normals of facets. The caller sets the places.
 VectorFile vectors_of_facets(bool text) {
   VectorFile file{.format = "STL", .text = text};
   file.vectors.push_back({.rows = FileVectors::Rows::corners, .element = "corner"});
@@ -238,7 +238,8 @@ private:
   bool in_facet_ = false, ended_ = false;
 };
 
-// Returns true if the file size matches the count, or if the first triangles, with attributes, are plausible.
+// Returns true if the file size matches the triangle count, or if the file is longer and has plausible
+// triangles, perhaps with attribute bytes between triangles.
 bool begins_stl_triangles(std::string_view beginning, std::uint64_t file_size) {
   if (beginning.size() < head_bytes) return false;
   const std::size_t count = announced(beginning);

@@ -27,8 +27,7 @@ public:
   /// Adds a corner. The caller must check the index before finish().
   void corner(std::uint32_t vertex) { result_.surface.corners.push_back(vertex); }
 
-  /// Makes a polygon of the corners since the previous polygon. If it has fewer than three corners, drops the
-  /// polygon, and finish() adds a warning.
+  /// Makes a polygon from the corners since the previous polygon. Drops polygons of fewer than three corners.
   void end_polygon();
 
   /// Keeps the first 64 comments.
@@ -37,7 +36,8 @@ public:
   void comments(TextCursor& text);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
 
-  /// Triangulates the polygons. Throws base::Error if there are no vertices; warns if there are no polygons.
+  /// Triangulates the polygons. Without vertices, throws base::Error. Warns about dropped or missing
+  /// polygons.
   ReadResult finish(std::string format);
 
 private:

@@ -11,8 +11,8 @@ namespace viete::formats {
 
 namespace {
 
-// Returns true if a number outside the range of double is too small, and false if it is too large. The error
-// code of std::from_chars does not distinguish these cases.
+// `number` must be outside the range of double. Returns true if the number is too close to 0, and false if
+// the number is too large. The error code of std::from_chars is the same for both.
 bool is_tiny(std::string_view number) {
   long double value = 0;
   const auto code = std::from_chars(number.data(), number.data() + number.size(), value).ec;
@@ -20,7 +20,6 @@ bool is_tiny(std::string_view number) {
                              : number.find("e-") != number.npos || number.find("E-") != number.npos;
 }
 
-// Returns advice for common malformed numbers.
 std::string advice_on(std::string_view word) {
   const auto holds = [&](std::string_view part) { return word.find(part) != std::string_view::npos; };
   if (holds(",")) return "use a decimal point";
@@ -51,7 +50,7 @@ TextCursor::TextCursor(const Source& source, TextRules rules)
   if (source.bytes.starts_with("\xEF\xBB\xBF")) at_ += 3;
 }
 
-// Also accepts blanks after the backslash, because editors do not show them.
+// Also accepts blanks after the backslash, because editors do not show blanks.
 std::size_t TextCursor::continuation_length() const {
   const char* to = at_ + 1;
   while (to != end_ && is_blank(*to)) ++to;
@@ -128,7 +127,8 @@ double TextCursor::coordinate() {
   return value;
 }
 
-// Accepts a plus sign, which from_chars rejects. Underflow gives 0. For other text, throws base::Error.
+// Accepts a plus sign, which from_chars rejects. Underflow gives 0, and overflow gives infinity. If the word
+// is not a number, throws base::Error.
 double TextCursor::unusual_number(const char* from) {
   const bool plus = *from == '+' && end_ - from > 1 && from[1] != '-';
   const char* const number = from + (plus ? 1 : 0);
@@ -214,7 +214,7 @@ std::string clipped(std::string_view comment) {
   if (comment.size() <= 200) return std::string(comment);
   std::size_t size = 200;
   while (size > 0 && (static_cast<unsigned char>(comment[size]) & 0xC0) == 0x80)
-    --size;  // does not cut UTF-8 characters
+    --size;  // avoids a cut inside a UTF-8 character
   return std::string(comment.substr(0, size));
 }
 

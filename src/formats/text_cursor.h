@@ -50,10 +50,10 @@ public:
   /// Reads the rest of this line without blanks at the ends. Includes comments, but no continuation lines.
   std::string_view rest_of_line();
 
-  /// Reads the next word as a finite number with a size of at most 1e100, so that volumes stay finite.
+  /// Reads the next word as a number from -1e100 to 1e100, so that volumes stay finite.
   double coordinate();
 
-  /// Reads up to to.size() numbers of this line, until a word is not a number. Returns their count.
+  /// Reads numbers of this line until `to` is full or a word is not a number. Returns the count of numbers.
   std::size_t numbers(std::span<double> to);
 
   /// Reads the next word as an integer. what: the name of the integer in messages, "face index".
@@ -99,7 +99,7 @@ private:
   std::size_t line_ = 1;
 };
 
-/// Returns the word as a finite number. If it is not a finite number, returns nullopt.
+/// Returns the word as a number, or nullopt if the word is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
 /// Returns the word in quotes for messages, cut after 32 bytes, with '?' for all but printable ASCII.

@@ -1,4 +1,4 @@
-// Writes text and numbers in portions. Reading gives the exact numbers again. The locale has no effect.
+// Writes text and numbers in portions. Numbers can be read again exactly. The locale has no effect.
 #pragma once
 
 #include <charconv>
@@ -22,7 +22,7 @@ namespace viete::formats {
 struct Digits {
   enum class Kind {
     as_printed,  ///< as many decimals as in the file that was read; new files use `all`
-    all,         ///< the shortest digits that give the exact double again
+    all,         ///< the shortest digits from which the exact double can be read
     decimals     ///< a fixed number of decimals
   };
   Kind kind = Kind::as_printed;
@@ -36,7 +36,7 @@ struct Content {
   const std::vector<std::string>& comments;
   const Attributes* attributes = nullptr;  ///< attributes of the surface; may be null
 
-  /// Returns the attributes. If they are null, returns empty attributes.
+  /// Returns *attributes, or empty attributes for null.
   const Attributes& given() const {
     static const Attributes nothing;
     return attributes ? *attributes : nothing;
@@ -56,7 +56,7 @@ public:
     return *this;
   }
 
-  /// Writes the shortest digits (17 at most) that give the exact number again.
+  /// Writes the shortest digits (17 at most) from which the exact number can be read.
   TextWriter& number(double value) { return shortest(value); }
   TextWriter& number(float value) { return shortest(value); }
   TextWriter& number(std::uint64_t value) { return shortest(value); }
@@ -76,7 +76,7 @@ public:
     for (const std::string& line : lines) text(mark).text(one_line(line)).text("\n");
   }
 
-  /// Replaces control characters by blanks and removes blanks and backslashes at the end.
+  /// Replaces control characters by blanks. Removes blanks and backslashes at the end.
   static std::string one_line(std::string text) {
     for (char& c : text) {
       if (static_cast<unsigned char>(c) < 32) c = ' ';

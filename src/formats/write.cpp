@@ -46,8 +46,8 @@ std::string list_of_names(const std::set<std::string>& names) {
   return list;
 }
 
-// Copies external files to the folder of the new file and adds them to `written`. Does not copy files outside
-// the old folder, and does not overwrite files. Returns messages for the user.
+// Copies external files to the folder of the new file. Adds the copies to `written`. Does not copy files
+// outside the old folder, and does not overwrite files. Returns messages for the user.
 std::vector<std::string> copy_companions(const fs::path& model, const Companions& companions,
                                          std::vector<fs::path>& written) {
   if (fs::weakly_canonical(companions.folder) == folder_of(model)) return {};
@@ -55,7 +55,7 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
   for (const fs::path& file : companions.files) {
     const fs::path name = file.lexically_relative(companions.folder), path = model.parent_path() / name;
     std::error_code code;
-    if (!fs::is_regular_file(file, code)) continue;  // the code that uses the file reports the problem
+    if (!fs::is_regular_file(file, code)) continue;
     if (name.empty() || *name.begin() == "..") {
       stayed.insert(file.string());
       continue;
@@ -66,7 +66,7 @@ std::vector<std::string> copy_companions(const fs::path& model, const Companions
                           FileBytes(path, nullptr).view() == bytes.view();
     (is_new || is_there ? copied : others).insert(name.string());
     if (!is_new) continue;
-    fs::create_directories(path.parent_path(), code);  // if this fails, writing reports the error
+    fs::create_directories(path.parent_path(), code);  // if this fails, replace_file() throws
     base::replace_file(path, bytes.view());
     written.push_back(path);
   }

@@ -16,32 +16,32 @@ namespace viete::formats {
 
 /// Writes a surface. OBJ, OFF (text) and PLY (binary) keep polygons and vertices exactly. STL (text) keeps
 /// triangles exactly, but no larger polygons and no unused vertices. For glTF see write_glb(). Comments go to
-/// the header, one line each; in STL the first comment is the name. Writes a temporary file, syncs and
-/// renames it: if this fails, an existing file stays. Throws base::Error.
+/// the header, one line each; in STL the first comment is the name. Writes a temporary file, syncs the file
+/// and renames it. If an error occurs, an existing file stays. Throws base::Error.
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            const std::vector<std::string>& comments = {});
 
-/// Writes these positions, one per vertex, instead of surface.positions. progress may be null. Also throws
-/// base::Cancelled; an existing file then stays.
+/// Writes `positions`, one per vertex, instead of surface.positions. progress may be null. If cancelled,
+/// throws base::Cancelled, and an existing file stays.
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            std::span<const mesh::Point> positions, const std::vector<std::string>& comments = {},
            base::Progress* progress = nullptr);
 
 /// If writes_itself(original, path), rewrites the original with all content, and copies material libraries
-/// and images to a new folder (and deletes them if writing fails). Otherwise writes the normals, texture
+/// and images to a new folder. If writing fails, deletes these copies. Otherwise writes the normals, texture
 /// points and colours that the format supports, but no groups or materials. Returns messages for the user,
 /// one line each.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
 
-/// Writes .glb or .gltf with morph targets and an animation. The rest model has the positions of the content.
+/// Writes .glb or .gltf with morph targets and an animation. At rest, the model has content.positions.
 /// If writes_itself(original, path), keeps the targets and animations of the original. All targets are in
-/// memory at once. Also throws base::Error for an invalid motion, see check_motion(), and for other formats.
+/// memory at once. Also throws base::Error for other formats and for a motion that check_motion() rejects.
 std::vector<std::string> write_animated(const std::filesystem::path& path, const Content& content,
                                         const Original* original, const MorphMotion& motion,
                                         base::Progress* progress = nullptr);
 
-/// Throws base::Error for STL and glTF, because they change the number and order of vertices.
+/// Throws base::Error for the formats that change the number and order of vertices: STL and glTF.
 void check_keeps_vertices(const std::filesystem::path& path);
 
 }  // namespace viete::formats

@@ -1,4 +1,4 @@
-// Lists of neighbours.
+// Lists of items for each index: for example, the triangles around each vertex.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 
 namespace viete::mesh {
 
-/// One list of items per index i, from items[starts[i]] up to, but without, items[starts[i + 1]].
+/// A list of items for each index i: items[starts[i]] to items[starts[i + 1] - 1].
 struct Adjacency {
   std::vector<std::uint32_t> starts, items;
 
@@ -23,8 +23,8 @@ struct Adjacency {
   }
 };
 
-/// Makes the lists. for_each(add) must call add(i, item) for each item. make_adjacency() calls for_each()
-/// twice; the order of the items must be equal in both calls. There must be at most 2^32 - 1 items.
+/// Makes `count` lists. for_each(add) must call add(i, item) for each item of list i. for_each() is called
+/// twice, and must add the same items in the same order. There must be at most 2^32 - 1 items.
 template <class ForEach>
 Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   Adjacency lists;
@@ -37,8 +37,8 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   return lists;
 }
 
-/// Like make_adjacency(), but runs on all processors and sorts each list. Calls for_each(t, add) for each
-/// number t below `elements`.
+/// Works like make_adjacency(), but on all processors, and sorts each list. Calls for_each(t, add) twice for
+/// each t from 0 to elements - 1.
 template <class ForEach>
 Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
   Adjacency lists;
@@ -52,7 +52,7 @@ Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEac
   for_all([&](std::uint32_t i, std::uint32_t) { slot(i).fetch_add(1, std::memory_order_relaxed); });
   std::partial_sum(lists.starts.begin(), lists.starts.end(), lists.starts.begin());
   lists.items.resize(lists.starts.back());
-  for_all([&](std::uint32_t i, std::uint32_t item) {  // fills each list from its end
+  for_all([&](std::uint32_t i, std::uint32_t item) {  // fills each list from back to front
     lists.items[slot(i).fetch_sub(1, std::memory_order_relaxed) - 1] = item;
   });
   base::for_blocks(count, [&](std::size_t begin, std::size_t end) {

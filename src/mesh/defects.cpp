@@ -22,7 +22,6 @@ std::vector<std::uint8_t> used_vertices(const Surface& surface) {
   return used;
 }
 
-// Returns the indices of the marked elements.
 std::vector<std::uint32_t> marked(const std::vector<std::uint8_t>& marks) {
   std::vector<std::uint32_t> numbers;
   for (std::uint32_t i = 0; i < marks.size(); ++i)
@@ -47,9 +46,8 @@ std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
   const Adjacency around = vertex_triangles(surface.positions.size(), surface.triangles);
   std::vector<std::uint8_t> pinched(surface.positions.size(), 0);
   base::for_blocks(pinched.size(), [&](std::size_t begin, std::size_t end) {
-    UnionFind joined;  // the triangles at one vertex; edges join triangles
-    std::vector<std::array<std::uint32_t, 2>>
-        spokes;  // the triangles' other corners, and the places of the triangles in the list
+    UnionFind joined;                                  // triangles at one vertex, joined by common edges
+    std::vector<std::array<std::uint32_t, 2>> spokes;  // {another corner of a triangle, the triangle}
     for (std::size_t v = begin; v < end; ++v) {
       spokes.clear();
       std::uint32_t count = 0;
@@ -77,7 +75,7 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
     if (!has_area(a, b, c)) continue;
     const Point u = b - a, v = c - a;
     const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
-    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // relative to `longest`
+    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // height / longest
     if (height < ratio) thin.push_back(t);
   }
   return thin;

@@ -9,11 +9,11 @@
 
 namespace viete::mesh {
 
-/// Returns the used vertices with exactly the position of another used vertex of lower index. Sorted. O(n).
+/// Returns each used vertex at exactly the same position as a used vertex of lower index. Sorted. O(n).
 std::vector<std::uint32_t> duplicate_vertices(const Surface& surface);
 
-/// Returns the vertices at which several groups of triangles meet without a shared edge. A manifold has no
-/// such vertex. Sorted. Nearly linear time.
+/// Returns the vertices whose triangles are not all connected by edges at the vertex. A manifold has no such
+/// vertex. Sorted. Nearly linear time.
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 
 /// Returns the triangles whose smallest height is less than `ratio` times their longest edge. Ignores

@@ -12,7 +12,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Converts a difference of points to float: the precision of a shade of grey is enough.
+// Converts a difference of points to float, because shades of grey need no more precision.
 Vec3f rounded(const Point& a) {
   return {static_cast<float>(a[0]), static_cast<float>(a[1]), static_cast<float>(a[2])};
 }
@@ -25,7 +25,7 @@ float mean_around(const Adjacency& around, std::size_t v, Get get) {
   return count > 0 ? sum / count : sum;
 }
 
-/// Returns the mean sine of the angles between the tangent plane and the neighbours; positive in a hollow.
+// Returns the mean over all neighbours of height over the tangent plane / distance. Positive in a hollow.
 float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::size_t v, const Vec3f& normal) {
   return mean_around(around, v, [&](std::uint32_t other) {
     const Vec3f edge = points[other] - points[v];
@@ -49,7 +49,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
     points[v] = rounded(positions[v] - positions[0]);
     for (std::size_t i = around.starts[v]; i < around.starts[v + 1]; ++i) {
       const Triangle& t = triangles[around.items[i]];
-      around.items[i] = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];
+      around.items[i] = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];  // the corner of the triangle after v
     }
   });
   std::vector<float> hollow(positions.size()), scratch(positions.size()), sum(positions.size(), 0.0F);
@@ -57,7 +57,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
   for (int level = 0; level < levels; ++level) {
     for (int step = 0; step < 1 << level; ++step) {
       std::swap(hollow, scratch);
-      for_vertices([&](std::size_t v) {  // computes the mean with the neighbours
+      for_vertices([&](std::size_t v) {  // smooths the values
         const float mean = mean_around(around, v, [&](std::uint32_t other) { return scratch[other]; });
         hollow[v] = around.of(v).empty() ? scratch[v] : 0.5F * scratch[v] + 0.5F * mean;
       });
@@ -70,7 +70,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
 
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted) {
   std::vector<Triangle> triangles;
-  // A plane of any direction meets 1.5 cells per square of a cell's side, on average.
+  // On average, a plane of area A meets 1.5 * A / side^2 cells. There are about two triangles per cell.
   const double side = std::sqrt(3 * area / static_cast<double>(wanted));
   if (!(side > 0)) return triangles;
   const Point low = used_bounds(surface).low;

@@ -10,16 +10,16 @@
 
 namespace viete::mesh {
 
-/// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). The value is the mean height
-/// of the neighbours over the tangent plane, relative to their distance, smoothed at `levels` scales and
-/// summed. `normals` has one unit vector per position. An unused vertex gets 1. `around` is the result of
-/// vertex_triangles(); the next corner in each of these triangles is a neighbour. Linear time.
+/// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). For each neighbour,
+/// measures height over the tangent plane / distance. Takes the mean over the neighbours, and adds the means
+/// after `levels` steps of smoothing. normals: one unit vector per position. around: the result of
+/// vertex_triangles(). An unused vertex gets 1. Linear time.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, Adjacency around, int levels = 4);
 
-/// About `wanted` triangles between vertices of the surface: one vertex stands for all in a cell of a grid
-/// (Rossignac and Borrel 1993), so that deformed vertices deform these triangles too. area: of the surface.
-/// Empty without area. Linear time.
+/// Returns about `wanted` coarse triangles. In each cell of a grid, one vertex replaces all vertices
+/// (Rossignac and Borrel 1993). The corners are vertices of the surface, so deformed positions also apply to
+/// the coarse triangles. area: the area of the surface; if 0, returns no triangles. Linear time.
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted);
 
 }  // namespace viete::mesh

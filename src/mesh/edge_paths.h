@@ -14,10 +14,10 @@ class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
 
-  /// Returns the number of the vertex's component. If edges connect two vertices, they are in one component.
+  /// Returns the number of the vertex's component. Vertices that edges connect are in the same component.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
   std::span<const std::uint32_t> parts() const { return parts_; }
-  /// True if a path along edges connects a and b and its length is at most `longest`.
+  /// True if there is a path along edges from a to b that is not longer than `longest`.
   bool joined(std::uint32_t a, std::uint32_t b, double longest) const;
 
 private:

@@ -9,7 +9,7 @@ namespace viete::mesh {
 
 namespace {
 
-// A side of a face. It is in the list of its lower vertex.
+// A side of a face, in the list of the side's lower vertex.
 struct Side {
   std::uint32_t high, face;
   bool forward;

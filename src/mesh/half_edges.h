@@ -16,13 +16,13 @@ using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices; the low
 /// A side of a triangle.
 struct HalfEdge {
   std::uint32_t triangle;
-  bool forward;  ///< true if the triangle uses the edge from the lower to the higher vertex
+  bool forward;  ///< true if the side goes from the lower vertex to the higher vertex
 };
 
 /// The edges of triangles. An edge can have any number of triangles, in any orientation.
 struct HalfEdges {
   std::vector<Edge> edges;            ///< sorted and unique
-  std::vector<std::uint32_t> starts;  ///< edge e has the sides from starts[e] up to starts[e + 1] - 1
+  std::vector<std::uint32_t> starts;  ///< edge e has sides[starts[e]] to sides[starts[e + 1] - 1]
   std::vector<HalfEdge> sides;        ///< sorted by edge, then by triangle
 
   std::span<const HalfEdge> of(std::size_t e) const {

@@ -13,7 +13,7 @@ namespace viete::mesh {
 
 namespace {
 
-// Returns the vector with length 1. If squares would leave the range of double, scales the vector first.
+// Returns the unit vector, or (0, 0, 1) for a zero vector. Avoids squares outside the range of double.
 Point unit(Point sum) {
   double squared = squared_norm(sum);
   if (!(squared > 1e-280 && squared < 1e280)) {
@@ -41,7 +41,7 @@ struct TriangleAxes {
   }
 };
 
-// The affine map of a triangle. The map scales along the normal by the square root of the area's scale.
+// The affine map of a triangle from rest to pose. Scales along the normal by sqrt(posed area / rest area).
 struct TriangleMap {
   TriangleAxes from, to;
   double thickness = 1;
@@ -53,7 +53,7 @@ struct TriangleMap {
 
   bool usable() const { return from.area > 0 && to.area > 0 && std::isfinite(to.area); }
 
-  // Applies the cofactor matrix of the map, times the area at rest.
+  // Returns from.area * C * n, where C is the cofactor matrix of the map.
   Point of_normal(const Point& n) const {
     const Point in_plane = dot(n, from.edge[0]) * to.dual[0] + dot(n, from.edge[1]) * to.dual[1];
     return to.area * (dot(n, from.normal) * to.normal + thickness * in_plane);
@@ -69,7 +69,7 @@ bool has_moved(const Triangle& t, std::span<const Point> rest, std::span<const P
   return rest[t[0]] != posed[t[0]] || rest[t[1]] != posed[t[1]] || rest[t[2]] != posed[t[2]];
 }
 
-// Rotates n by the smallest rotation from one direction to another. If they are opposite, returns n.
+// Rotates n by the smallest rotation that maps `from` to `to`. For opposite directions, returns n.
 Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   const Vec3 a = unit(from), b = unit(to), axis = cross(a, b);
   const double cosine = dot(a, b);
@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// Rotates vectors without a triangle that has area. Such a vector rotates with the nearest triangle or, if no
-// triangle of the model has area, with triangles between the nearest points.
+// Rotates vectors that no triangle with area uses. A vector rotates with the nearest triangle that has area.
+// If no triangle of the model has area, a vector rotates with triangles between the nearest points.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {
@@ -139,7 +139,7 @@ private:
   double diagonal_ = 0;
 };
 
-// `of_vertex` has the vertex of each vector. It is used for vectors that no corner uses.
+// Computes deformed normals or tangents. move(map, vector) transforms a vector by the map of a triangle.
 template <class Move>
 std::vector<Vec3> carried(const Surface& rest, std::span<const Point> positions,
                           std::span<const Vec3> vectors, std::span<const std::uint32_t> of_corner,
@@ -188,7 +188,7 @@ Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> trian
     for (const std::uint32_t v : triangles[t]) add(v, t);
   };
   if (triangles.size() >= 1'000'000) return sorted_adjacency(vertices, triangles.size(), add_corners);
-  return make_adjacency(vertices, [&](const auto& add) {  // faster on one thread
+  return make_adjacency(vertices, [&](const auto& add) {  // one thread is faster for fewer triangles
     for (std::uint32_t t = 0; t < triangles.size(); ++t) add_corners(t, add);
   });
 }

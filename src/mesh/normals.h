@@ -12,8 +12,8 @@
 
 namespace viete::mesh {
 
-/// Returns the triangles around each vertex, ascending. Call it once per surface. With the lists, several
-/// threads can compute vertex normals, and the result does not depend on the threads.
+/// Returns the triangles around each vertex, in ascending order. Call this once per surface. With these
+/// lists, several threads can compute vertex normals, always with the same result.
 Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> triangles);
 
 /// Sets normals[v] for begin <= v < end to the mean normal of the triangles around v, weighted by area, with
@@ -21,23 +21,23 @@ Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> trian
 void vertex_normals(std::span<const Point> positions, std::span<const Triangle> triangles,
                     const Adjacency& around, std::size_t begin, std::size_t end, std::span<Point> normals);
 
-/// Returns the normals after the vertices moved from `rest` to `positions`, with length 1. `corner_normal`
-/// has an index into `normals`, or `none`, for each of rest.corners. Each triangle moves by an affine map,
-/// and the cofactors of the map transform the normals. A normal becomes the mean over its corners, weighted
-/// by the deformed area. If a normal is not finite, uses the normal of the triangle instead. If no triangle
-/// of a normal moved, returns the normal unchanged.
-/// If no triangle with area uses a normal, the normal rotates with the nearest triangle. If the model has no
-/// triangle with area, it rotates with triangles between the nearest six points. `vertex_of_normal` has the
-/// vertex of each normal; it is used only for normals that no corner uses.
+/// Returns unit normals after the vertices moved from rest.positions to `positions`. corner_normal: for each
+/// of rest.corners an index into `normals`, or `none`. Each triangle moves by an affine map. The cofactors of
+/// the map transform the normals at the triangle's corners. A normal becomes the mean over its corners,
+/// weighted by the deformed area. For a normal that is not finite, uses the normal of the triangle. If no
+/// triangle of a normal moved, the normal does not change.
+/// If no triangle with area uses a normal, the normal rotates with the nearest triangle. If no triangle of
+/// the model has area, the normal rotates with triangles between the nearest six points. vertex_of_normal:
+/// the vertex of each normal, needed only for normals that no corner uses.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,
                                    std::span<const std::uint32_t> vertex_of_normal = {});
 
-/// Returns 0, 1, 2, ... for all vertices. Use it as vertex_of_normal if a file has one normal per vertex.
+/// Returns 0, 1, 2, ... for all vertices: the vertex_of_normal of a file with one normal per vertex.
 std::vector<std::uint32_t> every_vertex(const Surface& surface);
 
-/// Like deformed_normals(), for tangents. Tangents move with the surface.
+/// Works like deformed_normals(), but for tangents, which move with the surface.
 std::vector<Vec3> deformed_tangents(const Surface& rest, std::span<const Point> positions,
                                     std::span<const Vec3> tangents,
                                     std::span<const std::uint32_t> corner_tangent,
@@ -48,13 +48,13 @@ inline bool is_direction(const Vec3& v) {
   return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
 }
 
-/// True if a vector read from a file has a new, finite value.
+/// True if the new value differs and is finite.
 inline bool changed(const Vec3& before, const Vec3& now) {
   return before != now && is_direction(now);
 }
 
-/// Scales changed vectors of unit length to their lengths in `before`. If a length in `before` differs from 1
-/// by at most 0.01, the vector keeps unit length.
+/// now: unit vectors. Scales each changed vector to the length that it has in `before`. Lengths from 0.99 to
+/// 1.01 count as 1.
 void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now);
 
 }  // namespace viete::mesh

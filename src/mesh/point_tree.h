@@ -17,7 +17,7 @@ public:
   PointTree(std::span<const Point> positions, std::vector<std::uint32_t> some);
 
   /// Returns the index of the point nearest to the triangle. If several points are equally near, returns the
-  /// lowest index. For an edge or a point, repeat corners; see closest_on_triangle().
+  /// lowest index. For an edge, pass two equal corners. For a point, pass three equal corners.
   std::uint32_t nearest(const Point& a, const Point& b, const Point& c) const;
   std::uint32_t nearest(const Point& p) const { return nearest(p, p, p); }
   /// Calls visit(i) for every point i whose distance to p is at most the radius, in any order.
@@ -36,7 +36,7 @@ private:
 
   std::span<const Point> positions_;
   std::vector<std::uint32_t> points_;
-  std::vector<Ball> balls_;  // node i has the children 2 i + 1 and 2 i + 2
+  std::vector<Ball> balls_;  // node i has the children 2 * i + 1 and 2 * i + 2
 };
 
 }  // namespace viete::mesh

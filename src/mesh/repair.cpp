@@ -16,10 +16,10 @@ namespace {
 
 struct Neighbour {
   std::uint32_t triangle;
-  bool agrees;
+  bool agrees;  // true if both triangles have the same orientation
 };
 
-// Returns the neighbours of each triangle. Neighbours share an edge that has exactly two triangles.
+// Returns the neighbours of each triangle, only across edges that have exactly two triangles.
 std::vector<std::vector<Neighbour>> neighbours(const Surface& surface) {
   std::vector<std::vector<Neighbour>> all(surface.triangles.size());
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
@@ -54,7 +54,7 @@ public:
     return turn;
   }
 
-  // The next functions are valid after turned(): the components, and whether all components are orientable.
+  // Call the next functions after turned(). parts(): the components. agree(): true if all are orientable.
   const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
   bool agree() const { return agree_; }
 
@@ -80,14 +80,14 @@ private:
   }
 
   std::vector<std::vector<Neighbour>> neighbours_;
-  std::vector<std::uint8_t> side_;  // 0 if the triangle has the orientation of the component's seed, else 1
+  std::vector<std::uint8_t> side_;  // 0: orientation of the component's seed; 1: opposite; 2: unseen
   std::vector<std::uint32_t> part_;
   std::vector<std::vector<std::uint32_t>> parts_;
   bool agree_ = true;
 };
 
-// Returns the corners beginning with the lowest corner, in the direction that is lexicographically lower. The
-// second value is true if the polygon has this direction.
+// Returns the corners from the lowest corner on, in the direction that is lexicographically lower. The second
+// value is true if this is the direction of the polygon.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));
@@ -97,7 +97,7 @@ std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_
   return {ahead ? std::move(forward) : std::move(backward), ahead};
 }
 
-// Marks each polygon whose corners are those of an earlier polygon, in the opposite orientation.
+// Marks each polygon that has the same corners as an earlier polygon, in the opposite direction.
 std::vector<std::uint8_t> backs(const Surface& joined) {
   std::map<std::vector<std::uint32_t>, bool> seen;
   std::vector<std::uint8_t> is_back(joined.polygon_count(), 0);
@@ -121,7 +121,7 @@ Surface part_of(const Surface& whole, std::span<const std::uint32_t> triangles) 
   return part;
 }
 
-// True if all edges are used equally often in both directions. Unless `open_too`, ignores boundary edges.
+// True if each edge is used equally often in both directions. If `open_too` is false, ignores boundary edges.
 bool balanced(const Surface& surface, bool open_too) {
   const HalfEdges table = half_edges(surface.positions.size(), surface.triangles);
   for (std::size_t e = 0; e < table.edges.size(); ++e) {
@@ -132,8 +132,8 @@ bool balanced(const Surface& surface, bool open_too) {
   return true;
 }
 
-// Orients closed components. If an even number of other components contain a component, orients it outward,
-// otherwise inward. If all components have the reverse orientation, does nothing.
+// Orients closed components: outward if an even number of other closed components contain the component,
+// otherwise inward. If all closed components would be reversed, does nothing.
 void turn_parts(Surface& joined, const std::vector<std::vector<std::uint32_t>>& parts) {
   struct Part {
     Surface surface;

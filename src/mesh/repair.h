@@ -1,4 +1,4 @@
-// Welds surfaces, and orients them consistently.
+// Welds surfaces. Orients surfaces consistently.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace viete::mesh {
 
-/// Replaces each corner by the lowest vertex at the same position. Does not change positions and numbering.
+/// Replaces each corner by the lowest vertex at the same position. Keeps all vertices and their numbers.
 Surface welded(const Surface& surface);
 
 /// Returns the triangles, flipped so that neighbours have equal orientation. A component gets the orientation
@@ -17,14 +17,14 @@ Surface consistently_oriented(const Surface& surface);
 
 /// The result of one_sided(): triangles with consistent orientation.
 struct OneSided {
-  std::vector<Triangle> triangles;  ///< empty if a component is not orientable (a Moebius strip)
+  std::vector<Triangle> triangles;  ///< empty if consistent orientation is impossible (a Moebius strip)
   std::vector<std::uint32_t> of;    ///< the index of each triangle in the original surface, ascending
-  bool closed = false;              ///< true if all edges are used equally often in both directions
+  bool closed = false;              ///< true if each edge is used equally often in both directions
 };
 
-/// Like consistently_oriented(), but also orients closed components: outward, or inward if they are cavities.
-/// If all of them are reversed, keeps their orientation. If two faces coincide with opposite orientations,
-/// keeps only the first face. Merges vertices at equal positions.
+/// Works like consistently_oriented(), but treats vertices at equal positions as one vertex. Also orients
+/// closed components: outward, or inward for cavities. If all closed components would be reversed,
+/// reverses none. If two faces coincide with opposite orientations, keeps only the first face.
 OneSided one_sided(const Surface& surface);
 
 }  // namespace viete::mesh

@@ -13,8 +13,8 @@ namespace viete::mesh {
 
 namespace {
 
-// For each vertex a, lists the vertices b > a of its edges: once per triangle with the side from a to b if
-// `upwards`, otherwise once per triangle with the side from b to a.
+// For each vertex a, lists vertices b > a. If `upwards`, lists b once for each triangle side from a to b.
+// Otherwise, lists b once for each triangle side from b to a.
 Adjacency sides(const Surface& surface, bool upwards) {
   const auto& triangles = surface.triangles;
   return sorted_adjacency(surface.positions.size(), triangles.size(), [&](std::uint32_t t, const auto& add) {
@@ -74,8 +74,8 @@ void find_parts(const Surface& surface, Summary& summary) {
   }
 }
 
-// Divides lengths by the box's diagonal to keep squares in range. Sums the volumes of tetrahedra with a
-// corner at the box's center; this is precise also far from the origin.
+// Divides lengths by the box's diagonal, so that squares are in the range of double. Sums the volumes of
+// tetrahedra with a corner at the box's center, which is precise even far from the origin.
 void measure(const Surface& surface, Summary& summary) {
   const Bounds box = used_bounds(surface);
   const Point center = box.center();

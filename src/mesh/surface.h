@@ -31,7 +31,7 @@ struct Surface {
   std::vector<std::uint32_t> polygon_starts;  ///< the first corner of each polygon, then corners.size()
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> triangle_polygon;  ///< the polygon of each triangle
-  /// The triangles of polygons that are not a fan around their first corner. Contains indices into `corners`.
+  /// Triangles of the polygons that are not triangulated as a fan, as indices into `corners`.
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
@@ -52,7 +52,7 @@ void for_each_triangle(const Surface& s, const Use& use) {
 /// Returns the polygon's triangles in `clipped`; empty if the polygon is a fan.
 std::span<const Triangle> clipped_of(const Surface& surface, std::size_t polygon);
 
-/// True if the polygons are equal, or if the triangles are equal and only the polygons differ.
+/// True if the polygons are equal or the triangles are equal.
 bool same_faces(const Surface& a, const Surface& b);
 
 /// Makes a surface of triangles. Each triangle is a polygon.
@@ -89,8 +89,8 @@ Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> s
 /// Returns the box of the vertices that polygons use or, if there are no polygons, of all vertices.
 Bounds used_bounds(const Surface& surface);
 
-/// Returns twice the largest distance from the area centroid (or, without area, from the mean) to a vertex in
-/// used_bounds(). For a box, this is the diagonal. A rotation does not change the size.
+/// Returns twice the largest distance from the center to a vertex in used_bounds(). The center is the area
+/// centroid or, without area, the mean. The size of a box is its diagonal. Rotations do not change the size.
 double used_size(const Surface& surface);
 
 /// Returns a base::Checksum of positions and triangles in their order. Depends on the processor's byte order.

@@ -80,7 +80,7 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// An exact sum. Its parts do not overlap and ascend in size (expansions: Shewchuk 1997).
+// An exact sum. The parts do not overlap and ascend in size: an expansion (Shewchuk 1997).
 class ExactSum {
 public:
   void add(double x) {
@@ -95,7 +95,7 @@ public:
     size_ = kept;
   }
 
-  // Adds x y z exactly. The product x y is the sum of `head` and `tail`.
+  // Adds the exact product x * y * z. The product x * y is exactly head + tail.
   void add_product(double x, double y, double z) {
     const double head = x * y, tail = std::fma(x, y, -head);
     for (const double part : {tail, head}) {
@@ -120,8 +120,8 @@ private:
   std::size_t size_ = 0;
 };
 
-// Returns the sign of det(u, v, w). The entries of u, v and w were rounded once. If the rounding errors could
-// change the sign, calls exact() instead.
+// Returns the sign of det(u, v, w), where u, v and w are rounded. If rounding errors can change the sign,
+// returns the sign of exact(), an ExactSum.
 template <class Exact>
 int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;
@@ -176,7 +176,7 @@ Point2 without(const Point& p, int axis) {
   return {p[(axis + 1) % 3], p[(axis + 2) % 3]};
 }
 
-// Returns an axis along which the projection of the triangle has area. Without such an axis, returns -1.
+// Returns an axis along which the projection of the triangle has area, or -1 if there is none.
 int visible_axis(const Corners& t) {
   for (int axis = 0; axis < 3; ++axis) {
     if (orientation(without(t[0], axis), without(t[1], axis), without(t[2], axis)) != 0) return axis;
@@ -200,7 +200,7 @@ bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// True if an edge of s passes through t. `sides` has one sign per corner of s: its side of t's plane.
+// True if an edge of s passes through t. sides: for each corner of s, its side of the plane of t (-1, 0, 1).
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

@@ -17,8 +17,8 @@ inline bool repeats_corner(const Triangle& t) {
 /// Returns the triangles that do not repeat a corner.
 std::vector<Triangle> proper_triangles(const Surface& surface);
 
-/// False if the triangle is a line or a point, except for rounding: if twice its area is at most 1e-12 times
-/// the square of the largest coordinate of its sides. Lengths must be from 1e-300 to 1e300.
+/// True if 2 * area > 1e-12 * L^2, where L is the largest absolute coordinate of a side vector. False for
+/// lines and points, even after rounding. Lengths must be from 1e-300 to 1e300.
 bool has_area(const Point& a, const Point& b, const Point& c);
 
 struct Closest {
@@ -27,10 +27,10 @@ struct Closest {
 };
 
 /// Returns the point of the triangle closest to p. Treats a triangle without area as its longest edge, or as
-/// a point. Lengths from 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
+/// a point. Lengths: 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
-/// Returns half the solid angle of the triangle as seen from 0 (van Oosterom and Strackee 1983, eq. 8).
+/// Returns half the solid angle of the triangle, seen from 0 0 0 (van Oosterom and Strackee 1983, eq. 8).
 double half_solid_angle(const Point& a, const Point& b, const Point& c);
 
 using Point2 = std::array<double, 2>;
@@ -42,7 +42,7 @@ using Point2 = std::array<double, 2>;
 /// d, and 0 if all four points are in a plane.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d);
 
-/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise about the normal.
+/// Returns the sign of det(b - a, c - a, normal): 1 if a, b, c are counter-clockwise around the normal.
 int orientation_along(const Vec3& normal, const Point& a, const Point& b, const Point& c);
 
 /// Returns the sign of det(b - a, c - a): 1 if a, b, c are counter-clockwise, and 0 if they are collinear.
@@ -64,8 +64,8 @@ bool intersect(const Corners& s, const Corners& t);
 /// True if the segment from p to q passes through the triangle. False if p or q is on the triangle's plane.
 bool crosses(const Point& p, const Point& q, const Corners& t);
 
-/// Like intersect(), but accepts triangles without a plane, and treats them as their edges. If both triangles
-/// have no plane, returns false.
+/// Works like intersect(), but treats a triangle without a plane as three edges. If both triangles have no
+/// plane, returns false.
 bool cut(const Corners& s, const Corners& t);
 
 /// Returns the squared distance; 0 if the triangles intersect. Treats a triangle without area as its longest

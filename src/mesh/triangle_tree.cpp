@@ -23,7 +23,7 @@ double squared_distance(const Point& p, const Bounds& box) {
   return sum;
 }
 
-// Tests the centroid of the other triangle first, because this test often decides.
+// Tests the centroid of the other triangle first, because this fast test is often sufficient.
 bool are_near(const Corners& t, const Corners& other, double distance) {
   if (distance <= 0) return cut(t, other);
   const Point middle = (1.0 / 3) * (other[0] + other[1] + other[2]);
@@ -59,7 +59,7 @@ TriangleTree::TriangleTree(std::span<const Point> positions, std::span<const Tri
   make_dipoles();
 }
 
-// Divides the triangles into two halves along the longest side of the box of their centers.
+// Adds a node and its children. Divides the triangles into halves along the longest side of the centers' box.
 std::uint32_t TriangleTree::build(std::uint32_t begin, std::uint32_t end, std::span<const Point> centers,
                                   base::Progress* progress) {
   const auto self = static_cast<std::uint32_t>(nodes_.size());
@@ -93,7 +93,7 @@ void TriangleTree::group_nodes() {
   }
 }
 
-// Computes the dipoles of children before those of their parent. A child has a higher index than its parent.
+// Computes the dipoles of children before the dipole of their parent, because children have higher indices.
 void TriangleTree::make_dipoles() {
   dipoles_.resize(nodes_.size());
   std::vector<double> weights(nodes_.size(), 0);

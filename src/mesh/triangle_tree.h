@@ -16,8 +16,8 @@ namespace viete::mesh {
 /// corners. Thread-safe. Lengths must be from 1e-75 to 1e75.
 class TriangleTree {
 public:
-  /// Requires a triangle. `groups` is empty or has one number per position. A triangle belongs to the group
-  /// of its first corner. `progress` may be null. Throws base::Cancelled.
+  /// Requires at least one triangle. `groups` is empty or has one number per position. A triangle belongs to
+  /// the group of its first corner. `progress` may be null. Throws base::Cancelled.
   TriangleTree(std::span<const Point> positions, std::span<const Triangle> triangles,
                base::Progress* progress = nullptr, std::span<const std::uint32_t> groups = {});
 
@@ -33,11 +33,11 @@ public:
     std::uint32_t group, triangle;
     double squared_distance;
   };
-  /// Returns the nearest triangle of each group within the radius around p, in any order. Ignores the group
-  /// `but_group`. The tree must have groups.
+  /// For each group except `but_group`, finds the triangle nearest to p. Returns the triangles whose distance
+  /// is at most `radius`, in any order. The tree must have groups.
   std::vector<NearestOfGroup> nearest_of_groups(const Point& p, double radius, std::uint32_t but_group) const;
 
-  /// Calls visit(triangle) for each triangle whose bounding box overlaps `box`.
+  /// Calls visit(triangle) for each triangle whose bounding box overlaps or touches `box`.
   template <class Visit>
   void for_meeting(const Bounds& box, const Visit& visit) const {
     find([&](std::uint32_t i) { return meet(nodes_[i].box, box) ? Step::into : Step::past; },
@@ -58,8 +58,8 @@ public:
 
 private:
   static constexpr auto no_group = std::numeric_limits<std::uint32_t>::max();
-  // The triangles of a node are from order_[begin] up to, but without, order_[end]. The first child is the
-  // next node; the second child is `second`. In a leaf, `second` is 0.
+  // A node has the triangles order_[begin] to order_[end - 1]. The first child is the next node in nodes_.
+  // The second child is nodes_[second]. In a leaf, `second` is 0.
   struct alignas(64) Node {
     Bounds box;
     std::uint32_t begin = 0, end = 0, second = 0;
@@ -75,8 +75,8 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // Searches the tree. enter(node) decides: pass the node, enter it, or return true. In a leaf that was
-  // entered, calls visit(index in order_) for each triangle. If visit() returns true, returns true.
+  // Searches the tree. enter(node) skips the node (past), enters the node (into) or ends the search (found).
+  // In leaves, visit(index in order_) returns true to end the search. Returns true if the search was ended.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 

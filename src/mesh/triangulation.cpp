@@ -14,8 +14,8 @@ namespace viete::mesh {
 
 namespace {
 
-// Smaller values may be rounding errors. The value of a fan triangle is twice its area, divided by the square
-// of its longer spoke. The value of a polygon is twice its area, divided by the square of its extent.
+// The limit of relative areas, because smaller values can be rounding errors. The relative area of a fan
+// triangle is 2 * area / (longer spoke)^2. The relative area of a polygon is 2 * area / extent^2.
 constexpr double flat_fan = 1e-12;
 
 // The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.
@@ -28,7 +28,7 @@ public:
     for (std::size_t i = 2; i < corners.size(); ++i) normal_ = normal_ + cross(spoke(i - 1), spoke(i));
   }
 
-  // Returns the polygon's normal. Its length is twice the area.
+  // Returns the polygon's normal. The normal's length is 2 * area / extent^2.
   const Vec3& normal() const { return normal_; }
 
   bool covers() const {
@@ -135,8 +135,8 @@ private:
 // `touched`: other corners are only on the boundary. `flat`: the ear has no area.
 enum class Ears { clear, touched, flat };
 
-// Removes ears from a ring until the ring is empty. If the ring is simple, an ear of one of these kinds
-// always exists, because the signs are exact.
+// Clips ears from a ring of corners until two corners are left. A simple ring always has an ear of one of
+// these kinds, because the signs are exact.
 class EarClipper {
 public:
   EarClipper(std::span<const Point> corners, const Vec3& normal)
@@ -176,7 +176,7 @@ public:
   }
 
 private:
-  // A corner and its neighbours in the ring, sorted by `length`, then by the distance from the first corner.
+  // A corner and its neighbours in the ring, sorted by `length`, then by `way`: corners to the first corner.
   struct Ear {
     long length;
     std::uint32_t way, corner, previous, next;
@@ -189,7 +189,7 @@ private:
     return orientation_along(normal_, points_[a], points_[b], points_[c]);
   }
 
-  // Rounds the length of a cut, so that rounding errors do not decide between nearly equal lengths.
+  // Returns the rounded logarithm of a cut's length, so that nearly equal lengths become equal.
   long length_of_cut(std::uint32_t a, std::uint32_t b) const {
     return std::lround(64 * std::log2(std::max(squared_distance(places_[a], places_[b]) / size_, 0x1p-200)));
   }
@@ -227,7 +227,8 @@ private:
     });
   }
 
-  // True if a reflex corner is in the ear or on it, or if a side of the ring enters the ear at the corner.
+  // True if `corner` prevents clipping the ear: a corner inside, a corner on the boundary of a clear ear, or
+  // a corner from which a side of the ring enters the ear.
   bool spoils(std::uint32_t corner, const Triangle& ear, Ears kind) const {
     std::array<int, 3> sides;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -235,7 +236,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // A notch that touches the ear's tip may fill the whole ear. Otherwise, clipping the ear later is better.
+    // A notch that touches the ear's tip can fill the whole ear. If not, the ear is clipped later.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }

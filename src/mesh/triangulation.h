@@ -8,15 +8,15 @@
 
 namespace viete::mesh {
 
-/// True if the fan around the first corner covers the polygon: if no fan triangle is reversed relative to the
+/// True if the fan around the first corner covers the polygon: no fan triangle is reversed relative to the
 /// sum of the fan's normals. Always true for convex polygons and for polygons without area.
 bool is_fan(std::span<const Point> corners);
 
-/// Returns n - 2 triangles, as ascending indices into `corners`. If the fan covers the polygon, returns the
-/// fan. Otherwise clips ears with exact tests, beginning with the shortest cut. The polygon may be nearly
-/// planar, and may touch itself, for example at a bridge to a hole. Makes triangles without area only if
-/// necessary. Self-crossing polygons also get n - 2 triangles. Scaling or mirroring about the first corner
-/// does not change the result. O(n log n), except if ears span many corners.
+/// Returns n - 2 triangles. Each has three ascending indices into `corners`. If the fan covers the polygon,
+/// returns the fan. Otherwise clips ears with exact tests, beginning with the shortest cut. The polygon can
+/// be non-planar by a small amount, and can touch itself, for example at a bridge to a hole. Makes triangles
+/// without area only if necessary. Self-crossing polygons also get n - 2 triangles. Scaling or mirroring
+/// about the first corner does not change the result. O(n log n), except if ears span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
 /// Triangulates all polygons at their current positions. Sets all members of Surface for triangles.

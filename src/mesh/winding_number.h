@@ -18,8 +18,8 @@ namespace viete::mesh {
 double winding_number(const Surface& surface, const Point& p);
 
 /// Returns the indices of the positions outside the cage, ascending. Outside, the absolute winding number is
-/// below 0.5; the cage's orientation has no effect. Points within 1e-9 of the cage's diagonal from the cage
-/// count as inside. Positions must be finite. Lengths must be from 1e-100 to 1e100. The result does not
+/// below 0.5; the cage's orientation has no effect. Points nearer to the cage than 1e-9 * its diagonal count
+/// as inside. Positions must be finite. Lengths must be from 1e-100 to 1e100. The result does not
 /// depend on the pool. `pool` and `progress` may be null. Throws base::Cancelled.
 std::vector<std::uint32_t> points_outside(const Surface& cage, std::span<const Point> positions,
                                           base::WorkerPool* pool = nullptr,

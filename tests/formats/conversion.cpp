@@ -16,14 +16,14 @@ namespace {
 namespace fs = std::filesystem;
 using Notes = std::vector<std::string>;
 
-// A square of two triangles with all attributes. Its second corner has two different texture points.
+// A square of two triangles with all attributes. Vertex 1 has two different texture points.
 const std::string everything =
     "mtllib some.mtl\no thing\ng part\nusemtl red\n"
     "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nv 0 1 0 1 1 1\n"
     "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\ns off\n"
     "f 1/1/1 2/2/1 3/3/1\nusemtl blue\nf 1/4/1 3/3/1 4/4/1\n";
 
-// Writes in the format of `path`. By default, does not use the data of the original file.
+// Writes in the format of `path`. Uses the original file only if `with_original` is true.
 Notes convert(const ReadResult& read, const fs::path& path, bool with_original = false) {
   const Content content{read.surface, read.surface.positions, {}, read.attributes.get()};
   return formats::write(path, content, with_original ? read.original.get() : nullptr, {});
@@ -36,7 +36,7 @@ struct Converted : test::TemporaryFolder {
     return test::read_kept(everything, "obj", path());
   }();
 
-  // Rotates the surface by 90 degrees about the x axis, and writes it.
+  // Writes the surface, rotated by 90 degrees about the x axis.
   Notes to(const std::string& name) {
     moved.clear();
     for (const Point& p : read.surface.positions) moved.push_back({p[0], -p[2], p[1]});
@@ -121,7 +121,7 @@ TEST_CASE("gltf_stores_one_mesh_of_triangles_and_comments_that_are_not_utf8") {
 }
 
 TEST_CASE("shared_obj_normals_are_split_in_a_deformed_glb") {
-  // In a strip of two quads in the plane z = 0, all corners have one normal. Then the strip is bent at x = 1.
+  // A strip of two quads in the plane z = 0. All corners use one normal. Then the strip is bent at x = 1.
   const ReadResult flat = test::read_kept(
       "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 1 1 0\nv 2 1 0\nvn 0 0 1\nf 1//1 2//1 5//1 4//1\n"
       "f 2//1 3//1 6//1 5//1\n",

@@ -23,7 +23,7 @@ ReadResult converted(const ReadResult& read, const std::filesystem::path& path, 
   return formats::read(path);
 }
 
-// The triangles share two vertices, but their texture points at these vertices differ.
+// Two triangles with two common vertices. At these vertices, the triangles have different texture points.
 const std::string wedges =
     "ply\nformat ascii 1.0\ncomment VCGLIB generated\ncomment TextureFile my wood.png\ncomment TextureFile "
     "b.png\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 3\nproperty "
@@ -81,7 +81,7 @@ TEST_CASE("face_colours_are_written_where_the_format_has_them") {
   CHECK(converted(off, folder / "a.off").attributes->polygon_colors == colors);
   const ReadResult glb = converted(off, folder / "a.glb");
   for (std::size_t p = 0; p < 4; ++p) CHECK(glb.surface.polygon_starts[p] == 3 * p);
-  CHECK(glb.surface.positions.size() == 4);  // split where colours meet; the reader joins them
+  CHECK(glb.surface.positions.size() == 4);  // the reader joins vertices of different colours
   const std::string bytes = test::file_bytes(folder / "a.glb");
   CHECK(holds(bytes, "COLOR_0"));
   CHECK(formats::write(folder / "b.stl",
@@ -95,7 +95,7 @@ TEST_CASE("ply_faces_have_texture_points_colours_and_images") {
   CHECK(test::written_again(read, read.surface.positions) == wedges);
   REQUIRE(read.attributes);
   const Attributes& a = *read.attributes;
-  CHECK(a.texture_points.size() == 5);  // (0, 0) occurs once
+  CHECK(a.texture_points.size() == 5);  // (0, 0) is stored only once
   const auto at = [](const Attributes& all, std::size_t c) {
     return all.texture_points[all.corner_texture[c]];
   };
@@ -135,7 +135,7 @@ TEST_CASE("ply_face_texture_points_of_wrong_length_are_ignored") {
   const ReadResult read = test::read_kept(odd, "ply");
   CHECK(read.attributes->corner_texture[2] != none);
   CHECK(read.attributes->corner_texture[4] == none);
-  CHECK(read.attributes->materials.empty());  // there is no folder with materials
+  CHECK(read.attributes->materials.empty());  // materials need the folder of the file
   CHECK(read.attributes->groups.empty());
 }
 

@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Returns a quad and a triangle. Faces do not start with the first vertex, and a vertex is unused.
+// Returns a quad, a triangle and an unused vertex. No face starts with the first vertex.
 Surface odd_surface() {
   return test::read_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 2 2 0\nv 5 5 5\nf 3 4 1 2\nf 5 4 3\n", "obj")
       .surface;

@@ -55,8 +55,8 @@ TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
     CHECK(r.surface.triangles == std::vector<Triangle>{{0, 1, 3}, {0, 3, 2}, {1, 4, 5}, {1, 5, 3}});
     REQUIRE(r.attributes);
     const Attributes& a = *r.attributes;
-    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v points upward
-    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // this vertex, on the other side of the seam
+    CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v increases upward
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex beyond the seam
     CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
     REQUIRE(a.groups.size() == 1);
     CHECK(a.groups[0].object == "only");
@@ -129,12 +129,12 @@ TEST_CASE("deformed_gltf_differs_only_in_positions_and_normals") {
   CHECK(r.original->write_file(folder / "b.glb", r.surface, posed, {}, nullptr).empty());
   const std::string out = test::file_bytes(folder / "b.glb");
   CHECK(out.substr(out.size() - 70) ==
-        parts.glb().substr(parts.glb().size() - 70));  // texture, indices, image
+        parts.glb().substr(parts.glb().size() - 70));  // texture points, indices, image
   const auto positions = floats_by_judge(folder / "b.glb", 0), normals = floats_by_judge(folder / "b.glb", 1);
   for (std::size_t i = 0; i < 8; ++i)
     CHECK(positions[3 * i + 2] == 0.25F * positions[3 * i] * positions[3 * i]);
-  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // only the left quad
-  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // only the right quad: still split
+  CHECK(normals[0] == doctest::Approx(-0.25 / std::hypot(1, 0.25)));   // normal of the left quad
+  CHECK(normals[12] == doctest::Approx(-0.75 / std::hypot(1, 0.75)));  // normal of the right quad
   CHECK(floats_by_judge(folder / "b.glb", 2) == floats_by_judge(folder / "a.glb", 2));
   const ReadResult again = read(folder / "b.glb");
   CHECK(again.surface.positions == posed);
@@ -208,7 +208,7 @@ TEST_CASE("external_buffer_is_written_beside_without_overwriting_other_files") {
   CHECK(out["images"][0]["uri"] == "../in/my%20paint.png");
   CHECK(notes.at(1) == "the buffer was written to " + (folder / "out/b-2.bin").string());
   r.original->write_file(folder / "out/b.gltf", r.surface, raised(r.surface, 2), {}, nullptr);
-  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // the new file replaced this file
+  CHECK_FALSE(std::filesystem::exists(folder / "out/b-3.bin"));  // b-2.bin was replaced
   CHECK(read(folder / "out/b.gltf").surface.positions == raised(r.surface, 2));
   r.original->write_file(folder / "in/a.gltf", r.surface, posed, {}, nullptr);
   CHECK(test::file_bytes(folder / "in/the data.bin") == parts.bytes);

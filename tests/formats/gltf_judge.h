@@ -1,4 +1,4 @@
-// Checks written glTF files by an independent reader.
+// Reads glTF files with another library, to check files that Viete has written.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -12,7 +12,6 @@
 
 namespace viete::test {
 
-/// Reads accessors by their numbers.
 class GltfJudge {
 public:
   explicit GltfJudge(const std::filesystem::path& path) {

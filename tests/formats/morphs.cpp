@@ -44,7 +44,7 @@ public:
     return model.meshes.at(mesh).primitives.at(i);
   }
 
-  // Returns a primitive's positions at a key, as players show them: base attribute plus weighted targets.
+  // Returns an attribute of a primitive at a key: the sum of the base values and weight * target.
   std::vector<double> shown(std::size_t node, std::size_t i, const char* attribute, std::size_t key,
                             std::size_t animation = 0) const {
     const auto mesh = static_cast<std::size_t>(model.nodes.at(node).mesh);
@@ -54,7 +54,7 @@ public:
     return weighed(p, base, attribute, weights(node, key, animation));
   }
 
-  // Returns the positions at default weights.
+  // Returns an attribute of the node's first primitive at default weights.
   std::vector<double> shown(std::size_t node, const char* attribute) const {
     const auto& n = model.nodes.at(node);
     const auto& mesh = model.meshes.at(static_cast<std::size_t>(n.mesh));
@@ -103,12 +103,12 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// Returns one surface vertex for each of the eight vertices in the file. See test::patch().
+// p: one position per surface vertex of test::patch(). Returns one position for each vertex in the file.
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
 
-// Returns two nodes. Their mesh has three targets: floats, floats of few vertices, and normalised integers.
+// Returns test::patch() in two nodes, with three targets: floats, sparse floats, and normalised integers.
 GltfParts weighed_patch() {
   GltfParts p = test::patch();
   std::vector<float> lift, lean;
@@ -165,7 +165,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // moves the left side of the seam to the first vertex
+  open[3] = -1, open[0] = 1;  // exchanges vertices 0 and 1, but not vertex 4 at the place of 1
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};
@@ -233,8 +233,8 @@ TEST_CASE("keys_become_targets_and_other_content_is_kept") {
       CHECK(w == std::vector<float>{key == 1 ? 1.0F : 0, key == 2 ? 1.0F : 0});
     }
     const auto normals = judge.shown(0, 0, "NORMAL", 1);
-    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // only the left quad
-    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // only the right quad: still split
+    CHECK(normals[0] == doctest::Approx(-0.5 / std::hypot(1, 0.5)));   // normal of the left quad
+    CHECK(normals[12] == doctest::Approx(-1.5 / std::hypot(1, 1.5)));  // normal of the right quad
     CHECK(judge.model.meshes[0].extras.Get("targetNames").Get(1).Get<std::string>() == "key 2");
     const ReadResult again = read(out);
     CHECK(again.surface.positions == r.surface.positions);
@@ -337,7 +337,7 @@ TEST_CASE("meshes_of_turned_scaled_and_shared_nodes_morph_where_they_are") {
   check_near(clip->at_key(1), posed, 1e-5);
   const MorphJudge judge(folder / "b.glb");
   CHECK(judge.model.animations.at(0).channels.size() == 2);
-  CHECK(judge.weights(2, 0).empty());  // this node does not move
+  CHECK(judge.weights(2, 0).empty());  // node 2 does not move
 }
 
 TEST_CASE("models_of_other_formats_become_glb_with_targets") {
@@ -355,7 +355,7 @@ TEST_CASE("models_of_other_formats_become_glb_with_targets") {
       check_near(judge.shown(0, 0, "POSITION", key), wave.positions[key]);
     const auto turned = judge.shown(0, 0, "NORMAL", 1), flat = judge.shown(0, 0, "NORMAL", 0);
     CHECK(flat[14] == doctest::Approx(1));
-    CHECK(turned[12] / turned[14] == doctest::Approx(-2.5));  // z = 0.5 x^2 from 2 to 3
+    CHECK(turned[12] / turned[14] == doctest::Approx(-2.5));  // z = 0.5 * x^2, from x = 2 to x = 3
     const auto clip = read(folder / name).original->morphs();
     check_near(clip->at_key(2), wave.positions[2]);
   }

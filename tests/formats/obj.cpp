@@ -192,7 +192,7 @@ TEST_CASE("obj_original_prints_as_the_file_does") {
   CHECK(moved_first("v 1.000000 2.000000 3.000000\nv 0.000000 0.000000 0.000000\n", third) ==
         "v 0.333333 2.000000 3.000000");
   CHECK(moved_first("v 1.00000000 2.00000000 3.00000000\n", -third) == "v -0.33333333 2.00000000 3.00000000");
-  // Numbers have six or more significant digits of the model's size. Trailing zeros are as in the file.
+  // Numbers have at least six significant digits of the model's size. Trailing zeros are as in the file.
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", third) == "v 0.33333 2 3");
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", 0.5) == "v 0.5 2 3");
   CHECK(moved_first("v 1000.5 2 3\nv 0 0 0\n", third) == "v 0.33 2 3");
@@ -247,7 +247,7 @@ TEST_CASE("obj_invalid_attribute_indices_cause_a_warning") {
 
 namespace {
 
-// Two squares at a right angle, with one normal each. A third square bends upward.
+// Two squares at a right angle, with one normal each.
 const std::string folded =
     "v 0.0 0.0 0.0\nv 1.0 0.0 0.0\nv 1.0 1.0 0.0\nv 0.0 1.0 0.0\nv 0.0 0.0 1.0\nv 0.0 1.0 1.0\n"
     "vn 0.0000 0.0000 1.0000\nvn 1.0000 0.0000 0.0000\n# normals\ns 1\n"
@@ -259,7 +259,7 @@ std::size_t count_of(const std::string& text, const std::string& word) {
   return count;
 }
 
-// Reads the text. Returns the normal of each corner.
+// Returns the normal of each corner of the OBJ text.
 std::vector<Vec3> corner_normals(const std::string& text) {
   const ReadResult read = test::read_kept(text, "obj");
   std::vector<Vec3> normals;
@@ -288,7 +288,7 @@ TEST_CASE("obj_shared_normal_is_split_where_corners_differ") {
     for (const char c : folded) text += crlf && c == '\n' ? "\r\n" : std::string(1, c);
     const ReadResult read = test::read_kept(text, "obj");
     auto moved = read.surface.positions;
-    moved[2][2] = 0.5;  // bends the first square; the second does not move
+    moved[2][2] = 0.5;  // bends the first square; the second square does not move
     const std::string written = test::written_again(read, moved);
     const std::string end = crlf ? "\r\n" : "\n";
     CHECK(count_of(written, "vn ") > 2);
@@ -329,7 +329,7 @@ TEST_CASE("obj_normal_indices_continue_across_blocks") {
   for (std::size_t c = 0; c < before.size(); ++c) CHECK(dot(before[c], after[c]) > 0.7);
   CHECK(after.back() == before.back());
   CHECK(test::written_again(read, read.surface.positions) == text);
-  // Only a degenerate face uses the second normal. The face is after the added lines.
+  // The face with only two corners still refers to the second normal of `folded`.
   const std::string unmoved = "f 1//" + std::to_string(count_of(folded, "vn ")) + " 2//2\n";
   CHECK(holds(written, unmoved));
 }

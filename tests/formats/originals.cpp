@@ -1,4 +1,4 @@
-// Writes PLY, STL and OFF files again: identical at rest. If deformed, only dependent values change.
+// Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only dependent values.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -14,7 +14,7 @@ using viete::test::holds;
 
 namespace {
 
-// Builds a text file or a binary file, and records which values may change.
+// Builds a text file or a binary file. Records for each value whether a deformation may change the value.
 class Maker {
 public:
   enum class Form { text, little, big };
@@ -47,7 +47,7 @@ public:
   }
 
   std::string bytes;
-  std::vector<char> may;  // one per byte, or one per word of the body
+  std::vector<char> may;  // one per byte of a binary file or per word of a text body
   std::size_t body = 0;
   Form form() const { return form_; }
 
@@ -148,7 +148,7 @@ TEST_CASE("ply_original_is_identical_at_rest_and_updates_dependent_values") {
     }
     const std::string back = test::written_again(again, read.surface.positions);
     check_kept(m, back);
-    // The writer rotates the tangents from (1, 0, 0) to (0, 1, 0). It does not rotate the face normals.
+    // The rotation turns tangents from (1, 0, 0) to (0, 1, 0).
     if (form != Maker::Form::text) continue;
     const auto words = words_of(written.substr(m.body));
     const auto before = words_of(m.bytes.substr(m.body));

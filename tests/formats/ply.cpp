@@ -22,7 +22,7 @@ std::string ascii(const std::string& elements, const std::string& body) {
   return "ply\nformat ascii 1.0\n" + elements + "end_header\n" + body;
 }
 
-// Builds binary bodies in both byte orders.
+// Builds a binary body in either byte order.
 struct Bytes {
   bool big = false;
   std::string text;

@@ -14,7 +14,7 @@ using namespace viete::mesh;
 
 namespace {
 
-// Returns the coordinates of two points. Frame f has 6 f, 6 f + 1 and so on.
+// Returns the coordinates of a frame. The coordinates of all frames are 0, 0.25, 0.5, 0.75 and so on.
 std::vector<float> cache_frame(std::size_t frame, std::size_t points = 2) {
   std::vector<float> values(3 * points);
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(3 * points * frame + i) / 4;

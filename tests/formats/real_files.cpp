@@ -45,7 +45,7 @@ TEST_CASE("every_shared_file_is_recognised_and_round_trips" * doctest::test_suit
     }
     ++files;
     const Format* found = format_of_content(path, Beginning(path));
-    if (path.stem() != "obj_long_comment_line")  // this line is longer than the part that is examined
+    if (path.stem() != "obj_long_comment_line")  // Beginning is shorter than this line
       CHECK((found && found->name == format_of_description(read.format)->name));
     if (named->holds_morphs) continue;
     CHECK(test::written_again(read, read.surface.positions) == test::file_bytes(path));

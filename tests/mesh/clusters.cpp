@@ -7,7 +7,7 @@ using namespace viete;
 
 TEST_CASE("clustered_triangles_cover_the_surface_with_about_the_wanted_number") {
   test::Surface ball = test::sphere(6);
-  ball.positions.insert(ball.positions.end(), {{3, 0, 0}, {0, 0, 0}});  // unused
+  ball.positions.insert(ball.positions.end(), {{3, 0, 0}, {0, 0, 0}});  // two unused vertices
   const double area = mesh::summarize(ball).area;
   const auto triangles = mesh::clustered_triangles(ball, area, 2000);
   CHECK(triangles.size() > 1000);

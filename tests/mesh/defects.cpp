@@ -75,7 +75,7 @@ TEST_CASE("crossing_triangles_are_both_listed") {
 }
 
 TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
-  // An edge of the second triangle crosses the border of the first triangle.
+  // In the first pair, an edge goes through an edge. In the second pair, an edge goes through a vertex.
   CHECK(self_intersecting_triangles(from_triangles(
             {{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {2, 0, -1}, {2, 0, 1}, {2, -3, 0}}, {{0, 1, 2}, {3, 4, 5}})) ==
         List{0, 1});
@@ -85,7 +85,7 @@ TEST_CASE("edge_exactly_through_an_edge_or_vertex_is_a_crossing") {
 }
 
 TEST_CASE("touching_is_not_a_crossing") {
-  // A vertex on a face. Two boxes that touch at an edge, and at a part of a face.
+  // First a triangle with a vertex on the face of another triangle, then two cubes that touch at an edge.
   CHECK(self_intersecting_triangles(
             from_triangles({{0, 0, 0}, {4, 0, 0}, {0, 4, 0}, {1, 1, 0}, {1, 2, 3}, {2, 1, 3}},
                            {{0, 1, 2}, {3, 4, 5}}))

@@ -92,7 +92,7 @@ TEST_CASE("rotation_rotates_normals_that_lean_from_their_faces") {
 
 namespace {
 
-// Rotates a point by 90 degrees about x, and moves it.
+// Rotates a point by 90 degrees about x, then moves the point along x.
 Point turned_about_x(const Point& p) {
   return {p[0] + 1, -p[2], p[1]};
 }
@@ -117,7 +117,7 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   for (const auto& t : deformed_tangents(points, turned(points.positions), normals, {}, every_vertex(points)))
     CHECK(near(t, is_then));
 
-  Surface line;  // along y: the rotation about the line is undetermined
+  Surface line;  // a line along y: the rotation about the line is undetermined
   line.positions = {{0, 0, 0}, {0, 1, 0}, {0, 3, 0}};
   for (const auto& n :
        deformed_normals(line, turned(line.positions), std::vector<Vec3>(3, up), {}, every_vertex(line)))
@@ -134,7 +134,7 @@ TEST_CASE("normals_without_triangles_rotate_with_nearby_geometry") {
   for (const auto& n : deformed_normals(mixed, now, std::vector<Vec3>(2, up), a_face_each))
     CHECK(near(n, is_then));
 
-  // The face has a corner in the middle of a side.
+  // A face with a corner in the middle of a side.
   Surface side;
   side.positions = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}};
   side.corners = {0, 1, 2, 3, 4};

@@ -67,7 +67,7 @@ TEST_CASE("ties_of_nearest_points_go_to_the_lowest_index") {
   std::reverse(backwards.begin(), backwards.end());
   backwards.pop_back();
   CHECK(PointTree(points, backwards).nearest({0, 0, 0}) == 1);
-  // Many cubes with one center.
+  // The eight corners of a cube, 50 times each.
   points.clear();
   for (int i = 0; i < 400; ++i) points.push_back({i & 1 ? 1.0 : -1, i & 2 ? 1.0 : -1, i & 4 ? 1.0 : -1});
   CHECK(PointTree(points, every(points.size(), 1)).nearest({0, 0, 0}) == 0);

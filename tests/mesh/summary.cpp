@@ -159,7 +159,7 @@ TEST_CASE("unused_vertices_and_several_parts_do_not_disturb_the_genus") {
 TEST_CASE("non_manifolds_have_no_topology") {
   const std::vector<Point> p = {{0, 0, 0},  {1, 0, 0},  {0, 1, 0}, {0, 0, 1},
                                 {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}};
-  // Two closed parts with a common vertex. Tests every order of their triangles.
+  // Two closed parts with a common vertex. The triangles are tested in several orders.
   std::vector<Triangle> order = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3},
                                  {0, 4, 5}, {0, 5, 6}, {0, 6, 4}, {4, 6, 5}};
   for (int turn = 0; turn < 8; ++turn) {

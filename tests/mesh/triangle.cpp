@@ -94,7 +94,7 @@ TEST_CASE("has_area_is_false_only_up_to_rounding_at_every_scale") {
 
 namespace {
 
-// Returns six times the volume. Computes in integers; coordinates are below 2^20.
+// Returns six times the signed volume, exactly. Coordinates must be integers below 2^20.
 __int128 volume_of(const Point& a, const Point& b, const Point& c, const Point& d) {
   __int128 m[3][3];
   for (int k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
   std::uniform_int_distribution<int> small(-3, 3), large(-(1 << 19), 1 << 19);
   int zeros = 0;
   for (int i = 0; i < 20000; ++i) {
-    // The points are in a plane with two large directions. One point is off the plane by at most one unit.
+    // Point d is in the plane of a, b and c. Then one coordinate of d changes by at most 1.
     Point a, u, v, b, c, d;
     const int s = small(random), t = small(random);
     for (int k = 0; k < 3; ++k) {
@@ -137,7 +137,7 @@ TEST_CASE("orientation_is_exact_for_almost_coplanar_points") {
 }
 
 TEST_CASE("orientation_is_exact_where_rounding_decides") {
-  // The coordinates are near 0.5, in steps of half an ulp. The determinant is a product of two ulps.
+  // The coordinates of p are near 0.5, in steps of e. The determinant 12 * (j - i) * e is tiny.
   const double e = 0x1p-53;
   for (int i = -8; i <= 8; ++i) {
     for (int j = -8; j <= 8; ++j) {
@@ -245,7 +245,7 @@ TEST_CASE("triangle_distance_agrees_with_sampling") {
   const Corners t = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}};
   CHECK(squared_distance(t, {{{0.2, 0.2, 2}, {5, 5, 9}, {5, 6, 9}}}) == 4);
   CHECK(squared_distance(t, {{{3, 0, 0}, {3, 0, 0}, {3, 0, 0}}}) == 4);               // a point
-  CHECK(squared_distance(t, {{{0.5, -1, 1}, {0.5, 2, 1}, {0.5, 0, 1}}}) == 1);        // a segment above it
-  CHECK(squared_distance(t, {{{0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.3, 0.3, 9}}}) == 0);  // a segment through it
+  CHECK(squared_distance(t, {{{0.5, -1, 1}, {0.5, 2, 1}, {0.5, 0, 1}}}) == 1);        // a segment above t
+  CHECK(squared_distance(t, {{{0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.3, 0.3, 9}}}) == 0);  // a segment through t
   CHECK(squared_distance({{{0.3, 0.3, 1}, {0.3, 0.3, -1}, {0.3, 0.3, 9}}}, t) == 0);
 }

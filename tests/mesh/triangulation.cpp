@@ -38,14 +38,14 @@ Ring polar(std::size_t n, const Radius& radius) {
 
 const Ring dart = flat({2, 0, 1, 0.5, 0, 0, 1, 1.5});
 const Ring u_shape = flat({0, 0, 6, 0, 6, 4, 4, 4, 4, 1.5, 2, 1.5, 2, 4, 0, 4});
-// A square with a square hole. A bridge connects the hole with the outer boundary, and is used twice.
+// A square with a square hole. The ring uses the bridge between boundary and hole in both directions.
 const Ring keyhole = flat({0, 0, 4, 0, 4, 4, 0, 4, 0, 0, 1, 1, 1, 3, 3, 3, 3, 1, 1, 1});
 
 Ring star(std::size_t n) {
   return polar(n, [](std::size_t i) { return i % 2 ? 1.0 : 10.0; });
 }
 
-// Returns a comb with overhanging teeth. From most corners, most other corners are not visible.
+// Returns a comb with overhanging teeth. Most corners cannot see most other corners.
 Ring comb(int teeth) {
   Ring ring = flat({0, -1, 3.0 * teeth, -1});
   for (int i = teeth; i-- > 0;) {
@@ -78,7 +78,7 @@ Ring with_more_corners(const Ring& ring) {
   return more;
 }
 
-// Transforms the ring by integers. Points that are planar or collinear stay exactly planar or collinear.
+// Transforms the ring by an integer matrix. Planar or collinear points stay exactly planar or collinear.
 Ring onto_a_slope(const Ring& ring) {
   Ring turned;
   for (const Point& p : ring)
@@ -191,7 +191,7 @@ TEST_CASE("only_repeated_corners_make_triangles_without_area") {
 }
 
 TEST_CASE("polygons_that_touch_themselves_are_covered") {
-  // Two bridges from one corner, a hole that touches a side, and a slit.
+  // Two bridges from one corner; a hole that touches a side; a slit; two corners that touch.
   const Ring two_bridges =
       flat({0, 0, 9, 0, 9, 9, 0, 9, 0, 0, 1, 5, 2, 6, 2, 5, 1, 5, 0, 0, 4, 2, 5, 3, 6, 2, 4, 2});
   const Ring hole_at_side = flat({0, 0, 4, 0, 4, 4, 2, 4, 3, 2, 1, 2, 2, 4, 0, 4});
