@@ -127,6 +127,7 @@ std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surf
   std::vector<std::uint32_t> of_vertex(surface.positions.size(), mesh::none);
   for (std::size_t c = 0; c < of_corner.size(); ++c) {
     std::uint32_t& at = of_vertex[surface.corners[c]];
+    if (of_corner[c] == mesh::none) continue;
     if (at != mesh::none && of_corner[c] != at) return std::nullopt;
     at = of_corner[c];
   }

@@ -137,6 +137,7 @@ void write_mesh(const std::filesystem::path& file, const Mesh& mesh, std::vector
   const bool same = content && content->surface.positions.size() == mesh.vertices.size() &&
                     content->surface.corners == mesh.corners &&
                     content->surface.polygon_starts == mesh.starts;
+  if (notes) notes->clear();
   if (!same) return formats::write(file, surface);
   auto losses = formats::write(file, {content->surface, surface.positions, {}, content->attributes.get()},
                                content->original.get(), {});
