@@ -18,7 +18,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// Unit quaternions. The scalar part w is the first component.
 template <class V>
 struct Quaternion {
   V w, x, y, z;
@@ -108,8 +107,8 @@ static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
 }
 
-/// Rotates the vector u by w without the matrix. Returns u + 2 c s w x u + 2 s^2 w x (w x u) with the cosine
-/// c and sine s of HalfAngle. V is one register or Two.
+/// Rotates the vector u by the rotation vector w without a matrix. Returns u + 2 c s * cross(w, u) + 2 s^2 *
+/// cross(w, cross(w, u)), where c and s are the cosine and sine of HalfAngle. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
@@ -144,7 +143,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// Returns the first nonzero number of q. If this number is positive, the rotation angle is at most pi.
+/// Returns the first nonzero component of q. If this component is positive, the rotation angle is at most pi.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);
