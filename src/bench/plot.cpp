@@ -89,7 +89,7 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 
 namespace {
 
-constexpr double plot_width = 400, letter = 7.7;  // `letter` is wider than most letters
+constexpr double plot_width = 400, letter = 7.7;  // `letter`: assumed width of a letter
 constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
@@ -139,7 +139,6 @@ void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
   }
 }
 
-/// Maps values to pixels.
 struct Scale {
   bool logarithmic;
   double low, high, from, to;  ///< low and high are values or logarithms; from and to are pixels

@@ -63,7 +63,8 @@ std::string processor_name();
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints whether `measured` is at least (or at most) `bar`, and adds a row.
+  /// Prints whether `measured` meets the limit `bar` (an upper limit, if `at_least` is false), and adds a
+  /// row.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 
