@@ -102,7 +102,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Returns the number just below x whose product with a number of T is closest to 1. f(0) is then about 1.
+/// Returns a number just below x whose product with a number of T is closest to 1. Then f(0) is about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -142,7 +142,7 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// Returns the polynomial whose derivative is minimax. Rounds its coefficients.
+/// Computes and checks the polynomial whose derivative is minimax.
 template <class T>
 void exponential_with_derivative(double error, double derivative_error) {
   using C = ExpDerivativeTables<T>;
