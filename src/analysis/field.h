@@ -68,7 +68,7 @@ struct FieldEntry {
   std::string_view unit{};  ///< displayed after the title, for example "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< true: 0 is the value at rest and has the middle colour
+  bool symmetric = false;  ///< true if 0 is the value at rest and has the middle colour
   double least_range = 1;  ///< smallest range of the colours
   double floor = 0;        ///< smaller values count as this value before taking logarithms
   bool worst_is_least = false;
@@ -84,8 +84,8 @@ struct FieldStats {
   double least = 0, median = 0, most = 0;    ///< of all finite values
   std::uint32_t worst = 0;                   ///< vertex of the largest value (smallest if worst_is_least)
   bool is_nan = false;                       ///< true if a value is NaN
-  /// The values of the first and the last colour. At most 0.5 % of the values are below low, and at most 0.5
-  /// % above high.
+  /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most
+  /// 0.5 % are above `high`.
   double low = 0, high = 1;
   std::array<std::uint32_t, 48> counts{};  ///< histogram: number of vertices per interval from low to high
 };
@@ -99,6 +99,7 @@ FieldValues measure(Field field, const FieldInput& input);
 /// Recomputes the histogram from stats.low and stats.high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 
+/// Formats a value in stored form for display: "1.25 x", "3.2 %".
 std::string text(Field field, double value);
 
 }  // namespace viete::analysis

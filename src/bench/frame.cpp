@@ -38,7 +38,7 @@ using namespace frame_names;
 using deform::Link;
 using sym3::Method;
 
-/// A limit for time of `over` / time of `under`.
+/// A limit for the ratio: time of `over` / time of `under`.
 struct RatioBar {
   const char* over;
   std::size_t over_faces;
@@ -97,15 +97,14 @@ struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
+  std::function<deform::LinkTimes()> links;  ///< times of the stages (deform::Link) of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                     ///< number of bytes that one frame reads
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// Fills the caches as in a drag. A long frame overwrites the caches, so one is sufficient; short frames
-// repeat.
+// Fills the caches as in a drag. A long frame overwrites the caches, so a long frame runs only once.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;
@@ -113,7 +112,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// The processor time with several threads is the time of the slowest thread.
+// With several threads, the processor time is the time of the slowest thread.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();

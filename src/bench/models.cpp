@@ -36,8 +36,8 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Adds point by point: triangles visible from the point are replaced by triangles from their rim to the
-// point.
+// Adds one point after the other. Removes all triangles visible from the point, and fills the hole with
+// triangles between the point and the rim.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -66,7 +66,7 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
 }
 
 // Returns a radius for each direction. If w are the coefficients of a vertex (see in_cone()), the triangle
-// encloses the vertex when its corners are scaled by w_0 + w_1 + w_2 or more.
+// encloses the vertex when the corners are scaled by w_0 + w_1 + w_2 or more.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {

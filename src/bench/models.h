@@ -45,8 +45,8 @@ std::string without_prefix(const std::string& name, const std::string& prefix);
 /// Divides each triangle into four at the midpoints of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);
 
-/// Returns a closed cage of `faces` triangles (even, at least 8). Its corners lie in directions spread evenly
-/// over the sphere, each at the smallest distance that encloses the model, plus 6 %.
+/// Returns a closed cage of `faces` triangles (even, at least 8). The corners of the cage lie in directions
+/// spread evenly over the sphere, each at the smallest distance that encloses the model, plus 6 %.
 mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces);
 
 /// Returns a pose of the cage: twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and
@@ -77,8 +77,8 @@ public:
   const std::vector<double>& vertex_shares() const { return shares_; }
 
   Distortion distortion(std::span<const mesh::Point> positions) const;
-  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of 3
-  /// |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle. |e|
+  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of
+  /// 3 |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle. |e|
   /// is the length of the edge and A the area of the two triangles, both at rest. For smooth bending, the
   /// energy hardly depends on the resolution; for kinks, it grows with the resolution.
   double bending(std::span<const mesh::Point> positions) const;

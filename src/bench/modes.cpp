@@ -182,8 +182,7 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures stitched schemes by the fused binding, others in double. Keeps one staged binding, because it is
-  // large.
+  // Measures stitched schemes by the fused binding, others in double. Keeps only one (large) staged binding.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {

@@ -38,8 +38,8 @@ struct ShapeQuality {
   double volume = 1;          ///< relative to rest; NaN if the model encloses no volume
   double gap = 0;             ///< see bench::gap()
   double torn = 0;            ///< see bench::torn()
-  /// The value divided by the value of mean value coordinates in this run. NaN if the divisor is nearly 0 or
-  /// unknown.
+  /// `energy`, `bending` and `torn`, divided by the same number of mean value coordinates in this run. NaN if
+  /// the divisor is nearly 0 or unknown.
   double energy_ratio = NAN, bending_ratio = NAN, torn_ratio = NAN;
 };
 
@@ -85,8 +85,9 @@ double deviation(const WholePose& pose, const deform::Cage& cage, std::span<cons
                  const Deform& deform);
 
 /// Moves one cage vertex along its normal by a tenth of the cage's diagonal. Takes the median motion of all
-/// model vertices that were more than a quarter of the diagonal away from it. Returns the median of these
-/// medians over at most 8 cage vertices, in diagonals. If no model vertex is that far away, returns NaN.
+/// model vertices that were more than a quarter of the diagonal away from this cage vertex. Returns the
+/// median of these medians over at most 8 cage vertices, in diagonals. If no model vertex is that far away,
+/// returns NaN.
 double leak(const deform::Cage& cage, std::span<const mesh::Point> model, const Deform& deform);
 
 /// A point of the cage's surface: a triangle and barycentric coordinates.
@@ -102,10 +103,10 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
-/// Returns pairs of vertices that are near but not connected. If the vertices belong to different parts, they
-/// must be within 1 % of the model's diagonal (vertices at one place count as one). If they belong to one
-/// part, they must be within 0.1 %, and no path of edges shorter than 1 % joins them. The model must have a
-/// triangle. In large models, only 20,000 evenly chosen vertices are compared with all other vertices.
+/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one. In
+/// different parts, the distance must be at most 1 % of the model's diagonal. In one part, the distance must
+/// be at most 0.1 %, and no path of edges below 1 % may join the vertices. The model must have a triangle. In
+/// large models, only 20,000 evenly chosen vertices are compared with all other vertices.
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model);
 /// Returns the largest change of a pair's distance, in diagonals of the model at rest. Returns 0 if there are
 /// no pairs.

@@ -12,8 +12,8 @@
 
 namespace viete::bench {
 
-/// Returns a paragraph of the class `kind`, or without class if `kind` is empty. All functions here return
-/// well-formed XML: values are escaped, and elements are closed.
+/// Returns a paragraph of the class `kind`, or without class if `kind` is empty. paragraph(), html() and
+/// figure() return well-formed XML: values are escaped, and elements are closed.
 std::string paragraph(std::string_view text, std::string_view kind = "");
 /// Returns a table that scrolls on narrow pages.
 std::string html(const Table& table);
@@ -28,7 +28,7 @@ struct Section {
   std::string body;  ///< drawings and tables in HTML
   std::vector<std::string> commands;
 };
-/// Returns the paper's three figures and its claims, then the new figures.
+/// Returns sections for the paper's three figures and claims, then sections for the new figures.
 std::vector<Section> sections_of(const Figures& figures);
 
 /// Returns the main results as tiles: values with their descriptions.

@@ -62,7 +62,7 @@ Vec3<double> turn_of(const AffineLog& log) {
 
 namespace {
 
-// Returns the binary exponent of the largest absolute weight. If it is 0 or not finite, returns 0.
+// Returns the binary exponent of the largest absolute weight. If this weight is 0 or not finite, returns 0.
 int exponent_of(std::span<const double> weights) {
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));

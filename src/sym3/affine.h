@@ -1,7 +1,7 @@
 // Logarithm, exponential, weighted sums, interpolation and means of affine maps.
 //
 // The functions add and scale the logarithms of maps (M. Alexa, Linear combination of transformations, 2002).
-// If a map has no translation, its logarithm has exactly none. For precision and range see general.h and
+// If a map has no translation, its logarithm has no translation. For precision and range see general.h and
 // translation_log.h.
 //
 // A map has no logarithm if its linear part has none, see has_log(). Such a map mirrors or is flat, or it
@@ -10,8 +10,8 @@
 // throw.
 //
 // combine() does not depend on the order of the maps. If all maps are inverted, the result is inverted. If
-// each map A becomes C A C^-1, the result R becomes C R C^-1: no coordinate system is special. For
-// interpolate() and mean(), if each map A becomes C A D, the result R becomes C R D.
+// each map A becomes C A C^-1, the result R becomes C R C^-1. Therefore the choice of coordinates does not
+// matter. For interpolate() and mean(), if each map A becomes C A D, the result R becomes C R D.
 #pragma once
 
 #include <span>
@@ -45,8 +45,8 @@ Affine inverse(const Affine& a);
 /// and the translation phi(L)^-1 l. For phi see translation_log.h.
 AffineLog log_affine(const Affine& map);
 /// Like log_affine(map), but with L = log_near(M, near): the branch nearest to the rotation vector `near`. To
-/// follow a motion, pass turn_of() the previous logarithm. If the rotation is close to 360, 720 ... degrees,
-/// the translation part is approximate and bounded.
+/// follow a motion, pass turn_of() of the previous logarithm as `near`. If the rotation is close to 360, 720
+/// ... degrees, the translation part is approximate and bounded.
 AffineLog log_affine(const Affine& map, const Vec3<double>& near);
 
 /// Returns the map with the linear part e^L and the translation phi(L) l, where L and l are the parts of
@@ -57,24 +57,23 @@ Affine exp_affine(const AffineLog& log);
 /// its length is the angle.
 Vec3<double> turn_of(const AffineLog& log);
 
-/// Returns the sum of weights[i] * logs[i]. The sizes must be equal. The weights may have any sum.
+/// Returns the sum of weights[i] * logs[i]. Both arrays must have equal sizes. The weights may have any sum.
 AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights);
 
-/// Returns exp(sum of weights[i] * log(maps[i])) with principal logarithms. The sizes must be equal. If the
-/// weights sum to 1, the result approximates mean(). Other sums are allowed: combine({A}, {0.5}) is the
-/// square root of A. To choose branches, use log_affine() and weighted_sum().
+/// Returns exp(sum of weights[i] * log(maps[i])) with principal logarithms. Both arrays must have equal
+/// sizes. If the weights sum to 1, the result approximates mean(). Other sums are allowed: combine({A},
+/// {0.5}) is the square root of A. To choose branches, use log_affine() and weighted_sum().
 Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 
-/// Returns A exp(t log(A^-1 B)) for any t, also outside [0, 1]. At t = 0 the result is exactly A. At t = 1 it
-/// is B up to rounding; if A^-1 B has no logarithm, it is not B. If A has no inverse, the result is not
-/// finite.
+/// Returns A exp(t log(A^-1 B)) for any t, also outside [0, 1]. At t = 0 the result is exactly A. At t = 1
+/// the result is B up to rounding, if A^-1 B has a logarithm. If A has no inverse, the result is not finite.
 Affine interpolate(const Affine& a, const Affine& b, double t);
 /// Like interpolate() above, but uses the branch of log(A^-1 B) nearest to the rotation vector `near`. `near`
 /// may have more than one turn.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights is sum * 2^shift, without overflow or underflow. If it is 0 up to rounding, `sum` is
-/// exactly 0.
+/// The sum of weights is sum * 2^shift; the shift avoids overflow and underflow. If the sum of weights is 0
+/// up to rounding, `sum` is exactly 0.
 struct WeightSum {
   int shift;
   double sum;
@@ -90,8 +89,8 @@ struct AffineMean {
 /// 2006): the sum of weights[i] * log(m^-1 maps[i]) is 0. Requires at least one map, and one weight for each
 /// map. Only the ratios of the weights matter. The computation starts at the map with the largest weight (the
 /// smallest, if the sum of weights is negative). It takes at most 200 steps.
-/// If the steps do not converge, `converged` is false and `map` is the last iterate. This is possible for
-/// maps half a turn apart, if a map has no inverse, or if the weights sum to 0 up to rounding.
+/// If the steps do not converge, `converged` is false and `map` is the last iterate. Possible reasons: maps
+/// half a turn apart, a map without inverse, or weights whose sum is 0 up to rounding.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);
 
 }  // namespace viete::sym3

@@ -154,8 +154,8 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Copies items [i, i + count) one by one between a view and `rows`: entry k of item i + j is rows[k * stride
-/// + j].
+/// Copies items [i, i + count) one by one between a view and `rows`. rows[k * stride + j] is entry k of item
+/// i + j.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {

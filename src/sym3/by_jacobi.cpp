@@ -80,8 +80,8 @@ double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Returns entry (i, j) of exp'(S)[E]: the sum of slope * component of E (`direction`) over pairs of
-/// eigenvectors.
+/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. Each pair of axes adds its slope
+/// times its component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -208,8 +208,8 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
   return sum.hi;
 }
 
-/// Takes a Newton step to make R^T M = U symmetric. A small rotation w changes the asymmetry by (tr(U) I - U)
-/// w.
+/// Takes a Newton step to make U = R^T M symmetric. A rotation by a small vector w changes the asymmetry by
+/// (tr(U) I - U) w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
   const auto r = to_matrix(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
@@ -295,8 +295,8 @@ Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) 
   return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
 }
 
-/// Returns true if S is close to I, so that S - I is exact. Then log1p of the eigenvalues of S - I is more
-/// exact.
+/// Returns true if S is so close to I that S - I is exact. Then log1p of the eigenvalues of S - I is more
+/// accurate than log of the eigenvalues of S.
 bool is_near_identity(const Sym3<double>& s) {
   const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
   const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
@@ -323,7 +323,7 @@ Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
 }
 
-/// Negative eigenvalues above this number * largest entry count as rounding errors of S, and their root is 0.
+/// Negative eigenvalues above this number * largest entry are rounding errors. sqrt uses 0 instead.
 template <class T>
 constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
 

@@ -40,8 +40,7 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Returns a tiny positive number that avoids divisions by 0. 1 plus this number is 1. Its square is in
-/// range.
+/// Returns a tiny positive number that avoids divisions by 0. 1 plus this number is 1. Its square is not 0.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;

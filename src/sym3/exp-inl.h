@@ -69,7 +69,7 @@ struct Coefficients {
 };
 
 /// Computes the recurrence at the top of this file. `a` has the coefficients of f; the last coefficient must
-/// be 1. Each step waits for the result of the previous step. beside(step, z2) does other work in this time.
+/// be 1. Each step waits for the result of the previous step. In this time, beside(step, z2) does other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -226,8 +226,8 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
 }
 
 /// Returns exp of any input. Each lane computes exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p
-/// to p_limit or below, then multiplies by e^mean. The code squares the matrix, not the coefficients z:
-/// through them, a rounding error of q would cause an error of u * spread^2. With the matrix, the error is
+/// to p_limit or below, then multiplies by e^mean. The code squares the matrix, not the coefficients z. With
+/// coefficients, a rounding error of q would cause an error of u * spread^2. With the matrix, the error is
 /// proportional to the spread. Lanes with is_quick() use the steps of exp_quick(), so that results do not
 /// depend on other lanes.
 /// Some lanes use Jacobi's method one by one: after overflow or too many squarings, and for NaN, infinities

@@ -9,17 +9,17 @@
 // For bounds and special values see derivative.h. exp_value() has the error bounds of sym3::exp but other
 // bits, because it uses another polynomial.
 //
-// The code differentiates the algorithm of exp-inl.h. Let t = tr E / 3, so that E - t I has trace zero, and C
-// = adj A:
+// The code differentiates the algorithm of exp-inl.h. Let t = tr E / 3 and C = adj A. Then E - t I has trace
+// zero, and
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S).
 // The coefficient z_k is the sum of a_{n+k} h_n over n, where h_n are the coefficients of the power series of
-// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore dz_k =
-// u_k dp + u_{k+1} dq. A second recurrence gives u_k, which does not depend on E:
+// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore
+// dz_k = u_k dp + u_{k+1} dq. A second recurrence gives u_k, which does not depend on E:
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
 // The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The
-// derivative of the polynomial is close to exp, see exp_tables.h. A squaring replaces f by f f, and f' by f
-// f' + f' f.
+// derivative of the polynomial is close to exp, see exp_tables.h. A squaring replaces f by f f, and f' by
+// f f' + f' f.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H

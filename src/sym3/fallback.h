@@ -15,15 +15,15 @@ namespace viete::sym3 {
 void exp_by_jacobi(const double* in, double* out);
 void exp_by_jacobi(const float* in, float* out);
 
-/// Computes exp'(S)[E]. `in` has six numbers of S, then six of E. The error is at most 16 u |E| e^(largest
-/// eigenvalue). Otherwise works like exp_by_jacobi().
+/// Computes exp'(S)[E]. `in` has six numbers of S, then six of E. The error is at most 16 u |E| e^x, where x
+/// is the largest eigenvalue. Otherwise works like exp_by_jacobi().
 void exp_derivative_by_jacobi(const double* in, double* out);
 void exp_derivative_by_jacobi(const float* in, float* out);
 
 // These functions use Jacobi's method in double, in about 0.5 us. If eigenvalues differ by more than a factor
-// of about 8 to 16, they use double-double, in 2.5 us. The relative error in the Frobenius norm is at most 24
-// u in double, even for small log S, and 1.5 u with u = 2^-24 in float. This holds for condition numbers up
-// to 1e15 and any gaps between eigenvalues. For NaN see log.h.
+// of about 8 to 16, the functions use double-double, in 2.5 us. The relative error in the Frobenius norm is
+// at most 24 u in double, even for small log S. In float it is at most 1.5 u with u = 2^-24. This holds for
+// condition numbers up to 1e15 and any gaps between eigenvalues. For NaN see log.h.
 void log_by_jacobi(const double* in, double* out);
 void log_by_jacobi(const float* in, float* out);
 void sqrt_by_jacobi(const double* in, double* out);

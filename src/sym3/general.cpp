@@ -22,7 +22,7 @@ constexpr double flattest = 1e-12;
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
-// If L is larger, exp_general() tries eigenvalues first, because squarings lose digits.
+// If the norm of L is larger, exp_general() tries eigenvalues first, because squarings lose digits.
 constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
@@ -107,8 +107,7 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// Returns true if eigenvalues differ by at most about 13 %. Then the series of log M in M / mean - I
-// converges.
+// Returns true if eigenvalues differ by at most about 13 %. Then the series of log in M / mean - I converges.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
@@ -126,8 +125,7 @@ Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   return l;
 }
 
-// M = A T A, where A = `axes` is symmetric and orthogonal. T has the eigenvalue t[0] and a 2x2 block: t[3] =
-// t[6] = 0.
+// M = A T A, where A = `axes` is symmetric and orthogonal. In T, t[3] = t[6] = 0: t[0] is an eigenvalue.
 struct Deflated {
   Mat3<double> axes, t;
 };
@@ -142,8 +140,7 @@ Mat3<double> reflection(const Vec3<double>& v) {
   return m;
 }
 
-// Returns an approximate eigenvector of an eigenvalue: the longest cross product of two rows of M - value *
-// I.
+// Returns an approximate eigenvector for `value`: the longest cross product of two rows of M - value * I.
 Vec3<double> eigenvector(Mat3<double> m, double value) {
   add_to_diagonal(m, -value);
   const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
@@ -199,7 +196,7 @@ struct Pair {
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// f(T) for a function f: `single` for the eigenvalue t[0], and mean + slope * (B - middle) for the 2x2 block
+// The value f(T) of a function: `single` for eigenvalue t[0], mean + slope * (B - middle) for the 2x2 block
 // B. `difference` is single - mean.
 struct Values {
   double single, mean, slope, difference;
@@ -305,7 +302,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
 
-// `m` is M / e^shift. Powers of its entries neither overflow nor underflow.
+// `m` is M / e^shift. Powers of the entries of `m` neither overflow nor underflow.
 struct InRange {
   Mat3<double> m;
   double shift;
@@ -383,7 +380,7 @@ bool is_sum(const Split& s) {
 
 // With v = angle * n, the squared distance of (angle + 2 pi k) * n from the reference is a parabola in k. Its
 // minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch. If v is nearly 0,
-// rounding decides its direction. Then a long reference defines the axis.
+// rounding decides the direction of v. Then a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
   // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;

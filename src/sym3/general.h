@@ -16,12 +16,13 @@ namespace viete::sym3 {
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// Returns the principal logarithm of M: the real L with exp(L) = M whose eigenvalues have imaginary parts
-/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the bound is 6 u
-/// (1 + k) |exact|. If M is symmetric, L is also symmetric.
-/// In these cases the result is the bounded sum X + Y of log_polar(): det M <= 0 or an eigenvalue is
-/// negative, so M has no logarithm; or a stretch is below 1e-11 of another, or eigenvalues rotate by 180
-/// degrees up to 1e-7. If rotation and stretch commute, as in all rotations and similarities, X + Y is log M.
-/// Otherwise has_log() is false. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
+/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, 6 replaces the
+/// factor 32. If M is symmetric, L is also symmetric.
+/// In these cases the result is X + Y of log_polar(), which is bounded:
+///   - If det M <= 0 or an eigenvalue is negative, M has no logarithm.
+///   - If a stretch is below 1e-11 of another, or an angle is 180 degrees up to 1e-7, log M is unreliable.
+/// If rotation and stretch commute, as in rotations and similarities, X + Y is log M. Otherwise has_log() is
+/// false. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// Returns true if exp_general(log_general(M)) is M up to rounding.
@@ -44,7 +45,8 @@ struct PolarLog {
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// Returns the logarithm of M on the branch nearest to Y = parts.turn, which may have any number of whole
-/// turns. Use it to blend maps: if their rotations Y are coherent, their logarithms are also coherent.
+/// turns. Use bounded_log() to blend maps: if the rotations Y of the maps are coherent, the logarithms are
+/// also coherent.
 /// Near matrices that rotate by 180 degrees and stretch perpendicular to the axis, log M is unbounded.
 /// Therefore the result changes from log M to X + Y while |log M| grows from two to four times |X| + |Y|
 /// (Frobenius norms). If a rotation of more than 180 degrees has no well-defined plane, the result is X + Y.

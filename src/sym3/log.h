@@ -3,9 +3,9 @@
 // The functions use eigenvalues in closed form and divided differences (spectral-inl.h). A single call takes
 // 70 to 120 ns; in a batch each matrix takes about 10 ns. u is 2^-53 for double and 2^-24 for float; k is the
 // condition number: the largest divided by the smallest eigenvalue. The error relative to the norm of the
-// result is, for any distance of the eigenvalues:
+// result is, for any gaps between eigenvalues:
 //   log        <= 6 u max(1, k / |log S|); <= 16 u for k up to 10
-//   sqrt       <= 6 u sqrt k
+//   sqrt       <= 6 u sqrt(k)
 //   inv_sqrt   <= 8 u k
 //   pow        <= 8 u (|p| k + 1 + |p log S|), for results in the normal range
 // If k is above 2^33 (float 2^12), or an eigenvalue is outside 1e-80 .. 1e80 (float 1e-9 .. 1e9), log and the

@@ -87,15 +87,14 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   }
 }
 
-/// `r` is valid in lanes that are `ok`: there, s2 + s3 (polar.h) is not small relative to s1.
+/// `r` is valid in lanes of `ok`. In these lanes, s2 + s3 (polar.h) is not small relative to s1.
 template <class D, class V = hn::Vec<D>>
 struct Rotations {
   Nine<V> r;
   hn::Mask<D> ok;
 };
 
-/// Returns the rotation of m. k are the cofactors of m, n is its squared norm, and x is the trace of its
-/// stretch.
+/// Returns the rotation of `m` from its cofactors `k`, its squared norm `n` and the trace `x` of its stretch.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const Nine<V>& k, V n, V x) {
   using T = hn::TFromD<D>;
@@ -137,8 +136,7 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
   for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
-/// Returns the symmetric part of R^T M. Halves terms before it adds them, so that large entries do not
-/// overflow.
+/// Returns the symmetric part of R^T M. Halves terms before adding them: large entries do not overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));

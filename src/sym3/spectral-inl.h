@@ -3,11 +3,12 @@
 //
 // S = m I + s B, where m is the mean eigenvalue and B has trace zero. The power of two s makes the largest
 // entry of B about 1. For p, q and C = adj B see exp-inl.h. Let g^2 = p / 3, and let 3 t be the argument of
-// the complex number |q| + i sqrt(D / 27). The eigenvalues of B, times the sign of q, are
+// the complex number |q| + i sqrt(D / 27), where D is the discriminant of B. The eigenvalues of B, times the
+// sign of q, are
 //   2 g cos t   and   -g (cos t -+ sqrt(3) sin t).
-// The code computes the discriminant D as a sum of squares of minors of (I, B, C). It subtracts no close
-// numbers, so close eigenvalues are as accurate as others. Errors are relative to the largest eigenvalue. For
-// the eigenvalues a, b and c of B, Newton's form is
+// The code computes D as a sum of squares of minors of (I, B, C). This sum subtracts no close numbers, so
+// close eigenvalues are as accurate as others. Errors are relative to the largest eigenvalue. For the
+// eigenvalues a, b and c of B, Newton's form is
 //   f(B) = f(b) I + f[b,c] (B - b I) + f[a,b,c] (B - b I)(B - c I) = z0 I + z1 B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
@@ -52,17 +53,15 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
 
 /// Returns 4/3 of the discriminant D of B, as a sum of squares.
 ///
-/// D is the product of the squared differences of the eigenvalues. It is equal to the Gram determinant of (I,
-/// B, B^2) for the inner product tr(X Y), and also of (I, B, C), because C = B^2 - p I. B and C' = C - (tr C
-/// / 3) I are orthogonal to I, and tr(I I) = 3. Therefore D = 3 (|B|^2 |C'|^2 - tr(B C')^2). By Lagrange's
-/// identity, D is 3 times the sum of all (b_i c_j - b_j c_i)^2 with i < j. Here b_i and c_i are the
-/// coordinates of B and C' in an orthonormal basis of the matrices with trace zero:
+/// D is the product of the squared differences of the eigenvalues. It equals the Gram determinant of
+/// (I, B, B^2) for the inner product tr(X Y), and also of (I, B, C), because C = B^2 - p I. B and
+/// C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) = 3. Therefore D = 3 (|B|^2 |C'|^2 - tr(B C')^2).
+/// By Lagrange's identity, D is 3 times the sum of all (b_i c_j - b_j c_i)^2 with i < j. Here b_i and c_i are
+/// the coordinates of B and C' in an orthonormal basis of the matrices with trace zero:
 ///   (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
-/// The code uses sqrt 2 times these coordinates.
-///
-/// The formula D = 4 p^3 - 27 q^2 would have an error of u. Its square root, the difference of close
-/// eigenvalues, would have an error of sqrt(u). Each minor has an error of u, so the square root of the sum
-/// also has an error of u.
+/// The code uses sqrt 2 times these coordinates. Each minor has an error of u, so the square root of the sum
+/// also has an error of u. The formula D = 4 p^3 - 27 q^2 also has an error of u, but then its square root
+/// has an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -113,8 +112,7 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
-/// Returns true if S is positive definite, its condition number is not too large, and nothing overflows or
-/// underflows.
+/// Returns true if S is positive definite and not badly conditioned, and nothing overflows or underflows.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -150,8 +148,8 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y) and slope = log(x / y) / (x - y) for positive normal x and y. `difference` must be an accurate
-/// x - y.
+/// log(x / y) and slope = log(x / y) / (x - y). x and y must be positive and normal. `difference` must be an
+/// accurate x - y.
 template <class V>
 struct LogRatio {
   V log, slope;

@@ -10,8 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// F::lanes() in lanes with positive definite, ordinary matrices (is_ordinary()), F::one() in all other
-/// lanes.
+/// A function of positive definite matrices: F::lanes(), or F::one() in lanes that are not ordinary.
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;

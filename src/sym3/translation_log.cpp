@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// Returns the damping factor of E (see the header): 0 at 360, 720 ... degrees, 1 outside of pole_width.
+// Returns the damping factor of E (see the header): 0 at 360, 720 ... degrees, 1 at a distance of pole_width.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -55,8 +55,8 @@ struct Powers {
   }
 };
 
-// Computes phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k and |A| <= 1/2. Then applies phi(2 A) =
-// phi(A) + A phi(A)^2 / 2, k times.
+// Computes phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k and |A| <= 1/2. Then applies
+// phi(2 A) = phi(A) + A phi(A)^2 / 2, k times.
 struct Phi {
   Mat3<double> a;
   Vec3<double> c;
@@ -121,8 +121,7 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// Returns phi(Y) x by functions of t / 2: phi(Y) = I + (1 - cos t) / t^2 * Y + (t - sin t) / t^3 * Y^2, t =
-// |y|.
+// With t = |y|, returns phi(Y) x for phi(Y) = I + (1 - cos t) / t^2 * Y + (t - sin t) / t^3 * Y^2.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,

@@ -14,8 +14,8 @@ namespace viete::sym3 {
 // and (theta / 2) cot(theta / 2) perpendicular to the axis.
 //
 // The centre of a handle moves from c to c'. If coordinates are relative to m before the motion and to m'
-// after it, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since W
-// e^L = E + L / 2, v is linear in m and m':
+// after it, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since
+// W e^L = E + L / 2, v is linear in m and m':
 //
 //     v = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
 //

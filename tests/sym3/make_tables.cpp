@@ -1,6 +1,6 @@
 // Computes the coefficients of the files *_tables.h in 113 bits, prints them, and compares them with the
-// headers. Interpolated polynomials must be exactly equal. Minimax polynomials may differ, but the error of
-// the header must be the documented error.
+// headers. Interpolated coefficients must be equal after rounding. Minimax coefficients may differ, but the
+// error of the header's polynomial must be at most the documented error.
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -102,7 +102,7 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Returns a number just below x whose product with a number of T is closest to 1. Then f(0) is about 1.
+/// Returns the number near x (below) whose product with a number of T is closest to 1. Then f(0) is about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
