@@ -70,7 +70,7 @@ struct FieldEntry {
   Scale scale = Scale::plain;
   bool symmetric = false;  ///< true if 0 is the value at rest and has the middle colour
   double least_range = 1;  ///< smallest range of the colours
-  double floor = 0;        ///< smaller values count as this value before taking logarithms
+  double floor = 0;        ///< smallest value before logarithms are taken
   bool worst_is_least = false;
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };

@@ -43,7 +43,7 @@ struct Halfway {
   /// the shape.
   nlohmann::json rows;
   std::size_t most_lost = 0;           ///< row of the shape with the smallest volume by linear interpolation
-  std::vector<ShapePicture> pictures;  ///< pictures from rest to this shape
+  std::vector<ShapePicture> pictures;  ///< pictures from rest to the shape of row `most_lost`
 };
 /// Requires one shape or more. Throws base::Cancelled.
 Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);

@@ -71,7 +71,7 @@ public:
   const std::vector<mesh::Point>& positions() const { return positions_; }
   /// Returns true if the model is closed and consistently oriented, and has a nonzero volume.
   bool encloses() const { return volume_ != 0; }
-  /// Returns the number of triangles without area. They are ignored.
+  /// Returns the number of triangles without area. All functions ignore these triangles.
   std::size_t without_area() const { return without_area_; }
   /// Returns each vertex's part of the area: a third of the triangles around the vertex. The sum is 1.
   const std::vector<double>& vertex_shares() const { return shares_; }
@@ -80,7 +80,7 @@ public:
   /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of
   /// 3 |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle. |e|
   /// is the length of the edge and A the area of the two triangles, both at rest. For smooth bending, the
-  /// energy hardly depends on the resolution; for kinks, it grows with the resolution.
+  /// energy hardly depends on the resolution; for kinks, the energy grows with the resolution.
   double bending(std::span<const mesh::Point> positions) const;
   /// Returns the volume relative to rest, or NaN if the model encloses no volume.
   double volume(std::span<const mesh::Point> positions) const;

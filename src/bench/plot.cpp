@@ -205,7 +205,7 @@ std::string value_text(double value) {
   return value < 1e-3 ? error_text(value) : base::few_digits(value);
 }
 
-/// Draws names at the ends of the curves. Moves them so that they do not overlap.
+/// Draws names at the ends of the curves. Moves names apart that would overlap.
 void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;

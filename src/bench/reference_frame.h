@@ -10,9 +10,9 @@
 namespace viete::bench {
 
 /// Computes weights by loops over vertices and cage triangles, in double. The distance to a triangle is the
-/// distance to its plane, if the nearest point of the plane is inside the triangle. Otherwise it is the
-/// distance to the nearest edge. The weight is distance^-2, divided by the sum over all triangles. Both
-/// arrays have one row for each vertex and one column for each triangle.
+/// distance to its plane, if the nearest point of the plane is inside the triangle. Otherwise the distance to
+/// the nearest edge is used. The weight is distance^-2, divided by the sum over all triangles. Both arrays
+/// have one row for each vertex and one column for each triangle.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)

@@ -83,7 +83,7 @@ bool is_finite(const AffineLog& log) {
   return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
 }
 
-// If the sum is not finite, repeats it at a smaller scale: terms can overflow although the sum is in range.
+// If the sum is not finite, adds again at a smaller scale: terms can overflow although the sum is in range.
 template <class LogOf>
 AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
   constexpr int room = 64;  // the sum can have this number of bits more than a term

@@ -8,7 +8,7 @@ namespace viete::sym3 {
 struct Kernel;
 
 /// Runs tasks, possibly in parallel. run(self, tasks, task, context) must call task(context, i) exactly once
-/// for each i < tasks, in any order and on any threads. It must return only after all these calls have
+/// for each i < tasks, in any order and on any threads. run() must return only after all these calls have
 /// returned.
 struct Executor {
   void (*run)(void* self, std::size_t tasks, void (*task)(void* context, std::size_t i), void* context);

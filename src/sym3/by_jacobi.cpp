@@ -269,7 +269,8 @@ double smallest(const Eigen3<Real>& e) {
   return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
 }
 
-/// Returns a power of two. If S is multiplied by it, Jacobi's method neither overflows nor underflows.
+/// Returns a power of two. If S is multiplied by this power, Jacobi's method neither overflows nor
+/// underflows.
 double comfortable_scale(const Sym3<double>& s) {
   const double largest = largest_entry(s);
   if (is_diagonal(s)) return 1;

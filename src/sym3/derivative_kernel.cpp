@@ -13,8 +13,8 @@ namespace viete::sym3::HWY_NAMESPACE {
 
 // log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T as in derivative.h (Daleckii and Krein 1965). The columns
 // of V must be orthonormal, and S V = V diag(eigenvalues) up to rounding. If eigenvalues are close, any basis
-// of their eigenspace is accurate, because their entries of F are also close. The eigenvalue `a` is far from
-// `b` and `c` (spectral-inl.h). Its eigenvector is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
+// of the eigenspace is accurate, because the entries of F are also close. The eigenvalue `a` is far from `b`
+// and `c` (spectral-inl.h). Its eigenvector is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
 // diagonalises the 2x2 block of `b` and `c`.
 
 /// The eigenvectors of the eigenvalues a, b and c of S, and the matrix F. This data does not depend on E.
@@ -40,7 +40,8 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Returns a tiny positive number that avoids divisions by 0. 1 plus this number is 1. Its square is not 0.
+/// Returns a number that avoids divisions by 0. The square of this number is positive, but 1 plus this number
+/// is 1.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;

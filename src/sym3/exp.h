@@ -40,8 +40,8 @@ enum class Method {
   improved_sd,
 
   /// The paper's formula with corrected misprints, without clamping and without a case for triple
-  /// eigenvalues. Only for comparison. It gives NaN for multiples of the identity, for half of all matrices
-  /// with a double eigenvalue, and for some matrices with close eigenvalues.
+  /// eigenvalues. Only for comparison. The formula gives NaN for multiples of the identity, for half of all
+  /// matrices with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 
   /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). The error is at

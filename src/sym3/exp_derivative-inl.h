@@ -142,8 +142,8 @@ template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
   hn::Mask<D> ok;        ///< lanes where is_quick() is true
-  ExpParts<V> parts;     ///< the parts of S if `ok`, otherwise of A times halvings.scale
-  Halvings<V> halvings;  ///< zero halvings if `ok`
+  ExpParts<V> parts;     ///< the parts for A if `ok`, otherwise for A * halvings.scale
+  Halvings<V> halvings;  ///< without halvings if `ok`
 };
 
 /// Like ScalarExp, but in lanes that are not `ok` the value is Table::lead.

@@ -25,7 +25,7 @@ struct DepressedCubic {
   T p, q, shift;
 };
 
-/// Returns det(x I - S) = x^3 + a x^2 + b x + c in this form, computed as in the paper. If roots are close,
+/// Converts det(x I - S) = x^3 + a x^2 + b x + c to the form above, as in the paper. If roots are close,
 /// cancellation makes p and q inaccurate.
 template <class T>
 DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {

@@ -51,7 +51,8 @@ struct ExpTables<float> {
 };
 
 /// Like ExpTables, but one degree higher, and the derivative of the polynomial is minimax. The error is 0.56
-/// u (float 0.38 u). The error of the derivative is 1.29 u (float 0.51 u); with ExpTables, it would be 100 u.
+/// u (float 0.38 u). The error of the derivative is 1.29 u (float 0.51 u); with ExpTables, this error is 100
+/// u.
 template <class T>
 struct ExpDerivativeTables;
 

@@ -1,12 +1,12 @@
-// Functions of one matrix for input that the vector code cannot process, because it is badly conditioned,
-// huge, tiny or not finite. Internal.
+// Functions of one matrix for input that the vector code cannot process: badly conditioned, huge, tiny or not
+// finite. Internal.
 #pragma once
 
 namespace viete::sym3 {
 
-// All kernels include this file, so it must not have inline functions. The linker would keep only one copy of
-// an inline function, possibly for instructions that this processor lacks. Arrays are contiguous; in == out
-// is allowed. u is 2^-53.
+// All kernels include this file, so this file must not have inline functions. The linker would keep only one
+// copy of an inline function, possibly for instructions that this processor lacks. Arrays are contiguous; in
+// == out is allowed. u is 2^-53.
 
 /// Computes exp(S) for large spreads, overflow, NaN, infinities and entries near the largest double. Uses
 /// Jacobi's method in double-double and sums each entry relative to its largest term. The relative error is
@@ -22,8 +22,8 @@ void exp_derivative_by_jacobi(const float* in, float* out);
 
 // These functions use Jacobi's method in double, in about 0.5 us. If eigenvalues differ by more than a factor
 // of about 8 to 16, the functions use double-double, in 2.5 us. The relative error in the Frobenius norm is
-// at most 24 u in double, even for small log S. In float it is at most 1.5 u with u = 2^-24. This holds for
-// condition numbers up to 1e15 and any gaps between eigenvalues. For NaN see log.h.
+// at most 24 u in double, even for small log S. In float the error is at most 1.5 u with u = 2^-24. These
+// bounds hold for condition numbers up to 1e15 and any gaps between eigenvalues. For NaN see log.h.
 void log_by_jacobi(const double* in, double* out);
 void log_by_jacobi(const float* in, float* out);
 void sqrt_by_jacobi(const double* in, double* out);

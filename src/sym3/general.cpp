@@ -378,9 +378,9 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// With v = angle * n, the squared distance of (angle + 2 pi k) * n from the reference is a parabola in k. Its
-// minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch. If v is nearly 0,
-// rounding decides the direction of v. Then a long reference defines the axis.
+// With v = angle * n and |n| = 1, the squared distance of (angle + 2 pi k) * n from the reference is a
+// parabola in k. Its minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch.
+// If v is nearly 0, rounding decides the direction of v. Then a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
   // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;

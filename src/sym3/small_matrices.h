@@ -1,5 +1,5 @@
 // Algebra of symmetric and general 3x3 matrices and vectors. Internal. Kernels must not include this file,
-// because they must not share inline functions with other code.
+// because kernels must not share inline functions with other code.
 #pragma once
 
 #include <algorithm>

@@ -53,15 +53,14 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
 
 /// Returns 4/3 of the discriminant D of B, as a sum of squares.
 ///
-/// D is the product of the squared differences of the eigenvalues. It equals the Gram determinant of
+/// D is the product of the squared differences of the eigenvalues. D is also the Gram determinant of
 /// (I, B, B^2) for the inner product tr(X Y), and also of (I, B, C), because C = B^2 - p I. B and
 /// C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) = 3. Therefore D = 3 (|B|^2 |C'|^2 - tr(B C')^2).
 /// By Lagrange's identity, D is 3 times the sum of all (b_i c_j - b_j c_i)^2 with i < j. Here b_i and c_i are
 /// the coordinates of B and C' in an orthonormal basis of the matrices with trace zero:
 ///   (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
 /// The code uses sqrt 2 times these coordinates. Each minor has an error of u, so the square root of the sum
-/// also has an error of u. The formula D = 4 p^3 - 27 q^2 also has an error of u, but then its square root
-/// has an error of sqrt(u).
+/// also has an error of u. With the formula D = 4 p^3 - 27 q^2, the root of D would have an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;

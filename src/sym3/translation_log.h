@@ -13,8 +13,8 @@ namespace viete::sym3 {
 // E is an even function of L. If L is a rotation by the angle theta, E is symmetric: E is 1 along the axis,
 // and (theta / 2) cot(theta / 2) perpendicular to the axis.
 //
-// The centre of a handle moves from c to c'. If coordinates are relative to m before the motion and to m'
-// after it, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since
+// The centre of a handle moves from c to c'. If coordinates are relative to m before and to m' after the
+// motion, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since
 // W e^L = E + L / 2, v is linear in m and m':
 //
 //     v = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
@@ -35,8 +35,8 @@ Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& turn);
 Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x);
 Vec3<double> phi_times(const Vec3<double>& turn, const Vec3<double>& x);
 
-/// Returns E x - L x / 2 with E of even_part(). Except near whole turns, this is phi(L)^-1 x. The result is
-/// always finite: if e^L overflows or L has hundreds of turns, the code may use 0 for E.
+/// Returns E x - L x / 2 with E of even_part(). Except near whole turns, the result is phi(L)^-1 x. The
+/// result is always finite: if e^L overflows or L has hundreds of turns, the code may use 0 for E.
 Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x);
 
 }  // namespace viete::sym3

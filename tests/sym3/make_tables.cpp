@@ -102,7 +102,8 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Returns the number near x (below) whose product with a number of T is closest to 1. Then f(0) is about 1.
+/// Tries 2000 numbers below x. Returns the number whose product with a number of T is closest to 1, so that
+/// f(0) is about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;

@@ -27,8 +27,8 @@ inline Quad to_quad(const sym3::DoubleDouble& x) {
   return Quad(x.hi) + Quad(x.lo);
 }
 
-/// Returns 1 / sqrt(x) with 112 bits. Computes it with 64 bits, then improves it by one Newton step. (sqrtq
-/// takes ten times as long.)
+/// Returns 1 / sqrt(x) with 112 bits. Computes with 64 bits, then improves the result by one Newton step.
+/// (sqrtq takes ten times as long.)
 inline Quad quad_inverse_root(Quad x) {
   const Quad y = 1 / std::sqrt(static_cast<long double>(x));
   return y + y * (1 - x * y * y) / 2;
