@@ -103,10 +103,10 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
-/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one. In
-/// different parts, the distance must be at most 1 % of the model's diagonal. In one part, the distance must
-/// be at most 0.1 %, and no path of edges below 1 % may join the vertices. The model must have a triangle. In
-/// large models, only 20,000 evenly chosen vertices are compared with all other vertices.
+/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one. Vertices of
+/// different parts must be at most 1 % of the model's diagonal apart. Vertices of one part must be at most
+/// 0.1 % apart, and no path of edges shorter than 1 % may join the vertices. The model must have a triangle.
+/// In large models, only 20,000 evenly chosen vertices are compared with all other vertices.
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model);
 /// Returns the largest change of a pair's distance, in diagonals of the model at rest. Returns 0 if there are
 /// no pairs.

@@ -27,8 +27,8 @@ private:
 
 /// For each element, computes the map, its polar decomposition by SVD, and the principal logarithms of
 /// stretch and rotation. In a pose, each element must have an area and rotate by less than 180 degrees. For
-/// each vertex, adds 9 + 9 + 3 numbers per cage triangle, times weights, in double. Then applies improved SD,
-/// Rodrigues' formula and the affine product. Triangles add their normals to vertices.
+/// each vertex, adds the 9 + 9 + 3 numbers of each cage triangle times the weight, in double. Then applies
+/// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to vertices.
 class ReferenceFrame {
 public:
   /// Keeps references to the arguments. The binding must have weights.

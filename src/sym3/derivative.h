@@ -1,8 +1,8 @@
 // Derivatives of exp, log, square root and powers of symmetric 3x3 matrices, in one or more directions.
 //
-// f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the direction
-// E. This matrix is symmetric and linear in E. Because tr(G f'(S)[E]) = tr(E f'(S)[G]), f'(S)[G] is also the
-// reverse-mode derivative for a gradient G.
+// f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the
+// direction E. This matrix is symmetric and linear in E. Because tr(G f'(S)[E]) = tr(E f'(S)[G]), f'(S)[G] is
+// also the reverse-mode derivative for a gradient G.
 //
 // Let the columns of V be the eigenvectors of S, and x_i the eigenvalues. Then
 //   f'(S)[E] = V (F o V^T E V) V^T,   F_ij = (f(x_i) - f(x_j)) / (x_i - x_j), or f'(x_i) if x_i = x_j,

@@ -21,9 +21,9 @@ namespace viete::sym3 {
 /// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
 /// gives exactly the identity matrix I.
 enum class Method {
-  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). The error is at most (20 + 20 r)
-  /// u, where r is the largest absolute eigenvalue. If an exponential overflows, the result has infinities
-  /// and NaN.
+  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). The error is at most
+  /// (20 + 20 r) u, where r is the largest absolute eigenvalue. If an exponential overflows, the result has
+  /// infinities and NaN.
   diag,
 
   /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues that
@@ -44,13 +44,13 @@ enum class Method {
   /// matrices with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 
-  /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). The error is at
-  /// most (6 + 2 spread) u with fused multiply-add, and (8 + 2.5 spread) u without, for any trace and any
-  /// gaps between eigenvalues. With fused multiply-add the error is at most 6 u for a spread up to 3, and 8 u
-  /// on the paper's ensemble. Finite input never gives NaN. An entry that overflows becomes a signed infinity
-  /// and leaves other entries unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual. Small
-  /// entries are accurate only relative to the norm of the result. Exception: if S is diagonal with a spread
-  /// above 6 (float 8), each entry is accurate relative to itself.
+  /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace
+  /// and any gaps between eigenvalues, the error is at most (6 + 2 spread) u with fused multiply-add, and
+  /// (8 + 2.5 spread) u without. With fused multiply-add, the error is at most 6 u for a spread up to 3, and
+  /// 8 u on the paper's ensemble. Small entries are accurate only relative to the norm of the result.
+  /// Exception: if S is diagonal with a spread above 6 (float 8), each entry is accurate relative to itself.
+  /// Finite input never gives NaN. An entry that overflows becomes a signed infinity and leaves other entries
+  /// unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual.
   fast,
 };
 

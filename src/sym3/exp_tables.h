@@ -50,9 +50,8 @@ struct ExpTables<float> {
                                          0x1.5558b2p-5f, 0x1.123980p-7f, 0x1.6a4994p-10f};
 };
 
-/// Like ExpTables, but one degree higher, and the derivative of the polynomial is minimax. The error is 0.56
-/// u (float 0.38 u). The error of the derivative is 1.29 u (float 0.51 u); with ExpTables, this error is 100
-/// u.
+/// Like ExpTables, but one degree higher, and the derivative of the polynomial is minimax. The error is
+/// 0.56 u (float 0.38 u). The error of the derivative is 1.29 u (float 0.51 u). With ExpTables it is 100 u.
 template <class T>
 struct ExpDerivativeTables;
 

@@ -5,8 +5,8 @@
 namespace viete::sym3 {
 
 // All kernels include this file, so this file must not have inline functions. The linker would keep only one
-// copy of an inline function, possibly for instructions that this processor lacks. Arrays are contiguous; in
-// == out is allowed. u is 2^-53.
+// copy of an inline function, possibly for instructions that this processor lacks. Arrays are contiguous;
+// in == out is allowed. u is 2^-53.
 
 /// Computes exp(S) for large spreads, overflow, NaN, infinities and entries near the largest double. Uses
 /// Jacobi's method in double-double and sums each entry relative to its largest term. The relative error is

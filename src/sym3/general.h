@@ -16,9 +16,9 @@ namespace viete::sym3 {
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// Returns the principal logarithm of M: the real L with exp(L) = M whose eigenvalues have imaginary parts
-/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, 6 replaces the
-/// factor 32. If M is symmetric, L is also symmetric.
-/// In these cases the result is X + Y of log_polar(), which is bounded:
+/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the factor is 6
+/// instead of 32. If M is symmetric, L is also symmetric.
+/// In the following cases the result is X + Y of log_polar(), which is bounded:
 ///   - If det M <= 0 or an eigenvalue is negative, M has no logarithm.
 ///   - If a stretch is below 1e-11 of another, or an angle is 180 degrees up to 1e-7, log M is unreliable.
 /// If rotation and stretch commute, as in rotations and similarities, X + Y is log M. Otherwise has_log() is
@@ -40,8 +40,9 @@ struct PolarLog {
 };
 
 /// Returns X and Y of M. Y is the branch nearest to `near`, see nearest_branch(). If M is finite, X is
-/// finite: stretches below 1e-12 of the largest stretch are raised to this value, and a negative stretch (det
-/// M < 0) becomes positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is NaN.
+/// finite: stretches below 1e-12 of the largest stretch are raised to this value, and a negative stretch
+/// (det M < 0) becomes positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is
+/// NaN.
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// Returns the logarithm of M on the branch nearest to Y = parts.turn, which may have any number of whole

@@ -2,8 +2,8 @@
 // and special values see rotation.h.
 //
 // exp computes the quaternion from cos and sin of half the angle. Up to 3.24 radians, cos(sqrt h) and
-// sin(sqrt h) / (2 sqrt h) are polynomials in h = |w|^2 / 4. log uses the tangent t of a quarter of the
-// angle, which is at most one, and a polynomial in t^2 for atan(t) / t. Therefore small angles and half turns
+// sin(sqrt h) / (2 sqrt h) are polynomials in h = |w|^2 / 4. log uses a polynomial in t^2 for atan(t) / t,
+// where t is the tangent of a quarter of the angle. t is at most 1. Therefore small angles and half turns
 // need no special cases.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H

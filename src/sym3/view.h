@@ -59,8 +59,8 @@ SymView<const T> packed(const Sym3<T>* data) {
 
 /// Returns a stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than
 /// the previous plane, so that planes use different cache sets. A processor can also confuse a load with a
-/// store 4096 bytes away; the stride avoids that. If the first plane is aligned to 64 bytes, all planes are
-/// aligned.
+/// store 4096 bytes away; the stride avoids this confusion. If the first plane is aligned to 64 bytes, all
+/// planes are aligned.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);
