@@ -11,7 +11,7 @@ namespace viete::analysis {
 
 namespace {
 
-constexpr double least_log2 = -20;  // the value of a collapsed triangle, about one millionth
+constexpr double least_log2 = -20;  // the value for collapsed triangles: a ratio of about 1e-6
 constexpr std::size_t portion = 1024;
 
 double log2_of(double ratio) {
@@ -50,7 +50,7 @@ double energy_of(const Stretches& s) {
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
 }
 
-// Returns the base-2 logarithms of det exp S = exp tr S for the blended matrices S.
+// Returns log2(det(exp S)) = tr S / ln 2 for each blended matrix S.
 std::vector<double> volumes(const FieldInput& in) {
   std::vector<double> values;
   values.reserve(in.matrices.size());
@@ -58,8 +58,7 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// Returns the smallest gaps between eigenvalues, divided by the largest absolute eigenvalue. The published
-// methods choose a case by this number.
+// Returns the smallest gap between eigenvalues / the largest absolute eigenvalue, for each matrix.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -74,7 +73,7 @@ std::vector<double> gaps(const FieldInput& in) {
   return values;
 }
 
-// Returns relative errors in the Frobenius norm, against a 106-bit reference. Takes about 2 us per matrix.
+// Returns relative errors of exp in the Frobenius norm, against a 106-bit reference, in about 2 us each.
 std::vector<double> exp_errors(const FieldInput& in) {
   std::vector<double> values;
   std::vector<sym3::Sym3<double>> computed(portion);
@@ -107,7 +106,6 @@ constexpr FieldEntry factor(const base::Choice& choice, Source source,
           .compute = compute};
 }
 
-// The entries in the order of enum Field.
 constexpr FieldEntry table[] = {
     {.choice = {"none", "None", "Show no map."}},
     {.choice = {"displacement", "Displacement",

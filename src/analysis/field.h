@@ -47,7 +47,7 @@ enum class Source : unsigned char {
   nothing,
   surface,   ///< positions at rest and as displayed
   matrices,  ///< the blended symmetric logarithm at each vertex
-  frame,     ///< positions as displayed, and in double precision
+  frame,     ///< displayed positions, and positions in double precision
   shares,    ///< weight of the selection at each vertex
   first,     ///< displayed positions in this view and in the first view
 };
@@ -55,7 +55,7 @@ enum class Source : unsigned char {
 struct FieldInput {
   const Strain* strain;                          ///< strain of the model at rest
   std::span<const mesh::Point> first;            ///< positions in the first view
-  std::span<const mesh::Point> drawn, exact;     ///< displayed, and in double precision
+  std::span<const mesh::Point> drawn, exact;     ///< `drawn`: displayed; `exact`: in double precision
   std::span<const sym3::Sym3<double>> matrices;  ///< one per vertex
   std::span<const double> shares;                ///< one per vertex
   sym3::Method method = sym3::Method::fast;      ///< the method whose error is computed
@@ -65,12 +65,12 @@ struct FieldInput {
 
 struct FieldEntry {
   base::Choice choice;
-  std::string_view unit{};  ///< displayed after the title: "in diagonals"
+  std::string_view unit{};  ///< displayed after the title, for example "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< true: 0 is the value at rest and has the middle colour
+  bool symmetric = false;  ///< true if 0 is the value at rest and has the middle colour
   double least_range = 1;  ///< smallest range of the colours
-  double floor = 0;        ///< smaller values count as this value before taking logarithms
+  double floor = 0;        ///< smallest value before logarithms are taken
   bool worst_is_least = false;
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
@@ -80,12 +80,12 @@ const FieldEntry& entry(Field field);
 struct FieldStats {
   Field field = Field::none;
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
-  std::size_t vertices = 0;                  ///< 0: not computed
-  double least = 0, median = 0, most = 0;    ///< of the finite values
+  std::size_t vertices = 0;                  ///< 0 if the field is not computed
+  double least = 0, median = 0, most = 0;    ///< of all finite values
   std::uint32_t worst = 0;                   ///< vertex of the largest value (smallest if worst_is_least)
-  bool is_nan = false;                       ///< true: a value is NaN
-  /// The values of the first and the last colour. At most 0.5 % of the values are below low, and at most 0.5
-  /// % above high.
+  bool is_nan = false;                       ///< true if a value is NaN
+  /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most
+  /// 0.5 % are above `high`.
   double low = 0, high = 1;
   std::array<std::uint32_t, 48> counts{};  ///< histogram: number of vertices per interval from low to high
 };
@@ -99,7 +99,7 @@ FieldValues measure(Field field, const FieldInput& input);
 /// Recomputes the histogram from stats.low and stats.high.
 void fit_counts(std::span<const float> values, FieldStats& stats);
 
-/// Formats a stored value for display: "1.25 x", "3.2 %".
+/// Formats a value in stored form for display: "1.25 x", "3.2 %".
 std::string text(Field field, double value);
 
 }  // namespace viete::analysis

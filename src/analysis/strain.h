@@ -11,7 +11,8 @@
 
 namespace viete::analysis {
 
-/// A triangle with an area. In its plane, two sides at rest are the vectors (length, 0) and (along, across).
+/// A triangle with an area at rest, in the plane of the triangle. The side from corner 0 to corner 1 is the
+/// vector (length, 0). The side from corner 0 to corner 2 is (along, across).
 struct FlatFace {
   mesh::Triangle corners;
   double length, along, across;
@@ -28,15 +29,16 @@ struct PlaneMap {
 };
 PlaneMap plane_map(const FlatFace& face, std::span<const mesh::Point> positions);
 
-/// The singular values of a triangle's map: the lengths of the most and the least stretched unit vectors.
+/// The singular values of a triangle's map: `larger` in the most stretched direction, `smaller` in the least.
 struct Stretches {
   double larger, smaller;
 };
 Stretches stretches(const PlaneMap& map);
 
 /// Compares deformed surfaces with a surface at rest. The value at a vertex is the mean over the adjacent
-/// triangles, weighted by area at rest. If these triangles have no area, the value is 0. Takes one to two
-/// milliseconds for 100,000 triangles. The number of threads does not change the results. Thread-safe.
+/// triangles, weighted by area at rest. If these triangles have no area, the value is 0. A measurement takes
+/// one to two milliseconds for 100,000 triangles. The number of threads does not change the results.
+/// Thread-safe.
 class Strain {
 public:
   explicit Strain(const mesh::Surface& rest);
@@ -44,11 +46,11 @@ public:
   const std::vector<mesh::Point>& rest() const { return rest_; }
   double diagonal() const { return diagonal_; }
 
-  /// Returns the mean of a function of the triangles' stretches at each vertex.
+  /// Returns at each vertex the mean of the function `of` for the stretches of the adjacent triangles.
   std::vector<double> means(std::span<const mesh::Point> deformed, double (*of)(const Stretches&),
                             base::WorkerPool& pool) const;
   /// Returns for each vertex the angle (0 to 180 degrees) of the rotation nearest to the mean map of the
-  /// adjacent triangles. These maps also map the normal at rest to the deformed normal.
+  /// adjacent triangles. Each triangle's map also takes its normal at rest to its deformed normal.
   std::vector<double> turns(std::span<const mesh::Point> deformed, base::WorkerPool& pool) const;
 
   /// Returns the offsets from `from` to `to` along the area-weighted normals of `from`, in the file's units.

@@ -17,7 +17,7 @@ namespace {
 using Matrix = sym3::Sym3<double>;
 using Matrices = std::vector<Matrix>;
 
-// Must not be inline: GCC 12 would vectorise the conversions to float and back and omit a rounding.
+// If this function were inline, GCC 12 would vectorise the conversions and omit a rounding.
 template <class To, class From>
 [[gnu::noinline]] sym3::Sym3<To> rounded(const sym3::Sym3<From>& s) {
   const auto to = [](From x) { return static_cast<To>(x); };
@@ -26,7 +26,7 @@ template <class To, class From>
 
 using Make = std::function<Matrices(std::size_t count)>;
 
-// Makes an ensemble that changes each matrix of another ensemble.
+// Returns an ensemble of the matrices change(s), for all s of `from`.
 template <class Change>
 Make changed(const Make& from, Change change) {
   return [=](std::size_t count) {
@@ -94,7 +94,7 @@ std::vector<Plan> plans(bool in_float) {
   const std::vector<double> gaps = {1e-1, 1e-2, 1e-3,  1e-4,  1e-5,  1.01e-6, 1e-6,
                                     1e-7, 1e-8, 1e-10, 1e-12, 1e-14, 1e-16};
   std::vector<double> sizes = {0.1, 1, 3, 4.9, 6, 10, 20, 50, 100, 300, 600};
-  if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // larger scales overflow
+  if (in_float) std::erase_if(sizes, [](double s) { return s > 100; });  // larger spreads overflow
   return {
       ensembles_plan(),
       by_value("two close eigenvalues, the third anywhere in [0, 3]", "gap", gaps, ensembles::pairs<double>),

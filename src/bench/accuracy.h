@@ -14,11 +14,11 @@ namespace viete::bench {
 /// Results of one method for one ensemble.
 struct Accuracy {
   double worst = 0;      ///< largest relative Frobenius error of the finite results
-  double nan_share = 0;  ///< part of the results that are not finite but should be
+  double nan_share = 0;  ///< part of the results that should be finite but are not
 };
 
 struct AccuracyTable {
-  std::string title, by;  ///< by: what the rows are, for example gaps
+  std::string title, by;  ///< by: the quantity of each row, for example "gap"
   struct Row {
     std::string name;
     double value = 0;             ///< the gap, spread or scale; 0 for ensembles
@@ -31,7 +31,6 @@ struct AccuracyTable {
 /// float, first rounds the input to float; errors refer to the rounded input. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
-/// Returns the relative errors of every method.
 Table errors_table(const AccuracyTable& accuracy);
 
 nlohmann::json to_json(const std::vector<AccuracyTable>& tables);

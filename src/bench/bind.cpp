@@ -26,10 +26,9 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
     harmonics{deform::Elements::face, deform::Weights::harmonic},
     biharmonics{deform::Elements::face, deform::Weights::biharmonic};
 
-/// One model in one cage, and all ways to bind the model.
 class BindRuns {
 public:
-  /// Simple loops need much memory. Omit them for very large models.
+  /// `with_plain_loops`: also measures simple loops, which need much memory.
   BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)

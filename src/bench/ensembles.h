@@ -1,4 +1,4 @@
-// Random matrices with fixed seeds to measure errors and times: the paper's, close eigenvalues, spreads.
+// Random matrices with fixed seeds, to measure errors and times.
 #pragma once
 
 #include <array>
@@ -14,12 +14,13 @@ namespace viete::bench::ensembles {
 using sym3::Sym3;
 using Random = std::mt19937_64;
 
-/// Returns a uniform number. std::uniform_real_distribution gives different numbers with different libraries.
+/// Returns a uniform number in [low, high). std::uniform_real_distribution gives different numbers with
+/// different libraries.
 inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-/// Returns a uniformly distributed rotation, computed from a quaternion that is uniform in the ball.
+/// Returns a uniformly distributed rotation, computed from a uniform quaternion in the unit ball.
 inline std::array<std::array<double, 3>, 3> random_rotation(Random& random) {
   double w, x, y, z, norm2;
   do {
@@ -71,7 +72,7 @@ std::vector<Sym3<T>> paper_ensemble(std::size_t count, unsigned seed = usual_see
   });
 }
 
-/// Returns matrices with six entries, uniform in [low, high].
+/// Returns matrices whose six numbers are uniform in [low, high].
 template <class T>
 std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -81,7 +82,7 @@ std::vector<Sym3<T>> uniform_entries(double low, double high, std::size_t count)
   });
 }
 
-/// Returns matrices with eigenvalues in [0, 3]. Two eigenvalues are `gap` apart, the third is arbitrary.
+/// Returns matrices with eigenvalues in [0, 3]. Two eigenvalues are `gap` apart; the third is random.
 template <class T>
 std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -90,7 +91,7 @@ std::vector<Sym3<T>> pairs(double gap, std::size_t count) {
   });
 }
 
-/// Returns matrices with three eigenvalues in [0, 3]. The distance to the next eigenvalue is `gap`.
+/// Returns matrices with three equally spaced eigenvalues in [0, 3], `gap` apart.
 template <class T>
 std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t) {
@@ -99,7 +100,8 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Returns matrices with eigenvalues `lowest`, lowest + spread and a third at an end, near it, or between.
+/// Returns matrices with eigenvalues from `lowest` to lowest + spread. The middle eigenvalue is equal or
+/// close to one of these two, or between them.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

@@ -63,10 +63,9 @@ namespace {
 using sym3::Layout;
 
 constexpr std::array layouts = {Layout::planes, Layout::packed, Layout::full};
-constexpr std::size_t distinct = 1 << 16;  // number of matrices; larger counts repeat them
-constexpr std::size_t window = 1024;       // batch of the slow methods; so small that memory takes no time
+constexpr std::size_t distinct = 1 << 16;  // number of different matrices; larger arrays repeat these
+constexpr std::size_t window = 1024;       // matrices per round of the slow methods; they fit the cache
 
-/// Returns the matrices for this round.
 template <class T>
 std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t round) {
   return std::span(matrices).subspan(round % (matrices.size() / window) * window, window);
@@ -112,7 +111,6 @@ void measure(ExpBench& bench, base::Progress& progress) {
   }
 }
 
-/// Returns the shortest time for sizes that fit the second-level cache.
 double best_in_cache(const ExpBench& bench) {
   double best = time_of(bench.layouts.front().times, "fast");
   for (const LayoutResult& r : bench.layouts) {
@@ -121,7 +119,6 @@ double best_in_cache(const ExpBench& bench) {
   return best;
 }
 
-// Returns the label of a method. Other rows keep their name.
 std::string shown_name(const std::string& name) {
   const auto method = sym3::method_from_name(name);
   return method ? std::string(sym3::label(*method)) : name;

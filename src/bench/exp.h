@@ -1,4 +1,5 @@
-// Times of exp by method, layout and size, and of copying the bytes. Also checks the limits of sym3.
+// Measures times of exp by method, layout and size, and of copying the same bytes. Also checks the limits of
+// sym3.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +37,7 @@ struct LayoutResult {
   std::vector<BenchResult> times;  ///< for diag, sd, improved_sd, fast and copy
 };
 
-/// Measures one layout. Throws base::Cancelled.
+/// Measures one layout with `count` matrices. Throws base::Cancelled.
 LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress);
 
 struct ExpBench {

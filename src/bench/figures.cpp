@@ -33,14 +33,13 @@ ReportSizes quick_sizes() {
 
 Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base::Progress& progress) {
   Figures figures{sizes, files, {}, {}, {}, {}, {}, {}, {}, {}, {}, {}};
-  // Opens all files before the measurements begin.
   const document::Document opened = open_model(files.model, files.cage);
   std::vector<std::string> warnings;
   figures.poses = read_poses(files.poses, *opened.cage, warnings);
   if (figures.poses.empty()) figures.poses.push_back({"made", moderate_pose(*opened.cage)});
   const ShapesOfModel shapes = read_shapes_of_model(files.rest, files.shapes);
   const struct {
-    double seconds;  // approximate time for all matrices
+    double seconds;  // approximate time with default sizes
     std::function<void()> measure;
   } works[] = {{10, [&] { figures.eigen = measure_eigen(sizes.matrices, progress); }},
                {25, [&] { figures.exp = measure_exp(sizes.matrices, false, progress); }},

@@ -28,7 +28,7 @@ ReportSizes quick_sizes();
 struct ReportFiles {
   std::filesystem::path model, cage;
   std::vector<std::filesystem::path> poses;  ///< poses of the cage; if empty, one pose is generated
-  std::filesystem::path rest;                ///< the model at rest of `shapes`
+  std::filesystem::path rest;                ///< the model at rest for `shapes`
   std::vector<std::filesystem::path> shapes;
 };
 

@@ -38,7 +38,7 @@ using namespace frame_names;
 using deform::Link;
 using sym3::Method;
 
-/// A limit for the ratio of two times.
+/// A limit for the ratio: time of `over` / time of `under`.
 struct RatioBar {
   const char* over;
   std::size_t over_faces;
@@ -93,20 +93,18 @@ void check_frame(std::span<const FrameTime> times, Bars& bars) {
 
 namespace {
 
-/// A case to measure, with its results.
 struct Case {
   std::string name;
   base::WorkerPool* pool;
   std::function<void()> run;
-  std::function<deform::LinkTimes()> links;  ///< times of each link of `run`; may be empty
+  std::function<deform::LinkTimes()> links;  ///< times of the stages (deform::Link) of `run`; may be empty
   std::function<double()> error;             ///< distance from the staged frame in diagonals; may be empty
   std::size_t bytes = 0;                     ///< number of bytes that one frame reads
   std::vector<double> cpu_ms{}, wall_ms{};
   std::vector<deform::LinkTimes> link_ms{};
 };
 
-// In a drag, each frame starts with the caches of the previous frame. If frames are short, a few repetitions
-// reach that state; long frames overwrite the caches.
+// Fills the caches as in a drag. A long frame overwrites the caches, so a long frame runs only once.
 void warm_up(const Case& c) {
   constexpr int frames = 8;
   constexpr double seconds = 0.02;
@@ -114,7 +112,7 @@ void warm_up(const Case& c) {
   for (int n = 0; n < frames && (n == 0 || base::wall_seconds() < end); ++n) c.run();
 }
 
-// Measures processor time. With several threads, it is the time of the slowest thread.
+// With several threads, the processor time is the time of the slowest thread.
 void time_once(Case& c) {
   const auto cost = c.pool->cost();
   const double wall = base::wall_seconds(), cpu = base::thread_seconds();
@@ -144,7 +142,7 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// The fused engine. Its binding has only tiles.
+/// A frame of the fused engine, from tiles only.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
@@ -164,7 +162,6 @@ struct FusedFrame {
   deform::FusedEngine engine;
 };
 
-/// Binds one model to one cage for all compared frames.
 class FrameRuns {
 public:
   FrameRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage)
@@ -274,7 +271,6 @@ private:
   std::vector<Case> cases_;
 };
 
-// Prints the times of one cage.
 void print(std::span<const FrameTime> times) {
   Table table{{"", "cpu", "wall", "faster", "error", "MB"}, {}};
   for (std::size_t l = 0; l < deform::link_count; ++l) table.columns.emplace_back(deform::name(Link(l)));

@@ -1,4 +1,4 @@
-// viete bench frame and bind: compare all ways to compute a frame and to bind a model, and their times.
+// viete bench frame, viete bench bind: times of all ways to compute a frame and to bind a model.
 #pragma once
 
 #include <cstddef>
@@ -33,8 +33,8 @@ inline constexpr const char* compressed = "fused, compressed";
 inline constexpr const char* dragged = "one vertex dragged";
 }  // namespace frame_names
 
-/// Measures the model in the cage. If there is no cage, measures one generated cage for each number of faces.
-/// All rounds are interleaved. Throws base::Error and base::Cancelled.
+/// Measures the model in the cage. If options.cage is empty, measures one generated cage for each number of
+/// faces. All rounds are interleaved. Throws base::Error and base::Cancelled.
 std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress);
 nlohmann::json to_json(std::span<const FrameTime> times);
 

@@ -16,7 +16,6 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-/// Interpolates between rest and a shape.
 class Between {
 public:
   Between(const deform::ShapeSpace& space, const Points& shape)

@@ -1,4 +1,4 @@
-// Compares log space and linear interpolation at half the way from a model at rest to shapes of the model.
+// Compares log space and linear interpolation halfway from a model at rest to its shapes.
 #pragma once
 
 #include <filesystem>
@@ -29,7 +29,7 @@ ShapesOfModel read_shapes_of_model(const std::filesystem::path& rest,
 double edge_error(std::span<const mesh::Edge> edges, std::span<const mesh::Point> a,
                   std::span<const mesh::Point> b, std::span<const mesh::Point> shape);
 
-/// A picture of the visible side of a model from a viewpoint above and beside it. Each dot is a vertex. The
+/// A picture of the visible side of a model, seen from above and from one side. Each dot is a vertex. The
 /// centre of the picture is 0, y points up, and lengths are in diagonals of the model at rest.
 struct ShapePicture {
   std::string name;
@@ -39,10 +39,11 @@ struct ShapePicture {
 /// Results halfway from rest to each shape, in log space and with linear interpolation.
 struct Halfway {
   /// One row for each shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
-  /// shape; NaN if the model encloses no volume. "volumes": this ratio at 21 even steps to the shape.
+  /// shape; NaN if the model encloses no volume. "volumes": the relative volume at 21 even steps from rest to
+  /// the shape.
   nlohmann::json rows;
-  std::size_t most_lost = 0;           ///< row of the shape with the largest linear volume loss
-  std::vector<ShapePicture> pictures;  ///< pictures from rest to this shape
+  std::size_t most_lost = 0;           ///< row of the shape with the smallest volume by linear interpolation
+  std::vector<ShapePicture> pictures;  ///< pictures from rest to the shape of row `most_lost`
 };
 /// Requires one shape or more. Throws base::Cancelled.
 Halfway measure_halfway(const ShapesOfModel& model, base::Progress& progress);

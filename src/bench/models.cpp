@@ -36,7 +36,8 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Computes the convex hull point by point: replaces triangles visible from a point by a fan over their rim.
+// Adds one point after the other. Removes all triangles visible from the point, and fills the hole with
+// triangles between the point and the rim.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -64,7 +65,8 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
   return w;
 }
 
-// A triangle encloses a point with coefficients w if the corners are scaled by at least w_0 + w_1 + w_2.
+// Returns a radius for each direction. If w are the coefficients of a vertex (see in_cone()), the triangle
+// encloses the vertex when the corners are scaled by w_0 + w_1 + w_2 or more.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
@@ -84,7 +86,6 @@ std::vector<double> radii_around(const mesh::Surface& model, const Point& center
   return radii;
 }
 
-// Truncates or subdivides the model to about this number of vertices.
 mesh::Surface of_size(mesh::Surface model, std::size_t count) {
   while (count > 2 * model.positions.size()) model = subdivided(model);
   if (count == 0 || 2 * count > model.positions.size()) return model;
@@ -182,7 +183,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// Adds the volumes of tetrahedra with one apex on the surface, so that places far from 0 lose no digits.
+// The common apex of all tetrahedra is on the surface, so that models far from 0 lose no digits.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;

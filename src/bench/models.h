@@ -45,15 +45,16 @@ std::string without_prefix(const std::string& name, const std::string& prefix);
 /// Divides each triangle into four at the midpoints of its edges.
 mesh::Surface subdivided(const mesh::Surface& surface);
 
-/// Returns a closed cage of `faces` triangles (even, at least 8): the hull of directions spread evenly over
-/// the sphere. Each direction has the smallest distance that encloses the model, plus 6 %.
+/// Returns a closed cage of `faces` triangles (even, at least 8). The corners of the cage lie in directions
+/// spread evenly over the sphere, each at the smallest distance that encloses the model, plus 6 %.
 mesh::Surface star_cage(const mesh::Surface& model, std::size_t faces);
 
 /// Returns a pose of the cage: twisted by 0.8 radians and bent by 0.5 radians along its longest axis, and
 /// stretched by 1.2. Every vertex also moves by up to 1 % of the diagonal.
 deform::Pose moderate_pose(const deform::Cage& cage);
 
-/// Distortion of the triangles that have an area at rest. The 2x2 matrix J maps the plane of a triangle.
+/// Distortion of the triangles that have an area at rest. The 2x2 matrix J maps the plane of a triangle at
+/// rest to its deformed plane.
 struct Distortion {
   /// The symmetric Dirichlet energy minus its value at rest: the mean of |J|^2 + |J^-1|^2 - 4, weighted by
   /// the area at rest. It is 0 without stretching, and infinite if a triangle has collapsed.
@@ -70,16 +71,16 @@ public:
   const std::vector<mesh::Point>& positions() const { return positions_; }
   /// Returns true if the model is closed and consistently oriented, and has a nonzero volume.
   bool encloses() const { return volume_ != 0; }
-  /// Returns the number of triangles without area. They are ignored.
+  /// Returns the number of triangles without area. All functions ignore these triangles.
   std::size_t without_area() const { return without_area_; }
   /// Returns each vertex's part of the area: a third of the triangles around the vertex. The sum is 1.
   const std::vector<double>& vertex_shares() const { return shares_; }
 
   Distortion distortion(std::span<const mesh::Point> positions) const;
-  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of 3
-  /// |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle, |e|
-  /// the length of the edge and A the area of the two triangles at rest. For smooth bending, the energy
-  /// hardly depends on the resolution; for kinks, it grows with the resolution.
+  /// Returns the bending energy of discrete shells (Grinspun et al. 2003, Discrete Shells): the sum of
+  /// 3 |e|^2 (t - t0)^2 / A over edges between two triangles. t - t0 is the change of the dihedral angle. |e|
+  /// is the length of the edge and A the area of the two triangles, both at rest. For smooth bending, the
+  /// energy hardly depends on the resolution; for kinks, the energy grows with the resolution.
   double bending(std::span<const mesh::Point> positions) const;
   /// Returns the volume relative to rest, or NaN if the model encloses no volume.
   double volume(std::span<const mesh::Point> positions) const;

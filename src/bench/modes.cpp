@@ -46,7 +46,6 @@ sym3::Mat3<double> turned(double scale) {
   return m;
 }
 
-// Returns the vertices that have triangles, in ascending order.
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   const std::set<std::uint32_t> used(surface.corners.begin(), surface.corners.end());
   return {used.begin(), used.end()};
@@ -171,10 +170,9 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
 
 namespace {
 
-// Energies per area and bendings below this value are rounding errors.
+// Smaller energies per area and bendings are rounding errors.
 constexpr double next_to_none = 1e-10;
 
-/// Measures one model in one cage.
 class ModeRuns {
 public:
   ModeRuns(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
@@ -184,7 +182,7 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures in double, link by link. Keeps only one binding at a time, because bindings are large.
+  // Measures stitched schemes by the fused binding, others in double. Keeps only one (large) staged binding.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
@@ -216,7 +214,7 @@ public:
   const std::vector<std::string>& warnings() const { return warnings_; }
   void forget_shapes() { staged_.reset(); }
 
-  // Adds the binding and a frame for time_frames(), as in the program.
+  // Binds the model as the program does, and adds a frame for time_frames().
   void add_frame(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     const Bound& bound = fused(weighting);
@@ -267,7 +265,7 @@ private:
     return bound_.back();
   }
 
-  // Returns the constraints. All modes use the constraints of the first call.
+  // Returns the constraints of the first call for all modes.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_)
       stitching_ =
@@ -307,7 +305,6 @@ private:
   std::vector<std::string> warnings_;
 };
 
-// Returns the schemes to measure. Named deformers come first.
 std::vector<deform::Scheme> measured_schemes(const ModeSettings& settings) {
   std::vector<deform::Scheme> all, schemes;
   for (const auto& way : deform::all_ways()) all.push_back(way.scheme);
@@ -339,7 +336,6 @@ std::vector<Mode> modes_by_weights(const std::vector<deform::Scheme>& schemes) {
   return modes;
 }
 
-// Sorts the modes in the order of measured_schemes().
 void sort(std::vector<Mode>& modes, const std::vector<deform::Scheme>& schemes) {
   std::ranges::sort(modes, {}, [&](const Mode& mode) { return std::ranges::find(schemes, mode.scheme); });
 }
@@ -383,7 +379,7 @@ ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const d
   ModeRuns runs(model, std::move(cage), poses, settings.method);
   const std::vector<deform::Scheme> schemes = measured_schemes(settings);
   std::vector<Mode> modes = modes_by_weights(schemes);
-  // Approximate shares of the total time.
+  // The progress after each of the first two stages.
   constexpr double shapes = 0.6, bound = 0.7;
   const auto each = [&](double from, double to, const auto& measure) {
     const auto count = static_cast<double>(modes.size());

@@ -38,14 +38,15 @@ struct ShapeQuality {
   double volume = 1;          ///< relative to rest; NaN if the model encloses no volume
   double gap = 0;             ///< see bench::gap()
   double torn = 0;            ///< see bench::torn()
-  /// Relative to mean value coordinates in this run. NaN if their number is nearly 0 or unknown.
+  /// `energy`, `bending` and `torn`, divided by the same number of mean value coordinates in this run. NaN if
+  /// the divisor is nearly 0 or unknown.
   double energy_ratio = NAN, bending_ratio = NAN, torn_ratio = NAN;
 };
 
 /// Results of one scheme.
 struct Mode {
   deform::Scheme scheme;
-  std::string problem;                  ///< why this model and cage do not support the scheme; or empty
+  std::string problem;                  ///< reason if this model and cage do not support the scheme
   std::array<double, 4> deviations{};   ///< one deviation for each of whole_poses()
   double leak = 0;                      ///< see bench::leak()
   std::vector<ShapeQuality> qualities;  ///< one entry for each pose
@@ -62,8 +63,8 @@ struct ModeComparison {
   std::vector<std::string> warnings{};  ///< warnings of the bindings, without duplicates
 };
 
-/// A pose of the whole cage by one map: x -> linear (x - middle) + middle + shift. `middle` is the middle of
-/// the cage's box, and `shift` is in diagonals of the box.
+/// A pose of the whole cage by one map: x -> linear * (x - middle) + middle + shift. `middle` is the middle
+/// of the cage's box, and `shift` is in diagonals of the box.
 struct WholePose {
   const char* name;
   sym3::Mat3<double> linear;
@@ -78,13 +79,15 @@ inline constexpr double exactly = 1e-9;
 /// Returns the model's vertices for a pose of the cage.
 using Deform = std::function<std::vector<mesh::Point>(const deform::Pose&)>;
 
-/// Returns the largest distance of a vertex from its image under the map, in diagonals of the posed cage.
+/// Returns the largest distance between a deformed vertex and the vertex moved by the map of `pose`, in
+/// diagonals of the posed cage.
 double deviation(const WholePose& pose, const deform::Cage& cage, std::span<const mesh::Point> model,
                  const Deform& deform);
 
-/// Moves one cage vertex along its normal by a tenth of the cage's diagonal, and measures how far model
-/// vertices move that are more than a quarter of the diagonal away. Returns the median in diagonals, as the
-/// median over at most 8 cage vertices. If no vertex is that far away, returns NaN.
+/// Moves one cage vertex along its normal by a tenth of the cage's diagonal. Takes the median motion of all
+/// model vertices that were more than a quarter of the diagonal away from this cage vertex. Returns the
+/// median of these medians over at most 8 cage vertices, in diagonals. If no model vertex is that far away,
+/// returns NaN.
 double leak(const deform::Cage& cage, std::span<const mesh::Point> model, const Deform& deform);
 
 /// A point of the cage's surface: a triangle and barycentric coordinates.
@@ -100,12 +103,13 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
-/// Returns pairs of vertices that are near but not connected. If the vertices belong to different parts, they
-/// must be within 1 % of the model's diagonal (vertices at one place count as one). If they belong to one
-/// part, they must be within 0.1 %, and no path of edges shorter than 1 % joins them. The model must have a
-/// triangle. In large models, only 20,000 vertices from the whole file are compared with all others.
+/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one. Vertices of
+/// different parts must be at most 1 % of the model's diagonal apart. Vertices of one part must be at most
+/// 0.1 % apart, and no path of edges shorter than 1 % may join the vertices. The model must have a triangle.
+/// In large models, only 20,000 evenly chosen vertices are compared with all other vertices.
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model);
-/// Returns the largest change of a pair's distance, in diagonals of the model at rest. Without pairs, 0.
+/// Returns the largest change of a pair's distance, in diagonals of the model at rest. Returns 0 if there are
+/// no pairs.
 double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest,
             std::span<const mesh::Point> positions);
 
@@ -119,9 +123,9 @@ struct ModeSettings {
   bool named_only = false;  ///< true for named deformers only
 };
 
-/// Measures named deformers and other valid schemes that match settings.choice. Computes shapes in double,
-/// step by step if not stitched. Times frames of the first pose as in the program, on one thread, in
-/// interleaved rounds. poses must not be empty. Throws base::Error and base::Cancelled.
+/// Measures named deformers and other valid schemes that match settings.choice. Schemes that are not stitched
+/// compute shapes in double by the staged engine. Times frames of the first pose on one thread, in
+/// interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);

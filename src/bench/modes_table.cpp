@@ -27,7 +27,7 @@ constexpr const char* modes_legend =
   torn: largest change of distance between vertices close at rest but not joined by edges, in diagonals
 )";
 
-/// A number of a shape: the column in the table of a pose, and the key in JSON.
+/// A member of ShapeQuality, with its column in the table of a pose and its key in JSON.
 struct Measure {
   const char *column, *key;
   double ShapeQuality::*value;
@@ -43,7 +43,6 @@ constexpr Measure measures[] = {{"volume", "volume", &ShapeQuality::volume, "%.4
                                 {"torn", "torn", &ShapeQuality::torn, "%.2e"},
                                 {"x mvc", "torn_to_mean_value", &ShapeQuality::torn_ratio, "%.2f"}};
 
-/// A column of the summary of all poses.
 struct Summary {
   const char* column;
   double ShapeQuality::*value;
@@ -67,13 +66,11 @@ std::string cell(double value, const char* format) {
   return text;
 }
 
-// Returns a name such as "smooth: biharmonic, srl".
 std::string name_of(const Mode& mode) {
   const auto way = deform::way_of(mode.scheme);
   return (way ? std::string(deform::entry(*way).name) + ": " : "") + deform::text(mode.scheme);
 }
 
-/// Prints a line for each measured scheme. `row` returns the numbers of the line.
 template <class Row>
 void print_modes(const std::string& title, std::vector<std::string> columns, std::span<const Mode> modes,
                  const Row& row) {

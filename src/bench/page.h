@@ -12,12 +12,12 @@
 
 namespace viete::bench {
 
-/// Elements of a page that is also valid XML: values are escaped, and all elements are closed.
-/// Returns a paragraph of the class `kind`. If `kind` is empty, the paragraph has no class.
+/// Returns a paragraph of the class `kind`, or without class if `kind` is empty. paragraph(), html() and
+/// figure() return well-formed XML: values are escaped, and elements are closed.
 std::string paragraph(std::string_view text, std::string_view kind = "");
 /// Returns a table that scrolls on narrow pages.
 std::string html(const Table& table);
-/// Returns a drawing with a title. Screen readers read the title.
+/// Returns a drawing with a title for screen readers.
 std::string figure(std::string_view title, std::string_view svg);
 
 /// A section of the page: text, drawings, numbers, and the commands to repeat the measurement.
@@ -28,7 +28,7 @@ struct Section {
   std::string body;  ///< drawings and tables in HTML
   std::vector<std::string> commands;
 };
-/// Returns the paper's three figures and its claims, then the new figures.
+/// Returns sections for the paper's three figures and claims, then sections for the new figures.
 std::vector<Section> sections_of(const Figures& figures);
 
 /// Returns the main results as tiles: values with their descriptions.
@@ -36,7 +36,7 @@ std::string summary_of(const Figures& figures);
 
 /// The time and the computer of the measurement.
 struct Made {
-  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; processor and its number of threads
+  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; processor: name and number of threads
   std::vector<std::pair<std::string, std::string>> facts;  ///< labels and values in reading order
 };
 /// Returns the facts about this computer. `command` is the command line of the user.

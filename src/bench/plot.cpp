@@ -89,7 +89,7 @@ void Svg::bar(SvgPoint corner, double width, double height, const char* color) {
 
 namespace {
 
-constexpr double plot_width = 400, letter = 7.7;  // `letter` is wider than most letters
+constexpr double plot_width = 400, letter = 7.7;  // `letter`: assumed width of a letter
 constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
@@ -139,7 +139,6 @@ void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
   }
 }
 
-/// Maps values to pixels.
 struct Scale {
   bool logarithmic;
   double low, high, from, to;  ///< low and high are values or logarithms; from and to are pixels
@@ -206,7 +205,7 @@ std::string value_text(double value) {
   return value < 1e-3 ? error_text(value) : base::few_digits(value);
 }
 
-/// Draws names at the ends of the curves. Moves them so that they do not overlap.
+/// Draws names at the ends of the curves. Moves names apart that would overlap.
 void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
   struct Name {
     const PlotCurve* curve;

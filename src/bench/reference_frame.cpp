@@ -22,7 +22,8 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return norm(p - a - t * edge);
 }
 
-// Solves p = a + x (b - a) + y (c - a) + z n by Cramer's rule.
+// Solves p = a + x * (b - a) + y * (c - a) + z * n by Cramer's rule. x and y tell whether the point of the
+// plane nearest to p is inside the triangle.
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, w = p - a, normal = cross(u, v);
   const Vec3 n = (1 / norm(normal)) * normal;
@@ -69,7 +70,7 @@ std::array<Eigen::Vector3d, 3> corners(const mesh::Triangle& t, std::span<const 
   return {vector(positions[t[0]]), vector(positions[t[1]]), vector(positions[t[2]])};
 }
 
-// Returns two edges and their cross product divided by the square root of its length.
+// Returns a matrix with the columns u, v and their cross product n / sqrt(|n|), where u and v are edges.
 Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], n = u.cross(v);
   Eigen::Matrix3d frame;
@@ -77,7 +78,7 @@ Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   return frame;
 }
 
-// Returns I + sin t / t Y + (1 - cos t) / t^2 Y^2.
+// Returns I + (sin t / t) * Y + ((1 - cos t) / t^2) * Y^2 for a rotation by t radians.
 Eigen::Matrix3d exp_rodrigues(const Eigen::Matrix3d& y) {
   const double square = 0.5 * y.squaredNorm(), angle = std::sqrt(square);
   const double a = angle > 1e-8 ? std::sin(angle) / angle : 1.0;

@@ -10,8 +10,9 @@
 namespace viete::bench {
 
 /// Computes weights by loops over vertices and cage triangles, in double. The distance to a triangle is the
-/// smallest of the distances to its plane, by barycentric coordinates, and to its three edges. The weight is
-/// the distance to the power of -2, divided by the sum of its row. Both arrays have n rows of k numbers.
+/// distance to its plane, if the nearest point of the plane is inside the triangle. Otherwise the distance to
+/// the nearest edge is used. The weight is distance^-2, divided by the sum over all triangles. Both arrays
+/// have one row for each vertex and one column for each triangle.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
@@ -24,11 +25,10 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// Computes for each element the map, the polar decomposition by SVD, and the logarithms of stretch and
-/// rotation. The logarithms are principal, so poses must keep the elements' area and rotate them by less than
-/// 180 degrees. For each vertex, adds full matrices times weights in double: 9 + 9 + 3 numbers per cage
-/// triangle. Then applies improved SD, Rodrigues' formula and the affine product. Triangles add their normals
-/// to vertices.
+/// For each element, computes the map, its polar decomposition by SVD, and the principal logarithms of
+/// stretch and rotation. In a pose, each element must have an area and rotate by less than 180 degrees. For
+/// each vertex, adds the 9 + 9 + 3 numbers of each cage triangle times the weight, in double. Then applies
+/// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to vertices.
 class ReferenceFrame {
 public:
   /// Keeps references to the arguments. The binding must have weights.

@@ -26,13 +26,12 @@ double percent_less(double time, double than) {
   return 100 * (1 - time / than);
 }
 
-// Returns the frame that is computed link by link with exp by this method.
 const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method method) {
   return times.empty() ? nullptr
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Returns the largest error for all gaps between two and three eigenvalues, in double.
+// Returns the largest error of the method in all tables by gap, in double.
 std::string worst_error(const Figures& figures, Method method) {
   const auto methods = exp_methods();
   const auto at = std::ranges::find(methods, sym3::label(method),
@@ -46,7 +45,6 @@ std::string worst_error(const Figures& figures, Method method) {
   return error_text(worst);
 }
 
-// Returns the volume loss in a row of measure_halfway() as a text, "27 %" or "nothing".
 std::string lost_volume(const nlohmann::json& way) {
   const double lost = 100 * (1 - double(way["volume"]));
   return lost < 0.5 ? "nothing" : percent(lost);
@@ -444,7 +442,6 @@ Plot volumes_of(const nlohmann::json& row) {
   return plot;
 }
 
-// Draws all pictures with one scale.
 std::string drawn(std::vector<ShapePicture> pictures) {
   constexpr double width = 200, height = 170, margin = 6;
   double scale = 1e9;

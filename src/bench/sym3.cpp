@@ -37,7 +37,6 @@ using sym3::SymView;
 constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB in double
 const std::string planes_text = ", planes in the second cache, per matrix";
 
-/// A case that calls the function once per matrix.
 template <class In, class Out, class Function>
 RoundCase one_by_one(const char* name, const std::vector<In>& in, std::vector<Out>& out, Function function) {
   return {name, in_cache,
@@ -48,7 +47,6 @@ RoundCase batched(const std::string& name, std::size_t repeats, const std::funct
   return {name, in_cache, [run](std::size_t) { run(); }, repeats};
 }
 
-/// Makes a case that copies this number of planes.
 RoundCase copy_of(const double* from, double* to, std::size_t planes, std::size_t stride) {
   return batched("copy", 20, [=] { std::memcpy(to, from, planes * stride * sizeof(double)); });
 }
@@ -101,7 +99,7 @@ void out_of_cache(std::size_t count, Bars& report) {
   report.check("exp of Matrix3d, from memory: / copy", faster(full.times, "fast", "copy"), 1.3, false);
 }
 
-/// Returns R = cos a I + sin a / a W + (1 - cos a) / a^2 w w^T, W v = w x v; small angles are a case.
+/// Returns R = cos a * I + (sin a / a) W + (1 - cos a) / a^2 * w w^T, with W v = cross(w, v) and a = |w|.
 sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
   const double a2 = w[0] * w[0] + w[1] * w[1] + w[2] * w[2], a = std::sqrt(a2);
   const double c = std::cos(a), s = a > 1e-8 ? std::sin(a) / a : 1, f = a > 1e-8 ? (1 - c) / a2 : 0.5;
@@ -110,8 +108,7 @@ sym3::Mat3<double> textbook_rotation(const sym3::Vec3<double>& w) {
           f * y * z - s * x, f * x * z - s * y, f * y * z + s * x, c + f * z * z};
 }
 
-/// Returns w = a / (2 sin a) times the antisymmetric part of R, with cos a = (tr R - 1) / 2 and a case for
-/// small angles. The result is inaccurate near half turns.
+/// Returns a / (2 sin a) * (antisymmetric part of R) with cos a = (tr R - 1) / 2. Inaccurate near half turns.
 sym3::Vec3<double> textbook_log(const sym3::Mat3<double>& r) {
   const double a = std::acos(std::clamp((r[0] + r[4] + r[8] - 1) / 2, -1.0, 1.0));
   const double f = a > 1e-8 ? a / (2 * std::sin(a)) : 0.5;
@@ -170,8 +167,8 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
 constexpr std::size_t matrices_in_cache = 1024;  // 640 KB in double, with six directions and results
 constexpr double pow_exponent = 0.4;
 
-/// Computes derivatives as finite element codes usually do: by eigenvectors by QR and divided differences of
-/// the function. If eigenvalues are closer than 1e-6, uses the derivative of the function instead.
+/// Computes derivatives as usual in finite element codes: by eigenvectors (QR) and divided differences. For
+/// eigenvalues closer than 1e-6, uses the derivative of the function instead.
 template <class T>
 void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
                      std::span<const Sym3<T>> directions, std::span<Sym3<T>> out) {
@@ -194,7 +191,6 @@ void by_eigenvectors(T (*value_at)(T), T (*slope_at)(T), const Sym3<T>& s,
   }
 }
 
-/// Matrices, six directions for each matrix, and memory for the results, in planes.
 template <class T>
 struct Planes {
   std::vector<Sym3<T>> matrices, directions;
@@ -217,7 +213,6 @@ struct Planes {
   }
 };
 
-/// Times a function of planes, and its derivative.
 template <class T, class Function, class Derivative, class Tangent>
 void time_derivative(const std::string& what, T (*value_at)(T), T (*slope_at)(T), Planes<T>& p, Bars& report,
                      Function function, Derivative derivative, Tangent tangent) {

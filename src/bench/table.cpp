@@ -45,7 +45,6 @@ std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std
 
 namespace {
 
-// Returns the number of UTF-8 characters.
 std::size_t width(const std::string& text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
 }

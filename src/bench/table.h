@@ -30,8 +30,8 @@ double time_of(const std::vector<BenchResult>& results, const std::string& name)
 /// Returns the time of `slow` divided by the time of `fast`.
 double faster(const std::vector<BenchResult>& results, const std::string& slow, const std::string& fast);
 
-/// After one warm-up round, runs every case once per round. Therefore disturbances affect all cases equally.
-/// Times are medians of the calling thread's processor time. Throws base::Cancelled.
+/// Runs one warm-up round, then `rounds` rounds. Each round runs all cases, so disturbances affect all cases
+/// equally. Times are medians of the calling thread's processor time. Throws base::Cancelled.
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
@@ -63,7 +63,7 @@ std::string processor_name();
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints whether `measured` is at least (or at most) `bar`, and adds a row.
+  /// Prints if `measured` is at least `bar` (at most `bar`, if `at_least` is false), and adds a row.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 

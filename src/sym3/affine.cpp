@@ -62,14 +62,14 @@ Vec3<double> turn_of(const AffineLog& log) {
 
 namespace {
 
-// Returns the binary exponent of the largest weight. If this weight is 0 or not finite, returns 0.
+// Returns the binary exponent of the largest absolute weight. If this weight is 0 or not finite, returns 0.
 int exponent_of(std::span<const double> weights) {
   double largest = 0;
   for (const double w : weights) largest = std::max(largest, std::abs(w));
   return largest > 0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
 }
 
-// Returns the sum of weights[i] 2^-shift log_of(i).
+// Returns the sum of weights[i] * 2^-shift * log_of(i).
 template <class LogOf>
 AffineLog scaled_sum(std::span<const double> weights, int shift, const LogOf& log_of) {
   AffineLog sum;
@@ -83,10 +83,10 @@ bool is_finite(const AffineLog& log) {
   return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
 }
 
-// Terms may overflow although the sum is finite. In this case they are added at a smaller scale.
+// If the sum is not finite, adds again at a smaller scale: terms can overflow although the sum is in range.
 template <class LogOf>
 AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
-  constexpr int room = 64;  // bits that the sum of many terms can need
+  constexpr int room = 64;  // the sum can have this number of bits more than a term
   AffineLog sum = scaled_sum(weights, 0, log_of);
   if (is_finite(sum)) return sum;
   const int shift = std::max(exponent_of(weights), 0) + room;
@@ -124,7 +124,7 @@ WeightSum sum_of(std::span<const double> weights) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // below it, the residual decreases until only rounding errors remain
+  constexpr double near_the_end = 1e-6;  // smaller steps decrease until only rounding errors remain
   const auto [shift, total] = sum_of(weights);
   const auto [least, most] = std::ranges::minmax_element(weights);
   AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};

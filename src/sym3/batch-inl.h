@@ -24,8 +24,9 @@ static HWY_INLINE void put(D d, V v, T* p) {
   }
 }
 
-/// Loads and stores items i, i + 1, ... of a view, one item in each lane: register e[k] has entry k of all
-/// these items. i must be a multiple of the number of lanes. prefetch() fetches later items into the cache.
+/// Access to a view with the layout `planes`; InPacked and InFull have the same functions for other layouts.
+/// load() and store() process items i, i + 1, ... with one item in each lane: e[k] has entry k of these
+/// items. `i` must be a multiple of the number of lanes. prefetch() loads later items into the cache.
 struct InPlanes {
   template <class D, class T, int N, class V>
   static HWY_INLINE void load(D d, const View<const T, N>& v, std::size_t i, V (&e)[N]) {
@@ -46,8 +47,8 @@ static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
   for (std::size_t k = 0; k < bytes; k += 64) hwy::Prefetch(static_cast<const char*>(p) + distance + k);
 }
 
-/// Exchanges the odd lanes of a with the even lanes of b. This separates two sequences that alternate in a
-/// and b. A second call restores a and b.
+/// Exchanges the odd lanes of `a` with the even lanes of `b`. If two sequences alternate in `a` and `b`, `a`
+/// gets the first sequence and `b` the second. A second call restores `a` and `b`.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE void transpose_pairs(D, [[maybe_unused]] V& a, [[maybe_unused]] V& b) {
 #if HWY_TARGET != HWY_SCALAR
@@ -62,7 +63,7 @@ static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
-/// Loads each matrix as two items of three entries, which transpose_pairs() then separates.
+/// Loads each matrix as two groups of three entries. transpose_pairs() separates the groups.
 struct InPacked {
   template <class D, class T, class V>
   static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
@@ -90,7 +91,7 @@ struct InPacked {
   }
 };
 
-/// Loads consecutive matrices of nine entries. Highway can only separate three entries, so two steps do it.
+/// Loads consecutive matrices of nine entries, in two steps: Highway can only separate three entries.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -116,7 +117,8 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// entry_in_nine: the index of each entry of Sym3 in the full matrix. nine_of_entries: the inverse.
+/// entry_in_nine[k] is the index in the full matrix of entry k of Sym3. nine_of_entries[j] is the index in
+/// Sym3 of entry j of the full matrix.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 
@@ -152,7 +154,8 @@ struct FromRow {
   static HWY_INLINE void move(T* item, const T* row) { *item = *row; }
 };
 
-/// Copies items [i, i + count) one by one between a view and rows of `stride` numbers: one row per entry.
+/// Copies items [i, i + count) one by one between a view and `rows`. rows[k * stride + j] is entry k of item
+/// i + j.
 template <class Direction, class T, int N, class Row>
 static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t count, Row* rows,
                                 std::size_t stride) {
@@ -175,13 +178,12 @@ static HWY_INLINE void transfer(const View<T, N>& v, std::size_t i, std::size_t 
   }
 }
 
-/// Returns true if each item of a view is nine contiguous numbers.
 template <class T, int N>
 static HWY_INLINE bool is_nine(const View<T, N>& v) {
   return v.layout == Layout::full || (N == 9 && v.layout == Layout::packed);
 }
 
-/// Copies items [i, i + count) of a view to rows; scatter() copies them back.
+/// Copies items [i, i + count) of a view to `rows`, like transfer(). scatter() copies in the other direction.
 template <class D, class T, int N>
 static HWY_NOINLINE void gather(D d, const View<const T, N>& v, std::size_t i, std::size_t count, T* rows,
                                 std::size_t stride) {
@@ -220,15 +222,14 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
 // A function type F for small matrices or vectors has these members:
 //   in, out                        number of entries of an input item and of an output item
 //   group                          number of registers that are processed together
-//   memory_bound                   true if loads and stores take as long as the arithmetic. Then every layout
-//                                  is read and written in place, and stores may bypass the caches.
+//   memory_bound                   true if loads and stores take as long as the arithmetic. Then stores may
+//                                  bypass the caches, and equal layouts need no tiles.
 //   f.quick<G>(d, from, to)        for V from[G][in], to[G][out]; returns true if `to` is valid in all lanes
 //   f.general(d, from, to)         for V from[in], to[out]; valid for any input. Not needed if quick() always
 //                                  returns true.
 
-/// Processes G registers of items, starting at item i. Reads all items before it writes results, so in == out
-/// is allowed. The slow path reads the items again, because otherwise they would occupy registers of the fast
-/// path.
+/// Processes G registers of items, starting at item i. Reads the items before it writes results, so in == out
+/// is allowed. The slow path reads the items again: keeping them would occupy registers of the fast path.
 template <int G, class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
                                      const View<T, F::out>& out, std::size_t i) {
@@ -252,8 +253,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// Processes as many whole groups as possible and returns the index after the last item. This is a separate
-/// function, so that its constants can use all registers.
+/// Processes as many whole groups as possible. Returns the index after the last processed item. This function
+/// is not inline, so that its constants can use all registers.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -277,8 +278,8 @@ static HWY_INLINE std::size_t map_whole(D d, const F& f, const View<const T, F::
   return i;
 }
 
-/// A buffer of planes that fits the first-level cache, for layouts that are not processed in place. The
-/// stride makes planes use different cache sets.
+/// A buffer of planes that fits the first-level cache, for layouts that are not processed directly. With this
+/// stride, the planes use different cache sets.
 template <class T>
 struct Tile {
   static constexpr std::size_t items = 64, stride = items + 64 / sizeof(T);
@@ -292,7 +293,7 @@ struct Tile {
   }
 };
 
-/// Loads items [i, i + count) into a tile, and fills the last register with copies of the first item. Returns
+/// Copies items [i, i + count) to a tile, and fills the last register with copies of the first item. Returns
 /// the number of items including these copies.
 template <class D, class T, int N>
 static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::size_t i, std::size_t count,
@@ -306,8 +307,8 @@ static HWY_INLINE std::size_t fill_tile(D d, const View<const T, N>& in, std::si
   return filled;
 }
 
-/// Processes items [begin, end) of any layout in tiles. put(numbers, i, count) stores the results of items
-/// [i, i + count).
+/// Processes items [begin, end) of any layout in tiles. put(numbers, i, count) must store the results of
+/// items [i, i + count).
 template <class F, class D, class T, class Put>
 static HWY_NOINLINE void map_tiles(D d, const F& f, const View<const T, F::in>& in, std::size_t begin,
                                    std::size_t end, const Put& put) {
@@ -340,7 +341,8 @@ static HWY_INLINE bool is_aligned(const View<T, N>& v) {
   return bits % 64 == 0;
 }
 
-/// Processes items in place if the input and the output have one layout. Processes the last items in a tile.
+/// Processes items without tiles. The input and the output must have the layout that `Way` accesses. If the
+/// last items do not fill a register, they are processed in a tile.
 template <class Way, class F, class D, class T>
 static HWY_INLINE void map_directly(D d, const F& f, const View<const T, F::in>& in,
                                     const View<T, F::out>& out, const Range& range) {
@@ -371,8 +373,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// Stores N contiguous numbers from registers of one lane, 16 bytes at a time. After smaller stores, a copy
-/// with loads of 16 bytes would be slow.
+/// Stores the only lane of N registers as N contiguous numbers, 16 bytes at a time. A later load of 16 bytes
+/// would be slow after smaller stores.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;
@@ -406,7 +408,7 @@ static HWY_INLINE void map_one(const F& f, const T* in, T* out) {
   store_row(d, to[0], out);
 }
 
-/// The functions of F for the kernel table. More: the types of F's parameters.
+/// The functions of F for the kernel table. `More` are the types of F's parameters.
 template <class F, class T, class... More>
 struct Mapped {
   static void one(const T* in, T* out, More... more) { map_one(F{more...}, in, out); }

@@ -12,7 +12,7 @@ namespace {
 // first load each cache line.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
-constexpr std::size_t granule = 64;  // number of items in a whole number of registers and cache lines
+constexpr std::size_t granule = 64;  // every chunk begins at a multiple: whole registers and cache lines
 
 struct Chunks {
   const RangeTask& task;

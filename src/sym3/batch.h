@@ -1,4 +1,4 @@
-// Settings of a batch: kernel, threads and kind of stores.
+// Settings of a batch: kernel, threads and store instructions.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,9 @@ namespace viete::sym3 {
 
 struct Kernel;
 
-/// Runs tasks, possibly in parallel. run(self, n, task, context) must call task(context, i) once for each i <
-/// n, on any threads in any order. It must return when all calls have ended.
+/// Runs tasks, possibly in parallel. run(self, tasks, task, context) must call task(context, i) exactly once
+/// for each i < tasks, in any order and on any threads. run() must return only after all these calls have
+/// returned.
 struct Executor {
   void (*run)(void* self, std::size_t tasks, void (*task)(void* context, std::size_t i), void* context);
   void* self = nullptr;
@@ -16,7 +17,7 @@ struct Executor {
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming if the data is aligned, much larger than the caches, and not in place
+  automatic,  ///< streaming if the output is aligned and not the input, and the data exceeds the caches
   ordinary,
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };
@@ -24,7 +25,7 @@ enum class Stores : unsigned char {
 /// By default a batch uses the active kernel and the calling thread. If there is an executor, the batch is
 /// split into chunks of at least `least_chunk` items. The number of chunks does not change the results.
 struct Batch {
-  const Kernel* kernel = nullptr;  ///< a kernel of kernels(); null means kernel()
+  const Kernel* kernel = nullptr;  ///< one of kernels(); null selects the active kernel
   const Executor* executor = nullptr;
   Stores stores = Stores::automatic;
 

@@ -13,13 +13,14 @@ namespace viete::sym3 {
 
 namespace {
 
-// e^2800 times any positive double is infinite; e^-2800 times any double is 0; e^700 is in range.
+// Exponents are clamped to this size: e^2800 times any positive double is infinite, and e^-2800 times any
+// double is 0. The factor e^700 of times_exp() is in range.
 constexpr double exponent_limit = 2800;
 
-// Larger entries are scaled down, because their sums and products could overflow in Jacobi's method.
+// If an entry is above large_entry, the matrix is multiplied by `down`, so that Jacobi's method is in range.
 constexpr double large_entry = 1e270, down = 0x1p-64;
 
-/// The eigenvalues of S are eigen.values / scale. The quotients could overflow, but their differences do not.
+/// The eigenvalues of S are eigen.values / scale. exponent() clamps quotients that overflow.
 struct Exponents {
   Eigen3<DoubleDouble> eigen;
   double scale;
@@ -34,15 +35,15 @@ double exp_of(const DoubleDouble& x) {
   return std::exp(x.hi) * (1 + x.lo);
 }
 
-/// Returns x e^y. Multiplies by four factors, because e^y as one factor may overflow.
+/// Returns x * e^y. Multiplies by four factors, because e^y as one factor may overflow.
 double times_exp(double x, const DoubleDouble& y) {
   const double part = std::exp(y.hi / 4);
   for (int k = 0; k < 4; ++k) x *= part;
   return x * (1 + y.lo);
 }
 
-/// Returns entry (i, j) of V exp(values) V^T, relative to the largest exponential. Ignores terms that are
-/// zero, so that an overflow stays in one diagonal block of the matrix.
+/// Returns entry (i, j) of V exp(values) V^T. Skips zero terms, so that an overflow stays in one diagonal
+/// block of the matrix. Sums the other terms relative to the largest exponential.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];
@@ -71,15 +72,16 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
   return {entry(e, 0, 0), entry(e, 0, 1), entry(e, 0, 2), entry(e, 1, 1), entry(e, 1, 2), entry(e, 2, 2)};
 }
 
-/// The row and column of each number of Sym3.
+/// The row (first_of) and the column (second_of) of each entry of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// Returns (e^x - e^y) / (x - y) over the larger of e^x and e^y, at most 1. `distance` is |x - y|.
+/// Returns (e^x - e^y) / (x - y) / max(e^x, e^y), which is at most 1. `distance` is |x - y|.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Returns entry (i, j) of exp'(S)[E]: a sum of slope times component of E over pairs of eigenvectors.
+/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. Each pair of axes adds its slope
+/// times its component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -179,7 +181,6 @@ std::array<double, n> top_vector(Matrix4 a) {
   return {v[0][top], v[1][top], v[2][top], v[3][top]};
 }
 
-/// Scales m so that the largest entry has a size between 1 and 2. A zero matrix stays zero.
 std::array<double, 9> normalized(const std::array<double, 9>& m) {
   double largest = 0;
   for (const double x : m) largest = std::max(largest, std::fabs(x));
@@ -207,7 +208,8 @@ double asymmetry(const std::array<double, 9>& r, const std::array<double, 9>& m,
   return sum.hi;
 }
 
-/// Takes one Newton step to make R^T M symmetric. A rotation by w changes the asymmetry by (tr(U) I - U) w.
+/// Takes a Newton step to make U = R^T M symmetric. A rotation by a small vector w changes the asymmetry by
+/// (tr(U) I - U) w.
 std::array<double, n> refined(const std::array<double, n>& q, const std::array<double, 9>& m) {
   const auto r = to_matrix(q);
   const auto dot = [&](int i, int j) { return r[i] * m[j] + r[3 + i] * m[3 + j] + r[6 + i] * m[6 + j]; };
@@ -267,7 +269,8 @@ double smallest(const Eigen3<Real>& e) {
   return std::min({jacobi::leading(e.values[0]), jacobi::leading(e.values[1]), jacobi::leading(e.values[2])});
 }
 
-/// Returns a power of two that keeps sums, products and low parts of Jacobi's method in range.
+/// Returns a power of two. If S is multiplied by this power, Jacobi's method neither overflows nor
+/// underflows.
 double comfortable_scale(const Sym3<double>& s) {
   const double largest = largest_entry(s);
   if (is_diagonal(s)) return 1;
@@ -293,7 +296,8 @@ Sym3<double> of_spectrum_above(double least, const F& f, const Sym3<double>& s) 
   return smallest(exact) > bound ? recompose(f, exact) : nan_matrix<double>();
 }
 
-/// Returns true if S - I is exact because S is close to I. Then log1p of its eigenvalues is more accurate.
+/// Returns true if S is so close to I that S - I is exact. Then log1p of the eigenvalues of S - I is more
+/// accurate than log of the eigenvalues of S.
 bool is_near_identity(const Sym3<double>& s) {
   const double off = std::max({std::fabs(s.xy), std::fabs(s.xz), std::fabs(s.yz)});
   const auto [low, high] = std::minmax({s.xx, s.yy, s.zz});
@@ -320,7 +324,7 @@ Sym3<double> inv_sqrt_in_double(const Sym3<double>& s) {
   return is_usable(s) ? of_spectrum_above(0, inv_sqrt, s) : nan_matrix<double>();
 }
 
-/// Negative eigenvalues above this number, relative to the largest entry, count as rounding errors of S.
+/// Negative eigenvalues above this number * largest entry are rounding errors. sqrt uses 0 instead.
 template <class T>
 constexpr double rounding = -8 * static_cast<double>(std::numeric_limits<T>::epsilon());
 
@@ -358,7 +362,7 @@ struct SlopeOf {
   }
 };
 
-/// Returns the exponent p with f(256 S) = 256^p f(S), up to a constant.
+/// Returns the exponent h with f(256 S) = 256^h f(S), up to an added constant.
 double homogeneity(const SlopeOf& slope) {
   return slope.f == Of::pow ? slope.p : slope.f == Of::sqrt ? 0.5 : 0;
 }

@@ -24,7 +24,6 @@ struct Argument {
 
   bool is_full() const { return layout.entry_stride == 0; }
   bool is_sound() const { return data && layout.matrix_stride > 0 && (!is_full() || N == 6); }
-  // Returns true if the layout needs no copy.
   bool is_viewed() const {
     if (is_full()) return layout.matrix_stride == 9;
     return layout.matrix_stride == 1 || (layout.entry_stride == 1 && layout.matrix_stride == N);
@@ -41,7 +40,7 @@ struct Argument {
   }
 };
 
-// A part of an array. It is a view of the array itself, or a copy that finish() writes back.
+// A part of an array: a view of the array or, if the layout needs it, a copy. finish() copies output back.
 template <class T, int N>
 class Part {
 public:
@@ -77,7 +76,7 @@ private:
   std::remove_const_t<T> buffer_[block * N];
 };
 
-// Calls f(views..., count) once for all matrices, or for each block if a layout needs copies.
+// Calls f(views..., count) once, or once for each block if a layout needs copies. Invalid arguments give -1.
 template <class F, class... T, int... N>
 int apply(std::size_t count, const F& f, const Argument<T, N>&... all) {
   if (!(all.is_sound() && ...)) return -1;

@@ -8,13 +8,13 @@
  *   {n, 1}  planes of n numbers, one plane for each entry
  *   {1, 9}  general matrices or rotations: nine entries by rows
  *   {0, n}  symmetric matrices with all nine entries, n >= 9; the upper triangle is read
- * All other strides must be positive. Packed and planar layouts are processed in place; other layouts are
- * copied block by block. If the strides are equal, the output may be the input. Otherwise the output must not
- * overlap the input.
+ * Strides must be positive, except entry_stride 0 of symmetric matrices. Packed and planar layouts and {0, 9}
+ * need no copies; other layouts are copied block by block. If input and output have equal layouts, the output
+ * may be the input. In all other cases the output must not overlap the input.
  *
  * Undefined results, such as the log of a matrix that is not positive definite, are NaN. The C++ headers, for
  * example <viete/sym3/exp.h>, document errors and ranges. All functions are thread-safe. If a pointer is null
- * or a stride is invalid, they do nothing and return -1. Otherwise they return 0.
+ * or a stride is invalid, a function does nothing and returns -1. Otherwise it returns 0.
  *
  * Link with the C++ library: cc example.c -lviete_sym3 -lstdc++ -lm. Before 1.0 a new minor version may
  * change this interface. */
@@ -39,14 +39,14 @@ int viete_inv_sqrt(const double* in, viete_layout in_layout, double* out, viete_
                    size_t count);
 int viete_pow(const double* in, viete_layout in_layout, double p, double* out, viete_layout out_layout,
               size_t count);
-/* Compute the derivatives of exp, log and sqrt at each matrix, in the direction of a symmetric matrix. */
+/* The derivatives of exp, log and sqrt at matrix i of `in`, in the direction of matrix i of `direction`. */
 int viete_exp_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_log_derivative(const double* in, viete_layout in_layout, const double* direction,
                          viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
 int viete_sqrt_derivative(const double* in, viete_layout in_layout, const double* direction,
                           viete_layout direction_layout, double* out, viete_layout out_layout, size_t count);
-/* Decomposes m = r u: general matrix (9 entries), rotation (9 entries), symmetric stretch (6 entries). */
+/* M = R U: `in` has general matrices M (9 entries), `rotations` has R (9 entries), `stretches` has U (6). */
 int viete_polar(const double* in, viete_layout in_layout, double* rotations, viete_layout rotation_layout,
                 double* stretches, viete_layout stretch_layout, size_t count);
 

@@ -32,6 +32,7 @@ RangeTask task_of(const Call& call) {
 }
 
 /// Processes items [0, count) with the batch's executor. `bytes` is the number of bytes read and written.
+/// `in_place` is true if the output is the input.
 void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool in_place,
                const Batch& batch);
 

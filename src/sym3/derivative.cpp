@@ -40,7 +40,7 @@ void many_derivatives(Of f, double p, const SymView<const T>& s, Directions<T> d
 
 }  // namespace
 
-// `p` is the exponent or 0. Functions with an exponent have the exponent's declaration as the last argument.
+// `p` is the exponent, or 0. For functions with an exponent, the last argument declares this parameter.
 #define VIETE_FOR(T, name, p, ...)                                                                       \
   template Sym3<T> name##_derivative(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__, const Sym3<T>&);         \
   template Tangent<T> name##_tangent(const Sym3<T>& __VA_OPT__(, ) __VA_ARGS__);                         \

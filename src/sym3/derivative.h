@@ -1,26 +1,27 @@
-// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices: in one, several or all six
-// directions, for one matrix or many.
+// Derivatives of exp, log, square root and powers of symmetric 3x3 matrices, in one or more directions.
 //
-// f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the direction
-// E. It is symmetric and linear in E. It is self-adjoint, tr(F f'(S)[E]) = tr(E f'(S)[F]), and therefore also
-// the derivative in reverse mode. With eigenvectors V and eigenvalues x_i it is V (F o V^T E V) V^T. Here
-// F_ij = (f(x_i) - f(x_j)) / (x_i - x_j), or f'(x_i) if the eigenvalues are equal, and o is the product by
-// entries. The code never subtracts close values, so equal eigenvalues lose no accuracy. exp uses the
-// differentiated recurrence of method `fast` (exp_derivative-inl.h); the other functions use eigenvectors
-// (derivative_kernel.cpp).
+// f'(S)[E] = lim (f(S + h E) - f(S)) / h is the directional (Frechet) derivative of f at S in the
+// direction E. This matrix is symmetric and linear in E. Because tr(G f'(S)[E]) = tr(E f'(S)[G]), f'(S)[G] is
+// also the reverse-mode derivative for a gradient G.
 //
-// The error is relative to |f'(S)| |E|, where |f'(S)| is the largest F_ij and |E| is the Frobenius norm. u is
-// 2^-53 for double and 2^-24 for float. The spread is the largest eigenvalue minus the smallest; k is the
-// largest over the smallest. The bounds are, for any distance of the eigenvalues:
+// Let the columns of V be the eigenvectors of S, and x_i the eigenvalues. Then
+//   f'(S)[E] = V (F o V^T E V) V^T,   F_ij = (f(x_i) - f(x_j)) / (x_i - x_j), or f'(x_i) if x_i = x_j,
+// where o multiplies entry by entry. The code never subtracts close values, so close eigenvalues lose no
+// accuracy. exp uses the differentiated recurrence of method `fast` (exp_derivative-inl.h). The other
+// functions use eigenvectors (derivative_kernel.cpp).
+//
+// Errors are relative to |f'(S)| |E|, where |f'(S)| is the largest |F_ij| and |E| is the Frobenius norm. u is
+// 2^-53 for double and 2^-24 for float. The spread is the largest minus the smallest eigenvalue, and k is the
+// largest divided by the smallest eigenvalue. The bounds do not depend on the gaps between eigenvalues:
 //   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
 //   log, sqrt  <= (16 + 2 k) u
 //   pow        <= (16 + 4 (1 + |p|) k + 4 |p log S|) u
-// If log.h would use Jacobi's eigenvectors, or S^p is outside e^(+-500) (float e^(+-50)), the bound is 16 (1
-// + |p|) u and a derivative takes about 5 us. The bounds are empirical: tests/sym3 verifies them against
-// results with 113 bits.
+// In two cases the bound is 16 (1 + |p|) u, and a derivative takes about 5 us: if log.h uses Jacobi's
+// eigenvectors for S, or if an eigenvalue of S^p is outside e^(+-500) (float e^(+-50)). The bounds are
+// empirical: tests/sym3 verifies them against results with 113 bits.
 //
 // If S or E has a NaN or an infinity, the result is six NaN. If S is not positive definite, log, sqrt and pow
-// also give six NaN. In all other cases exp gives no NaN: an entry that overflows becomes a signed infinity
+// also give six NaN. For finite S and E, exp gives no NaN: an entry that overflows becomes a signed infinity
 // and leaves other entries unchanged, and underflow is gradual. Powers that overflow are infinite or NaN.
 // Thread-safe; no allocation, no throw.
 #pragma once
@@ -46,9 +47,10 @@ Sym3<T> sqrt_derivative(const Sym3<T>& s, const Sym3<T>& direction);
 template <class T>
 Sym3<T> pow_derivative(const Sym3<T>& s, double p, const Sym3<T>& direction);
 
-/// The derivatives in six directions, in the order of Sym3: xx xy xz yy yz zz. Number j of element k is the
-/// derivative of number j of f(S) by number k of S. The directions xy, xz and yz change both off-diagonal
-/// entries. The derivatives are equal to the single derivatives up to rounding. For Voigt order see eigen.h.
+/// The derivatives in six directions, in the order of Sym3: xx xy xz yy yz zz. Entry j of element k is the
+/// derivative of entry j of f(S) with respect to entry k of S. Directions xy, xz and yz change the entries
+/// above and below the diagonal. The elements are equal to single derivatives up to rounding. For Voigt order
+/// see eigen.h.
 template <class T>
 using Tangent = std::array<Sym3<T>, 6>;
 
@@ -62,7 +64,7 @@ template <class T>
 Tangent<T> pow_tangent(const Sym3<T>& s, double p);
 
 // Batches. Item i of out[k] is the derivative at item i of `s`, in the direction of item i of directions[k].
-// The functions compute only once what all directions have in common:
+// Data that depends only on `s` is computed only once:
 //   const SymView<const double> directions[] = {e0, e1, e2};
 //   const SymView<double> out[] = {f0, f1, f2};
 //   exp_derivative(s, directions, out, count);
@@ -75,7 +77,7 @@ using Directions = std::span<const SymView<const T>>;
 template <class T>
 using Derivatives = std::span<const SymView<T>>;
 
-/// Entry 6 k + j is number j of direction k of a tangent. The layout must not be `full`.
+/// Entry 6 * k + j of an item is entry j of element k of a Tangent. The layout must not be `full`.
 template <class T>
 using TangentView = View<T, 36>;
 

@@ -11,14 +11,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T, where F has the divided differences of f for pairs of
-// eigenvalues (Daleckii and Krein 1965). The code subtracts no close values, so equal eigenvalues lose no
-// accuracy. The columns of V need only be orthonormal and solve S V = V diag up to rounding: for close
-// eigenvalues, F has close entries, so any basis of the eigenspace is good. The eigenvector of a, which is
-// far from b and c (spectral-inl.h), is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
-// diagonalises the 2x2 block of b and c.
+// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T as in derivative.h (Daleckii and Krein 1965). The columns
+// of V must be orthonormal, and S V = V diag(eigenvalues) up to rounding. If eigenvalues are close, any basis
+// of the eigenspace is accurate, because the entries of F are also close. The eigenvalue `a` is far from `b`
+// and `c` (spectral-inl.h). Its eigenvector is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
+// diagonalises the 2x2 block of `b` and `c`.
 
-/// The eigenvectors of S and the matrix F, in the order a, b, c. All directions at S share this data.
+/// The eigenvectors of the eigenvalues a, b and c of S, and the matrix F. This data does not depend on E.
 template <class V>
 struct Slopes {
   Three<V> a, b, c;
@@ -41,15 +40,15 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Returns a positive number so tiny that adding it to 1 gives 1. Avoids divisions by 0. The square is in
-/// range.
+/// Returns a number that avoids divisions by 0. The square of this number is positive, but 1 plus this number
+/// is 1.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;
   return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
 }
 
-/// Returns the unit eigenvector of a, or (1, 0, 0) if B = 0.
+/// Returns the unit eigenvector of the eigenvalue `a`, or (1, 0, 0) if B = 0.
 template <class D, class V>
 static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   const Six<V>&m = e.matrix, &c = e.adjugate;
@@ -65,8 +64,8 @@ static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   return {hn::Mul(v.x, scale), hn::Mul(v.y, scale), hn::Mul(v.z, scale)};
 }
 
-/// Computes two unit vectors that are orthogonal to the unit vector n and to one another (Duff et al. 2017,
-/// Building an orthonormal basis, revisited).
+/// Computes unit vectors `u` and `v` that are orthogonal to each other and to the unit vector n (Duff et al.
+/// 2017, Building an orthonormal basis, revisited).
 template <class D, class V>
 static HWY_INLINE void complete(D d, const Three<V>& n, Three<V>& u, Three<V>& v) {
   const V one = hn::Set(d, hn::TFromD<D>(1)), sign = hn::CopySign(one, n.z);
@@ -83,7 +82,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.a = far_vector(d, e);
   complete(d, s.a, u, v);
   const Three<V> bu = times(e.matrix, u), bv = times(e.matrix, v);
-  // The remaining 2x2 block is the mean of its diagonal plus (half, cross; cross, -half).
+  // In the basis (u, v), the 2x2 block of B is a multiple of I plus (half, cross; cross, -half).
   const V half = hn::Mul(hn::Sub(dot(u, bu), dot(v, bv)), hn::Set(d, T(0.5))), cross = dot(u, bv);
   const V radius = hn::Sqrt(hn::MulAdd(half, half, hn::Mul(cross, cross)));
   const V size = hn::Add(hn::Add(hn::Abs(half), radius), next_to_nothing(d));
@@ -95,7 +94,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.c = combination(hn::Neg(sine), u, cosine, v);
 }
 
-/// Returns 1 / (x + y) for each pair of a, b and c, the square roots of the eigenvalues.
+/// Returns 1 / (x + y) for all x and y among the numbers a, b and c: the square roots of the eigenvalues.
 template <class D, class V>
 static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
   using T = hn::TFromD<D>;
@@ -121,7 +120,6 @@ static HWY_INLINE Six<V> log_slopes(D d, const Spectrum<V>& e) {
           hn::Div(one, e.at_c)};
 }
 
-/// Computes powers x^p and their divided differences.
 template <class D, class V>
 struct PowSlopes {
   using T = hn::TFromD<D>;
@@ -138,8 +136,8 @@ struct PowSlopes {
     return add_to_exponent(d, horner(d, C::scalar_exp, r.r), r.shifted);
   }
 
-  /// Returns the divided difference of x^p from `of_log`, the divided difference of log x. With t = p log(x /
-  /// y) it is p of_log y^p (e^t - 1) / t. For large t, the definition is used instead.
+  /// Returns the divided difference (x^p - y^p) / (x - y). `of_log` is the divided difference of log. For
+  /// small t = p log(x / y), the result is p * of_log * y^p * (e^t - 1) / t.
   HWY_INLINE V between(V x_power, V y_power, V difference, V of_log) const {
     constexpr int degree = sizeof(C::scalar_exp) / sizeof(T) - 1;
     const V slope = hn::Mul(p, of_log), t = hn::Mul(slope, difference);
@@ -169,7 +167,6 @@ static HWY_INLINE Six<V> pow_slopes(D d, const Spectrum<V>& e, V p, hn::Mask<D>&
           over(c, log.zz)};
 }
 
-/// Returns the lanes that are valid.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> put_slopes(D d, Of f, double p, const Six<V>& s, Slopes<V>& slopes) {
   const Spectrum<V> e = spectrum(d, s);
@@ -205,7 +202,7 @@ static HWY_INLINE Six<V> by_slopes(const Slopes<V>& s, const Six<V>& e) {
 }
 
 // A derivative type F has these members:
-//   Point<D>                      the data that all directions at S share, with one S in each lane
+//   Point<D>                      the data at S for all directions, with one S in each lane
 //   f.put_point(d, s, point)      computes this data
 //   f.derivative(d, point, e)     f'(S)[E]
 
@@ -270,7 +267,7 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
-/// Returns true if `count` items are whole registers in planes. Such items can be processed in place.
+/// Returns true if the items need no tile: the layout is planes, and `count` items are whole registers.
 template <class D, class T>
 static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
   return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;
@@ -284,7 +281,7 @@ static HWY_INLINE View<T, 6> planes_from(const View<T, 6>& v, std::size_t i) {
   return there;
 }
 
-/// Returns items [i, i + count) as planes: in place if possible, otherwise as a copy in a tile.
+/// Returns items [i, i + count) as planes: the view itself if possible, otherwise a copy in `tile`.
 template <class D, class T>
 static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std::size_t i, std::size_t count,
                                             T* tile) {
@@ -293,7 +290,7 @@ static HWY_INLINE View<const T, 6> readable(D d, const View<const T, 6>& v, std:
   return Tile<T>::template view<6, const T>(tile);
 }
 
-/// For each tile, computes the shared data of all S, then the directions one by one.
+/// For each tile, computes the data of all S, then one direction after the other.
 template <class F, class T>
 static HWY_INLINE void many_by(const F& f, const View<const T, 6>& s, const View<const T, 6>* directions,
                                const View<T, 6>* out, std::size_t n, const Range& range) {
@@ -342,7 +339,7 @@ extern const DerivativeFunction<float> derivative_float;
 const DerivativeFunction<double> derivative_double = {derivative_one<double>, derivative_many<double>};
 const DerivativeFunction<float> derivative_float = {derivative_one<float>, derivative_many<float>};
 
-/// Computes a tangent direction by direction. Leaves lanes in `done` unchanged.
+/// Computes a tangent, one direction after the other. Leaves lanes in `done` unchanged.
 template <class F, class D, class V, class M>
 static HWY_NOINLINE void tangent_by_directions(D d, const F& f, const typename F::template Point<D>& point,
                                                const M& done, V (&tangent)[36]) {

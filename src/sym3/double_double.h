@@ -19,13 +19,13 @@ inline DoubleDouble two_sum(double a, double b) {
   return {sum, (a - (sum - part)) + (b - part)};
 }
 
-/// Splits a into two parts of at most 26 bits (Veltkamp). |a| must be below 2^996.
+/// Splits `a` into two parts of at most 26 bits (Veltkamp). |a| must be below 2^996.
 inline DoubleDouble halves(double a) {
   const double shifted = a * 0x1.0000002p27, hi = shifted - (shifted - a);
   return {hi, a - hi};
 }
 
-/// Returns exactly a b, if it does not overflow or underflow.
+/// Returns the exact product a * b. Overflow and underflow are not handled.
 inline DoubleDouble two_product(double a, double b) {
   const double product = a * b;
   const DoubleDouble x = halves(a), y = halves(b);
@@ -60,7 +60,7 @@ inline DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) {
   return quick_two_sum(first, second) + DoubleDouble{rest2.hi / b.hi, 0};
 }
 
-/// Takes one step of Newton's method from the root in double (Karp and Markstein 1997).
+/// Returns the root: std::sqrt, improved by one step of Newton's method (Karp and Markstein 1997).
 inline DoubleDouble sqrt(const DoubleDouble& a) {
   if (a.hi == 0) return {};
   const double root = std::sqrt(a.hi);

@@ -1,4 +1,4 @@
-// Converts between Sym3, Eigen's matrices and Voigt vectors. No other header needs Eigen.
+// Converts between Sym3, Eigen's matrices and Voigt vectors. No other header of sym3 includes Eigen.
 #pragma once
 
 #include <Eigen/Core>
@@ -47,7 +47,7 @@ Sym3<T> from_voigt_strain(const Eigen::Matrix<T, 6, 1>& v) {
   return {v[0], v[5] / 2, v[4] / 2, v[1], v[3] / 2, v[2]};
 }
 
-/// The tangent stiffness in Voigt order. The product with a strain is the derivative of the stress. The
+/// Returns the tangent stiffness in Voigt order. This matrix times a strain rate is the stress rate. The
 /// matrix is symmetric up to rounding.
 template <class T>
 Eigen::Matrix<T, 6, 6> to_voigt_tangent(const Tangent<T>& t) {

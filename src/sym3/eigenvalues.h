@@ -9,8 +9,8 @@
 
 namespace viete::sym3 {
 
-// u is 2^-53 for double and 2^-24 for float. Eigenvalues are in ascending order, and their errors are
-// relative to the largest absolute eigenvalue. A NaN or an infinity in S gives three NaN.
+// u is 2^-53 for double and 2^-24 for float. Eigenvalues are in ascending order, and errors are relative to
+// the largest absolute eigenvalue. A NaN or an infinity in S gives three NaN.
 
 /// Returns the eigenvalues of any finite matrix by a closed form with the discriminant as a sum of squares
 /// (spectral-inl.h). The error is at most 8 u, even if eigenvalues are close.
@@ -31,7 +31,7 @@ std::array<T, 3> eigenvalues_qr(const Sym3<T>& s);
 /// Returns the eigenvalues by Viete's formula (paper, section 3). The argument of the arc cosine is clamped
 /// to [-1, 1], and triple eigenvalues are a separate case. The error is about 100 u for separate eigenvalues,
 /// about sqrt(u) close to a double eigenvalue, and up to 4 cbrt(u) close to a triple eigenvalue. Entries must
-/// be between 1e-50 and 1e50 in size (float 1e-6 and 1e6), so that their cubes are in range.
+/// be between 1e-50 and 1e50 in absolute value (float 1e-6 and 1e6), so that their cubes are in range.
 template <class T>
 std::array<T, 3> eigenvalues_viete(const Sym3<T>& s);
 

@@ -14,13 +14,13 @@
 // sym3::exp with the kernel of that instruction set, whatever other lanes contain. For bounds and special
 // values see method `fast` in exp.h.
 //
-// Algorithm: let S = (m + e) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
+// Algorithm: let S = (mean + rest) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
-// with p = |A|^2 / 2 and q = det A. Proof: A^3 = p A + q I (Cayley-Hamilton). Dividing f by x^3 - p x - q
-// gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2, and A^2 - p I = adj A.
-// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. If p is at
-// most p_limit, f is the minimax polynomial of exp. For larger p, A is divided by 2^j, and the result is
-// squared j times.
+// with p = |A|^2 / 2 and q = det A. Proof: x^3 - p x - q is 0 at x = A (Cayley-Hamilton). Dividing f by this
+// polynomial gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2. At x = A,
+// the remainder is the formula, because A^2 - p I = adj A. The algorithm needs no eigenvalues and no special
+// cases, so equal eigenvalues lose no accuracy. If p is at most p_limit, f is the minimax polynomial of exp.
+// For larger p, A is divided by 2^j, and the result is squared j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
@@ -53,7 +53,7 @@ static HWY_INLINE Split<V> split(D d, const Six<V>& s) {
   return {trace, mean, rest, {Sub(dx, rest), s.xy, s.xz, Sub(dy, rest), s.yz, Sub(dz, rest)}};
 }
 
-/// Returns -p of A^3 = p A + q I for a matrix A with trace zero and adjugate c. (-p saves a negation.)
+/// Returns -p (see above) for a matrix A with trace zero and the adjugate c. (-p saves a negation.)
 template <class V>
 static HWY_INLINE V minus_p(const Six<V>& c) {
   return Add(Add(c.xx, c.yy), c.zz);
@@ -63,14 +63,13 @@ static HWY_INLINE V determinant(const Six<V>& a, const Six<V>& c) {
   return sum_of_products(a.xx, c.xx, a.xy, c.xy, a.xz, c.xz);
 }
 
-/// The coefficients z of f(A) = z0 I + z1 A + z2 adj A.
 template <class V>
 struct Coefficients {
   V z0, z1, z2;
 };
 
-/// Computes the recurrence above. a[k] are the coefficients of the polynomial; the last one is 1. Each step
-/// needs the result of the previous step. While waiting, it calls beside(step, z_{k+2}) for other work.
+/// Computes the recurrence at the top of this file. `a` has the coefficients of f; the last coefficient must
+/// be 1. Each step waits for the result of the previous step. In this time, beside(step, z2) does other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -93,7 +92,7 @@ static HWY_INLINE Six<V> combine(const Coefficients<V>& z, const Six<V>& a, cons
           MulAdd(z.z1, a.yz, Mul(z.z2, c.yz)),          MulAdd(z.z1, a.zz, MulAdd(z.z2, c.zz, z.z0))};
 }
 
-/// The reduction x = n ln 2 + r with |r| <= 0.3467. The low bits of `shifted` are n as an integer.
+/// The reduction x = n * ln 2 + r with |r| <= 0.3467. The low bits of `shifted` are n as an integer.
 template <class V>
 struct Reduced {
   V r, n, shifted;
@@ -109,7 +108,8 @@ static HWY_INLINE Reduced<V> reduce(D d, V x) {
   return {r, n, shifted};
 }
 
-/// Returns x 2^n, if it is in the normal range. Adds n, the low bits of `shifted`, to the exponent of x.
+/// Returns x * 2^n by adding n to the exponent of x. The low bits of `shifted` are n. The result must be in
+/// the normal range.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE V add_to_exponent(D d, V x, V shifted) {
   const hn::RebindToUnsigned<D> du;
@@ -134,7 +134,7 @@ static HWY_INLINE hn::Mask<D> is_quick(D d, Two<V> minus_p, Two<V> trace) {
   return hn::And(is_quick(d, minus_p.a, trace.a), is_quick(d, minus_p.b, trace.b));
 }
 
-/// Computes Table::lead e^(mean + rest) in steps during recurrence(). The result is valid if is_quick().
+/// Computes Table::lead * e^(mean + rest) in steps during recurrence(). Valid only if is_quick() is true.
 template <class Table, class D, class V>
 struct ScalarExp {
   using T = hn::TFromD<D>;
@@ -162,7 +162,7 @@ static HWY_INLINE Coefficients<V> times(const Coefficients<V>& z, V factor) {
   return {Mul(z.z0, factor), Mul(z.z1, factor), Mul(z.z2, factor)};
 }
 
-/// Returns exp(S) from the parts of S and the invariants of A. The result is valid if is_quick().
+/// Returns exp(S) from the parts of S and the invariants of A. Valid only if is_quick() is true.
 template <class D, class V>
 static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>& c, V minus_p, V q) {
   using C = ExpTables<hn::TFromD<D>>;
@@ -173,7 +173,7 @@ static HWY_INLINE Six<V> exp_by_polynomial(D d, const Split<V>& m, const Six<V>&
   return combine(times(z, scalar.value()), m.a, c);
 }
 
-/// If every lane has a spread up to 4.9 (float 6.9) and e^mean in the normal range, computes exp without
+/// If every lane has a spread up to 4.9 (float 6.9), and e^mean is in the normal range, computes exp without
 /// squaring and returns true. Otherwise returns false. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
@@ -185,8 +185,8 @@ static HWY_INLINE bool exp_quick(D d, const Six<V>& s, Six<V>& e) {
   return true;
 }
 
-/// Returns m e^(x + rest) for any x. Each entry overflows or underflows independently. Multiplies by four
-/// factors, because 2^n as one factor may overflow.
+/// Returns m * e^(x + rest) for any x. An entry that overflows or underflows does not change other entries.
+/// Multiplies by four factors, because 2^n as one factor may overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   using T = hn::TFromD<D>;
@@ -202,8 +202,8 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// The number of halvings of A that bring p to p_limit or below. `count` is at most max_squarings. `scale` is
-/// the product of these halvings, and p is the value after the halvings.
+/// `count` halvings of A, at most max_squarings, that reduce p to p_limit or below if possible. `scale` is
+/// 2^-count, and `p` is the value after the halvings.
 template <class V>
 struct Halvings {
   V p, scale, count;
@@ -226,12 +226,12 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
 }
 
 /// Returns exp of any input. Each lane computes exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p
-/// to p_limit or below, then multiplies by e^mean. It squares the matrix, not the three coefficients: a
-/// rounding error of q would move two close large eigenvalues and cause an error of u times the squared
-/// spread. With the matrix, the error is proportional to the spread. Lanes without squaring use the steps of
-/// exp_quick(), so that results do not depend on other lanes. Some lanes use Jacobi's method one by one:
-/// after overflow or too many squarings, for NaN and infinities, and for diagonal matrices, to make each
-/// entry accurate.
+/// to p_limit or below, then multiplies by e^mean. The code squares the matrix, not the coefficients z. With
+/// coefficients, a rounding error of q would cause an error of u * spread^2. With the matrix, the error is
+/// proportional to the spread. Lanes with is_quick() use the steps of exp_quick(), so that results do not
+/// depend on other lanes.
+/// Some lanes use Jacobi's method one by one: after overflow or too many squarings, and for NaN, infinities
+/// and diagonal matrices. For diagonal matrices, Jacobi's method makes each entry accurate.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;

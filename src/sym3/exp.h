@@ -3,7 +3,8 @@
 // u is the unit roundoff, 2^-53 for double and 2^-24 for float. The spread is the largest eigenvalue minus
 // the smallest. Errors are relative, in the Frobenius norm, for results in the normal range. The bounds are
 // empirical: tests/sym3 verifies them against results with 113 bits. All functions are thread-safe, do not
-// allocate and do not throw. They assume that the processor rounds to nearest and does not flush to zero.
+// allocate and do not throw. The functions assume that the processor rounds to nearest and does not flush to
+// zero.
 #pragma once
 
 #include <optional>
@@ -20,16 +21,17 @@ namespace viete::sym3 {
 /// For all methods except improved_sd_faithful, a NaN or an infinity in S gives six NaN, and the zero matrix
 /// gives exactly the identity matrix I.
 enum class Method {
-  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). The error is at most (20 + 20 |S|)
-  /// u, where |S| is the largest absolute eigenvalue. If an exponential overflows, the result has infinities
-  /// and NaN.
+  /// Full diagonalisation by QR (Eigen's SelfAdjointEigenSolver::compute). The error is at most
+  /// (20 + 20 r) u, where r is the largest absolute eigenvalue. If an exponential overflows, the result has
+  /// infinities and NaN.
   diag,
 
-  /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues within
-  /// 1e-6 count as equal. The number of distinct eigenvalues selects one of three cases. There is no useful
-  /// error bound: x, y and z lose digits if eigenvalues are close. The error is about 1e3 u on the paper's
-  /// ensemble. For three eigenvalues 1e-6 apart it is up to 4e-3 in double, and unlimited in float, where
-  /// 1e-6 is the rounding level. If a term of x, y or z overflows, the result has infinities and NaN.
+  /// The spectral decomposition of the paper: x I + y S + z S^2 with eigenvalues by QR. Eigenvalues that
+  /// differ by less than 1e-6 count as equal. The number of distinct eigenvalues selects one of three
+  /// formulas. If eigenvalues are close, x, y and z lose digits. The error is about 1e3 u on the paper's
+  /// ensemble, and up to 4e-3 in double for three eigenvalues 1e-6 apart. In float the error has no limit,
+  /// because 1e-6 is the size of rounding errors. If a term of x, y or z overflows, the result has infinities
+  /// and NaN.
   sd,
 
   /// Like sd, but with Viete's closed form of the eigenvalues. The argument of the arc cosine is clamped to
@@ -38,17 +40,17 @@ enum class Method {
   improved_sd,
 
   /// The paper's formula with corrected misprints, without clamping and without a case for triple
-  /// eigenvalues. Only for comparison. It gives NaN for multiples of the identity, for half of all matrices
-  /// with a double eigenvalue, and for some matrices with close eigenvalues.
+  /// eigenvalues. Only for comparison. The formula gives NaN for multiples of the identity, for half of all
+  /// matrices with a double eigenvalue, and for some matrices with close eigenvalues.
   improved_sd_faithful,
 
   /// Shifts by the mean eigenvalue, then computes a recurrence in two invariants (exp-inl.h). For any trace
-  /// and any distance of eigenvalues the error is at most (6 + 2 spread) u with fused multiply-add, and (8 +
-  /// 2.5 spread) u without. With fused multiply-add the error is at most 6 u for a spread up to 3, and 8 u on
-  /// the paper's ensemble. Finite input never gives NaN. An entry that overflows becomes a signed infinity
-  /// and leaves other entries unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual. Small
-  /// entries are accurate relative to the norm of the result. If S is diagonal with a spread above 6 (float
-  /// 8), each entry is accurate relative to this entry.
+  /// and any gaps between eigenvalues, the error is at most (6 + 2 spread) u with fused multiply-add, and
+  /// (8 + 2.5 spread) u without. With fused multiply-add, the error is at most 6 u for a spread up to 3, and
+  /// 8 u on the paper's ensemble. Small entries are accurate only relative to the norm of the result.
+  /// Exception: if S is diagonal with a spread above 6 (float 8), each entry is accurate relative to itself.
+  /// Finite input never gives NaN. An entry that overflows becomes a signed infinity and leaves other entries
+  /// unchanged: diag(710, 0, 0) gives diag(inf, 1, 1). Underflow is gradual.
   fast,
 };
 

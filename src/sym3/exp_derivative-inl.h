@@ -4,20 +4,22 @@
 //   ... const auto at = lanes::exp_point(d, s);                      // once for each S
 //   ... const lanes::Six<V> f = lanes::exp_value(d, at);             // exp(S), if needed
 //   ... const lanes::Six<V> df = lanes::exp_derivative(d, at, e);    // for each direction E at S
-// Points cannot be assigned; put_exp_point() initialises a point of an array. Each lane has the same bits as
-// a single call of sym3::exp_derivative with the kernel of that instruction set, whatever other lanes
-// contain. For bounds and special values see derivative.h. exp_value() has the error bounds of sym3::exp but
-// other bits, because the polynomial differs.
+// A point cannot be assigned. For an array of points, use put_exp_point(). Each lane has the same bits as a
+// single call of sym3::exp_derivative with the kernel of that instruction set, whatever other lanes contain.
+// For bounds and special values see derivative.h. exp_value() has the error bounds of sym3::exp but other
+// bits, because it uses another polynomial.
 //
-// The algorithm differentiates exp-inl.h. With t = tr E / 3 and C = adj A, where E - t I has trace zero,
+// The code differentiates the algorithm of exp-inl.h. Let t = tr E / 3 and C = adj A. Then E - t I has trace
+// zero, and
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S).
-// The coefficients z_k are sums of a_{n+k} h_n over n, where h_n are the coefficients of the power series
-// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore dz_k =
-// u_k dp + u_{k+1} dq. One more recurrence gives u_k for all directions:
+// The coefficient z_k is the sum of a_{n+k} h_n over n, where h_n are the coefficients of the power series of
+// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore
+// dz_k = u_k dp + u_{k+1} dq. A second recurrence gives u_k, which does not depend on E:
 //   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
-// There are no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The derivative of the
-// polynomial is close to exp, see exp_tables.h. A squaring replaces f' by f f' + f' f and f by f f.
+// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The
+// derivative of the polynomial is close to exp, see exp_tables.h. A squaring replaces f by f f, and f' by
+// f f' + f' f.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H
@@ -44,8 +46,8 @@ struct ExpParts {
   V beside_x, beside_y, beside_z;  ///< z1 minus w.xx, w.yy, w.zz
 };
 
-/// Computes the parts for A = `a` and multiplies them by scalar.value(). Calls scalar.step(k) during
-/// recurrence(). Writes in place, because GCC would compile the copy of a returned value without the
+/// Computes the parts for A = `a` and multiplies them by scalar.value(). Calls scalar.step() during
+/// recurrence(). Writes to a parameter, because GCC would compile the copy of a returned value without the
 /// instruction set.
 template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
@@ -135,13 +137,13 @@ static HWY_INLINE void put_exp_tangent(D d, const ExpParts<V>& m, Six<V> (&f)[6]
   add(f[5].xx, w.yy), subtract(f[5].xy, w.xy), add(f[5].yy, w.xx), add(f[5].zz, z1);
 }
 
-/// The data that all directions at S share. Each lane has one S.
+/// The data at S for all directions. Each lane has one S.
 template <class D, class V = hn::Vec<D>>
 struct ExpPoint {
   Six<V> s;
   hn::Mask<D> ok;        ///< lanes where is_quick() is true
-  ExpParts<V> parts;     ///< the parts of S if `ok`, otherwise of A times halvings.scale
-  Halvings<V> halvings;  ///< zero halvings if `ok`
+  ExpParts<V> parts;     ///< the parts for A if `ok`, otherwise for A * halvings.scale
+  Halvings<V> halvings;  ///< without halvings if `ok`
 };
 
 /// Like ScalarExp, but in lanes that are not `ok` the value is Table::lead.
@@ -186,7 +188,6 @@ static HWY_INLINE V sum_of_six_products(V a, V b, V c, V d, V e, V f, V g, V h, 
   return MulAdd(a, b, MulAdd(c, d, MulAdd(e, f, sum_of_products(g, h, i, j, k, l))));
 }
 
-/// Returns f g + g f for symmetric f and g.
 template <class V>
 static HWY_INLINE Six<V> twice_symmetric_product(const Six<V>& f, const Six<V>& g) {
   const V xx = sum_of_products(f.xx, g.xx, f.xy, g.xy, f.xz, g.xz),

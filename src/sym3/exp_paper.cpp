@@ -25,7 +25,8 @@ struct DepressedCubic {
   T p, q, shift;
 };
 
-/// Converts x^3 + a x^2 + b x + c as in the paper. If roots are close, cancellation makes p and q inaccurate.
+/// Converts det(x I - S) = x^3 + a x^2 + b x + c to the form above, as in the paper. If roots are close,
+/// cancellation makes p and q inaccurate.
 template <class T>
 DepressedCubic<T> depressed_cubic(const Sym3<T>& s) {
   const T a = -(s.xx + s.yy + s.zz);
@@ -44,8 +45,8 @@ std::array<T, 3> viete_cosines(T t, T k, T shift) {
           t * std::cos(angle + 2 * third_turn) + shift};
 }
 
-/// Uses r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints k as -4 q / p^3) and t = r / 3. If rounding
-/// makes p positive or |k| > 1, or if r = 0, returns NaN.
+/// Uses the paper's r = sqrt(-12 p), k = -108 q / r^3 (the appendix misprints k as -4 q / p^3) and t = r / 3.
+/// If rounding makes p positive or |k| > 1, or if r = 0, returns NaN.
 template <class T>
 std::array<T, 3> viete_roots_as_printed(const DepressedCubic<T>& f) {
   const T r = std::sqrt(-12 * f.p);
@@ -84,7 +85,7 @@ Spectral<T> two_distinct(T a, T b) {
   return {(a * eb - b * ea) / (a - b), y, 0};
 }
 
-/// Case 3: three distinct eigenvalues, by Lagrange's interpolation. (The paper prints x = s + t + u.)
+/// Case 3: three distinct eigenvalues, by Lagrange's interpolation. (The paper misprints x as s + t + u.)
 template <class T>
 Spectral<T> three_distinct(T a, T b, T c) {
   const T ea = std::exp(a), eb = std::exp(b), ec = std::exp(c);

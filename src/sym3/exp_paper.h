@@ -18,8 +18,8 @@ Sym3<T> exp_improved_sd(const Sym3<T>& s);
 template <class T>
 Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s);
 
-/// Return the number of eigenvalues, 1 to 3, that differ by more than the paper's threshold. s must be
-/// finite.
+/// Return the number of distinct eigenvalues, 1 to 3: eigenvalues closer than the paper's threshold count as
+/// one. `s` must be finite.
 int distinct_by_qr(const Sym3<double>& s);
 int distinct_by_viete(const Sym3<double>& s, bool as_printed);
 

@@ -4,12 +4,12 @@
 namespace viete::sym3 {
 
 /// tests/sym3/make_tables.cpp computes these tables and measures their errors.
-/// `matrix_exp` is e^x divided by its last coefficient `lead`, for |x| <= 2 sqrt(p_limit / 3), the range of
-/// eigenvalues of A. `lead` makes the value at 0 equal to 1 up to rounding. The polynomial is minimax
-/// relative to the norm of the result, at least max(e^x, e^(-x / 2)), as the other two eigenvalues sum to -x.
-/// Error 0.45 u (float 0.51 u).
-/// `scalar_exp` is e^r for |r| <= 0.3467, a little more than ln 2 / 2. Its minimax relative error is 0.04 u
-/// (float 0.06 u).
+/// `matrix_exp` times `lead` is a minimax polynomial for e^x, for |x| <= 2 sqrt(p_limit / 3): the range of
+/// eigenvalues of A. The last coefficient of `matrix_exp` is 1. With the chosen `lead`, the value at 0 is 1
+/// up to rounding. The error is 0.45 u (float 0.51 u), relative to max(e^x, e^(-x / 2)). The norm of exp(A)
+/// is at least this maximum: if x is an eigenvalue of A, the other two eigenvalues sum to -x.
+/// `scalar_exp` is a minimax polynomial for e^r, for |r| <= 0.3467: a little more than ln 2 / 2. The relative
+/// error is 0.04 u (float 0.06 u).
 template <class T>
 struct ExpTables;
 
@@ -50,8 +50,8 @@ struct ExpTables<float> {
                                          0x1.5558b2p-5f, 0x1.123980p-7f, 0x1.6a4994p-10f};
 };
 
-/// Like ExpTables, but one degree higher, and minimax for the derivative of the polynomial. Error 0.56 u
-/// (float 0.38 u), error of the derivative 1.29 u (float 0.51 u). With ExpTables, this error is 100 u.
+/// Like ExpTables, but one degree higher, and the derivative of the polynomial is minimax. The error is
+/// 0.56 u (float 0.38 u). The error of the derivative is 1.29 u (float 0.51 u). With ExpTables it is 100 u.
 template <class T>
 struct ExpDerivativeTables;
 

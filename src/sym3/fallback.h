@@ -1,11 +1,12 @@
-// Functions of one matrix for input that the vector code cannot process, because it is badly conditioned,
-// huge, tiny or not finite. Internal.
+// Functions of one matrix for input that the vector code cannot process: badly conditioned, huge, tiny or not
+// finite. Internal.
 #pragma once
 
 namespace viete::sym3 {
 
-// All kernels include this file, so it must not have inline functions: the linker keeps one copy of an inline
-// function, and that copy may need newer hardware. Arrays are contiguous; in == out is allowed. u is 2^-53.
+// All kernels include this file, so this file must not have inline functions. The linker would keep only one
+// copy of an inline function, possibly for instructions that this processor lacks. Arrays are contiguous;
+// in == out is allowed. u is 2^-53.
 
 /// Computes exp(S) for large spreads, overflow, NaN, infinities and entries near the largest double. Uses
 /// Jacobi's method in double-double and sums each entry relative to its largest term. The relative error is
@@ -14,15 +15,15 @@ namespace viete::sym3 {
 void exp_by_jacobi(const double* in, double* out);
 void exp_by_jacobi(const float* in, float* out);
 
-/// Computes exp'(S)[E] from six numbers of S and six of E. The error is at most 16 u |E| e^(largest
-/// eigenvalue). Otherwise works like exp_by_jacobi().
+/// Computes exp'(S)[E]. `in` has six numbers of S, then six of E. The error is at most 16 u |E| e^x, where x
+/// is the largest eigenvalue. Otherwise works like exp_by_jacobi().
 void exp_derivative_by_jacobi(const double* in, double* out);
 void exp_derivative_by_jacobi(const float* in, float* out);
 
-// Jacobi's method in double, in about 0.5 us. If eigenvalues differ by more than a factor of about 8 to 16,
-// the functions use double-double, in 2.5 us. For conditions up to 1e15 and any distance of eigenvalues, the
-// relative error in the Frobenius norm is at most 24 u in double, even for small log S. In float it is at
-// most 1.5 u with u = 2^-24. For NaN see log.h.
+// These functions use Jacobi's method in double, in about 0.5 us. If eigenvalues differ by more than a factor
+// of about 8 to 16, the functions use double-double, in 2.5 us. The relative error in the Frobenius norm is
+// at most 24 u in double, even for small log S. In float the error is at most 1.5 u with u = 2^-24. These
+// bounds hold for condition numbers up to 1e15 and any gaps between eigenvalues. For NaN see log.h.
 void log_by_jacobi(const double* in, double* out);
 void log_by_jacobi(const float* in, float* out);
 void sqrt_by_jacobi(const double* in, double* out);
@@ -33,8 +34,8 @@ void inv_sqrt_by_jacobi(const float* in, float* out);
 /// The functions that have derivatives.
 enum class Of : int { exp, log, sqrt, pow };
 
-/// Computes f'(S)[E] for every f except exp, from six numbers of S and six of E. p is the exponent of pow.
-/// Uses Jacobi's method in double-double, in about 3 us. For NaN see derivative.h.
+/// Computes f'(S)[E] for every f except exp. `in` has six numbers of S, then six of E. p is the exponent of
+/// pow. Uses Jacobi's method in double-double, in about 3 us. For NaN see derivative.h.
 void spectral_derivative_by_jacobi(Of f, double p, const double* in, double* out);
 void spectral_derivative_by_jacobi(Of f, double p, const float* in, float* out);
 
@@ -47,7 +48,7 @@ void eigenvalues_by_jacobi(const float* in, float* out);
 void polar_by_jacobi(const double* in, double* out);
 void polar_by_jacobi(const float* in, float* out);
 
-/// Computes cos(|w| / 2) and sin(|w| / 2) / |w| for any finite length of w. If w is not finite, gives NaN.
+/// Computes cos(|w| / 2) and sin(|w| / 2) / |w| for any finite w except 0. If w is not finite, gives NaN.
 void half_angle(const double* w, double* cosine_and_sine);
 void half_angle(const float* w, float* cosine_and_sine);
 

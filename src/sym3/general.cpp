@@ -22,7 +22,7 @@ constexpr double flattest = 1e-12;
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
-// For logarithms with a larger norm, squarings would lose too many digits.
+// If the norm of L is larger, exp_general() tries eigenvalues first, because squarings lose digits.
 constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
@@ -35,7 +35,7 @@ void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }
 
-// Splits M = (base + above) I + D, where D has trace zero: D^3 = p D + q I (Cayley-Hamilton).
+// M = (base + above) I + D. D has trace zero, so D^3 = p D + q I (Cayley-Hamilton).
 struct Deviator {
   double base, above;
   Mat3<double> d;
@@ -83,7 +83,6 @@ constexpr auto exp_terms = [] {
   return terms;
 }();
 
-// The coefficients of the power series of log(1 + x).
 constexpr auto log_terms = [] {
   std::array<double, 19> terms{0};
   for (std::size_t n = 1; n < terms.size(); ++n) terms[n] = (n % 2 ? 1.0 : -1.0) / static_cast<double>(n);
@@ -108,13 +107,13 @@ double angle_of(const Mat3<double>& l) {
 
 namespace {
 
-// Returns true if eigenvalues differ by at most about 13 %. A series of M / mean - I then always converges.
+// Returns true if eigenvalues differ by at most about 13 %. Then the series of log in M / mean - I converges.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// Computes log M by a series about a power of two, because M minus this power is exact.
+// Computes log M by a series about a power of two: M minus a power of two has no rounding errors.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
@@ -126,12 +125,11 @@ Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   return l;
 }
 
-// M = A T A. A = `axes` is symmetric and orthogonal. T has t[3] = t[6] = 0: one eigenvalue and a 2x2 block.
+// M = A T A, where A = `axes` is symmetric and orthogonal. In T, t[3] = t[6] = 0: t[0] is an eigenvalue.
 struct Deflated {
   Mat3<double> axes, t;
 };
 
-// Returns the reflection I - 2 n n^T whose first column is parallel to v.
 Mat3<double> reflection(const Vec3<double>& v) {
   const double length = norm(v);
   const Vec3<double> n{v[0] + std::copysign(length, v[0]), v[1], v[2]};
@@ -142,7 +140,7 @@ Mat3<double> reflection(const Vec3<double>& v) {
   return m;
 }
 
-// Returns an approximate eigenvector of an eigenvalue: the longest cross product of two rows of M - value I.
+// Returns an approximate eigenvector for `value`: the longest cross product of two rows of M - value * I.
 Vec3<double> eigenvector(Mat3<double> m, double value) {
   add_to_diagonal(m, -value);
   const Vec3<double> rows[] = {{m[0], m[1], m[2]}, {m[3], m[4], m[5]}, {m[6], m[7], m[8]}};
@@ -198,8 +196,8 @@ struct Pair {
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// A function of T: `single` for the separate eigenvalue, mean + slope (B - middle) for the 2x2 block B, and
-// difference = single - mean.
+// The value f(T) of a function: `single` for eigenvalue t[0], mean + slope * (B - middle) for the 2x2 block
+// B. `difference` is single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
@@ -212,11 +210,11 @@ double log_slope(const Pair& pair) {
   return d > 0 ? std::atanh(part) / d : 1 / pair.middle;
 }
 
-// Returns the function of M by Newton's form: mean + slope (T - middle) + curve ((T - middle)^2 - disc).
+// Returns f(M) by Newton's form: f(T) = mean + slope * (T - middle) + curve * ((T - middle)^2 - disc).
 Mat3<double> value_of(const Values& f, const Deflated& d, const Pair& pair) {
   const Mat3<double>& t = d.t;
   const double way = t[0] - pair.middle, curve = (f.difference - f.slope * way) / (way * way - pair.disc);
-  const double x = f.slope + curve * (way - pair.middle);  // the first row is (t[1], t[2]) (x + curve B)
+  const double x = f.slope + curve * (way - pair.middle);  // the first row is (t[1], t[2]) * (x + curve * B)
   const Mat3<double> value{f.single,
                            x * t[1] + curve * (t[1] * t[4] + t[2] * t[7]),
                            x * t[2] + curve * (t[1] * t[5] + t[2] * t[8]),
@@ -283,7 +281,7 @@ double whole_turns(const Mat3<double>& j, double angle, const Vec3<double>& turn
   return std::round((dot(axis, turn) / norm(axis) - angle) / (2 * pi));
 }
 
-// Returns the logarithm on the branch nearest to the rotation vector `turn`. If `turn` is 0, it is the
+// Returns the logarithm on the branch nearest to the rotation vector `turn`. If `turn` is 0, this is the
 // principal logarithm. If M has no logarithm or rounding would decide the branch, returns nullopt.
 std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<double>& turn) {
   constexpr double close_angle = 0.2;  // matrices with close eigenvalues rotate by smaller angles
@@ -294,7 +292,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // another branch may be nearer
+  const bool other = turned + pair.angle() > pi;  // another branch can be nearer
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
@@ -304,7 +302,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   return plus(l, 2 * pi * whole_turns(j, pair.angle(), turn), j);
 }
 
-// M / e^shift. The powers of its entries are in range.
+// `m` is M / e^shift. Powers of the entries of `m` neither overflow nor underflow.
 struct InRange {
   Mat3<double> m;
   double shift;
@@ -332,7 +330,6 @@ std::optional<Mat3<double>> log_in_range(const Mat3<double>& m, const Vec3<doubl
   return l;
 }
 
-// Increases smoothly from 0 at x = 0 to 1 at x = 1.
 double smooth_step(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
@@ -364,7 +361,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // If `near` is 0, both directions of a half turn are equally near. log_rotation() has chosen a direction.
+  // Both directions of a half turn are equally near to 0. Then log_rotation() chooses the direction.
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
@@ -381,11 +378,11 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// With v = angle n, the squared distance of (angle + 2 pi k) n from the reference is a parabola in k. Its
-// minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch. Near a whole turn v
-// is nearly 0, and rounding decides its direction. Then a long reference defines the axis.
+// With v = angle * n and |n| = 1, the squared distance of (angle + 2 pi k) * n from the reference is a
+// parabola in k. Its minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch.
+// If v is nearly 0, rounding decides the direction of v. Then a long reference defines the axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
-  // If the angle in radians between v and the reference is smaller, the angle counts as rounding.
+  // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;
   const double angle = norm(v);
   if (dot(reference, reference) > pi * pi) {

@@ -1,8 +1,8 @@
 // exp and log of general 3x3 matrices, which combine a rotation and a stretch.
 //
-// In the bounds below, u = 2^-53. k is the relative condition of the function at the matrix: the largest
-// ratio of the relative change of the result to the relative change of the matrix, in Frobenius norms. For
-// log of a rotation by pi - d radians, k is about 1 / d. Thread-safe; no allocation, no throw.
+// In the bounds below, u = 2^-53. k is the condition number of the function at the matrix: the largest ratio
+// of the relative change of the result to the relative change of the matrix, in Frobenius norms. For log of a
+// rotation by pi - d radians, k is about 1 / d. Thread-safe; no allocation, no throw.
 #pragma once
 
 #include "sym3/rotation.h"
@@ -16,21 +16,21 @@ namespace viete::sym3 {
 Mat3<double> exp_general(const Mat3<double>& l);
 
 /// Returns the principal logarithm of M: the real L with exp(L) = M whose eigenvalues have imaginary parts
-/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, 6 replaces 32.
-/// If M is symmetric, L is also symmetric.
-/// If det M <= 0 or an eigenvalue is negative, M has no logarithm. If a stretch is below 1e-11 of another, or
-/// eigenvalues rotate by 180 degrees up to 1e-7, the logarithm is unreliable. In these cases the result is
-/// the bounded sum X + Y of log_polar(). If rotation and stretch commute, as in all rotations and
-/// similarities, X + Y is log M; otherwise has_log() is false. M = 0 counts as 2^-1074 I. A NaN or an
-/// infinity in M gives nine NaN.
+/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the factor is 6
+/// instead of 32. If M is symmetric, L is also symmetric.
+/// In the following cases the result is X + Y of log_polar(), which is bounded:
+///   - If det M <= 0 or an eigenvalue is negative, M has no logarithm.
+///   - If a stretch is below 1e-11 of another, or an angle is 180 degrees up to 1e-7, log M is unreliable.
+/// If rotation and stretch commute, as in rotations and similarities, X + Y is log M. Otherwise has_log() is
+/// false. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// Returns true if exp_general(log_general(M)) is M up to rounding.
 bool has_log(const Mat3<double>& m);
 
 /// Adds whole turns to the rotation vector v, so that the result is nearest to `reference`. The axis does not
-/// change, and the angle changes by a multiple of 2 pi. If v is zero, or parallel to the reference up to
-/// 1e-13, the result has the axis of the reference.
+/// change, and the angle changes by a multiple of 2 pi. Exception: if the reference is longer than pi and v
+/// is at most 1e-13 away from the axis of the reference, the result has this axis.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference);
 
 /// The logarithms of the polar decomposition M = exp(turn) exp(stretch).
@@ -39,23 +39,26 @@ struct PolarLog {
   Vec3<double> turn;     ///< Y: the logarithm of the rotation, as a rotation vector
 };
 
-/// Returns X and Y of M. Y is the branch nearest to `near`, see nearest_branch(). X is always finite:
-/// stretches below 1e-12 of the largest stretch are raised to this value, and negative stretches (det M < 0)
-/// become positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is NaN.
+/// Returns X and Y of M. Y is the branch nearest to `near`, see nearest_branch(). If M is finite, X is
+/// finite: stretches below 1e-12 of the largest stretch are raised to this value, and a negative stretch
+/// (det M < 0) becomes positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is
+/// NaN.
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
-/// Returns the logarithm L of M whose rotation is nearest to Y, with any number of whole turns. Use it for
-/// blending: if the Y of many maps are coherent, the logarithms are also coherent.
-/// Matrices that rotate by 180 degrees and stretch perpendicular to the axis have no logarithm, and log M is
-/// unbounded close to such matrices. Therefore the result changes from log M to X + Y while |log M| grows
-/// from two to four times |X| + |Y| (Frobenius norms). If a rotation of more than 180 degrees has no
-/// well-defined plane, the result is X + Y. If X and Y are 0, it is exactly 0. `parts` must be log_polar() of
-/// M; its stretches may have been raised.
+/// Returns the logarithm of M on the branch nearest to Y = parts.turn, which may have any number of whole
+/// turns. Use bounded_log() to blend maps: if the rotations Y of the maps are coherent, the logarithms are
+/// also coherent.
+/// Near matrices that rotate by 180 degrees and stretch perpendicular to the axis, log M is unbounded.
+/// Therefore the result changes from log M to X + Y while |log M| grows from two to four times |X| + |Y|
+/// (Frobenius norms). If a rotation of more than 180 degrees has no well-defined plane, the result is X + Y.
+/// If X and Y are 0, the result is exactly 0. `parts` must be log_polar() of M; whole turns may be added to
+/// parts.turn.
 Mat3<double> bounded_log(const Mat3<double>& m, const PolarLog& parts);
 /// Returns bounded_log() with log_polar(m, near), as accurate as log_general().
 Mat3<double> log_near(const Mat3<double>& m, const Vec3<double>& near);
 
-/// Returns the angle of exp(L): the imaginary part of L's complex eigenvalues, or 0 if all are real.
+/// Returns the rotation angle of exp(L): the imaginary part of L's complex eigenvalues, or 0 if all
+/// eigenvalues are real.
 double angle_of(const Mat3<double>& l);
 
 }  // namespace viete::sym3

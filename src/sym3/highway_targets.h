@@ -1,8 +1,8 @@
 // Selects the instruction sets of the kernels. Include it before all headers of Highway. Internal.
 #pragma once
 
-// With this macro, "scalar" is the fallback with every compiler. The code below disables AVX-512 variants
-// that are not faster than AVX3, and vectors without a fixed size (SVE).
+// With this macro, "scalar" is the fallback with every compiler. The code below disables SSE, AVX-512
+// variants that are not faster than AVX3, and vectors without a fixed size (SVE).
 #define HWY_BROKEN_EMU128 1
 #include <hwy/detect_targets.h>
 

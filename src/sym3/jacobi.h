@@ -30,7 +30,7 @@ inline double leading(const DoubleDouble& x) {
   return x.hi;
 }
 
-/// If an off-diagonal entry is below this fraction of diagonal entries, it changes no digit of the result.
+/// If |a_pq| is at most this number times sqrt(|a_pp a_qq|), the entry a_pq changes no digit of the result.
 constexpr double negligible(double) {
   return 0x1p-56;
 }
@@ -49,7 +49,7 @@ bool is_diagonal(const Rows<Real>& a) {
   return is_negligible(a, 0, 1) && is_negligible(a, 0, 2) && is_negligible(a, 1, 2);
 }
 
-/// Returns the tangent of the smaller rotation angle that makes the entry pq zero.
+/// Returns the tangent of the smaller rotation angle that makes entry (p, q) zero.
 template <class Real>
 Real tangent(const Real& app, const Real& aqq, const Real& apq) {
   using std::sqrt;
@@ -99,7 +99,7 @@ Eigen3<Real> eigen_by_jacobi(const Sym3<double>& s) {
   return {{a[0][0], a[1][1], a[2][2]}, v};
 }
 
-/// Returns V f(values) V^T. Skips zero terms, so that an infinity stays in its diagonal block.
+/// Returns V f(values) V^T with f = `at`. Skips zero terms, so that an infinity stays in its diagonal block.
 template <class F, class Real>
 Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   const double f[3] = {at(e.values[0]), at(e.values[1]), at(e.values[2])};
@@ -114,7 +114,6 @@ Sym3<double> recompose(const F& at, const Eigen3<Real>& e) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-/// Three vectors as columns.
 using Axes = std::array<std::array<double, 3>, 3>;
 
 template <class Real>
@@ -130,7 +129,7 @@ inline Axes transposed(const Axes& v) {
   return {{{v[0][0], v[1][0], v[2][0]}, {v[0][1], v[1][1], v[2][1]}, {v[0][2], v[1][2], v[2][2]}}};
 }
 
-/// Returns V^T E V, where v has the columns of V.
+/// Returns V^T E V, where V is `v` and E is `e`.
 inline Sym3<double> in_axes(const Axes& v, const Sym3<double>& e) {
   Axes ev;
   for (int k = 0; k < 3; ++k) {

@@ -11,7 +11,7 @@ struct KernelTable;
 /// The functions for one instruction set. To force a kernel for one call, set Batch::kernel (batch.h).
 struct Kernel {
   std::string_view name;
-  bool fused;                ///< multiply-add rounds once; all fused kernels give equal bits
+  bool fused;                ///< true if multiply-add rounds once; all fused kernels give equal bits
   long long highway_target;  ///< Highway's name of the instruction set, such as HWY_AVX3
   const KernelTable* table;  ///< internal
 };
@@ -21,9 +21,9 @@ struct Kernel {
 ///   not fused:  "scalar"
 std::span<const Kernel> kernels();
 
-/// The active kernel. Single calls always use this kernel; batches use it by default. If kernels() contains
-/// the kernel that the environment variable VIETE_KERNEL names, it is that kernel, otherwise the first of
-/// kernels(). The first call chooses. Thread-safe.
+/// Returns the active kernel. Single calls always use this kernel; batches use it by default. The first call
+/// chooses: the kernel of kernels() that the environment variable VIETE_KERNEL names, otherwise the first of
+/// kernels(). Thread-safe.
 const Kernel& kernel();
 
 std::string_view kernel_name();

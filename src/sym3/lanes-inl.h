@@ -1,7 +1,7 @@
 // Matrices in vector registers. Each lane has one matrix, and each register has one entry of these matrices.
 //
 // Headers *-inl.h have include guards instead of #pragma once, because foreach_target of Highway includes
-// each header once for each instruction set.
+// each header again for each instruction set.
 #if defined(VIETE_SYM3_LANES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_LANES_INL_H
 #undef VIETE_SYM3_LANES_INL_H
@@ -41,9 +41,9 @@ struct Nine {
   V xx, xy, xz, yx, yy, yz, zx, zy, zz;
 };
 
-/// Two registers. Functions of one register also accept a pair: while one register waits for a result, the
-/// processor computes the other. Such functions call Add and other operations without hn::, so that
-/// argument-dependent lookup finds the overload.
+/// Two registers. While one register waits for a result, the processor computes the other. If a function
+/// calls Add and other operations without hn::, argument-dependent lookup finds the overloads below, and the
+/// function accepts one register or Two.
 template <class V>
 struct Two {
   V a, b;
@@ -158,7 +158,7 @@ static HWY_INLINE hn::Mask<D> is_diagonal(D d, const Six<V>& m) {
   return hn::And(hn::Eq(m.xy, zero), hn::And(hn::Eq(m.xz, zero), hn::Eq(m.yz, zero)));
 }
 
-/// Returns (c[0] + c[1] x + c[2] x^2 + ...) times scale. The compiler computes c[k] times scale.
+/// Returns (c[0] + c[1] * x + c[2] * x^2 + ...) * scale. The compiler computes c[k] * scale.
 template <class D, class T, std::size_t N, class V>
 static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   V sum = hn::Set(d, c[N - 1] * scale);
@@ -167,8 +167,8 @@ static HWY_INLINE V horner(D d, const T (&c)[N], V x, T scale = T(1)) {
   return sum;
 }
 
-/// For each lane of the mask, calls one(from, to). `from` has the N numbers of this lane of `in`, and `to`
-/// gets the M results, which are stored in this lane of `out`.
+/// For each lane of the mask, calls one(from, to). `from` has the N numbers of `in` in this lane. The M
+/// numbers of `to` replace the numbers of `out` in this lane.
 template <class D, class V, int N, int M, class One>
 static HWY_NOINLINE void replace_lanes(D d, hn::Mask<D> mask, const V (&in)[N], V (&out)[M], One one) {
   using T = hn::TFromD<D>;

@@ -2,10 +2,10 @@
 //
 // The functions use eigenvalues in closed form and divided differences (spectral-inl.h). A single call takes
 // 70 to 120 ns; in a batch each matrix takes about 10 ns. u is 2^-53 for double and 2^-24 for float; k is the
-// condition number, the largest eigenvalue over the smallest. The error relative to the norm of the result
-// is, for any distance of the eigenvalues:
+// condition number: the largest divided by the smallest eigenvalue. The error relative to the norm of the
+// result is, for any gaps between eigenvalues:
 //   log        <= 6 u max(1, k / |log S|); <= 16 u for k up to 10
-//   sqrt       <= 6 u sqrt k
+//   sqrt       <= 6 u sqrt(k)
 //   inv_sqrt   <= 8 u k
 //   pow        <= 8 u (|p| k + 1 + |p log S|), for results in the normal range
 // If k is above 2^33 (float 2^12), or an eigenvalue is outside 1e-80 .. 1e80 (float 1e-9 .. 1e9), log and the
@@ -13,8 +13,8 @@
 // takes 0.5 to 2.5 us.
 //
 // A matrix that is not positive definite, or has a NaN or an infinity, gives six NaN. Exception: sqrt treats
-// eigenvalues down to -16 u times the largest entry as zero. The bounds are empirical: tests/sym3 verifies
-// them against results with 113 bits. Thread-safe; no allocation, no throw.
+// negative eigenvalues above -16 u * largest entry as 0. The bounds are empirical: tests/sym3 verifies them
+// against results with 113 bits. Thread-safe; no allocation, no throw.
 #pragma once
 
 #include "sym3/batch.h"
@@ -39,8 +39,8 @@ Sym3<T> sqrt(const Sym3<T>& s);
 template <class T>
 Sym3<T> inv_sqrt(const Sym3<T>& s);
 
-/// Returns exp(p log S). S must be positive definite. p is first rounded to T. If p or an entry of p log S is
-/// then outside the range of T, the result is six NaN.
+/// Returns exp(p * log S). S must be positive definite. p is first rounded to T. If p or an entry of p log S
+/// is then outside the range of T, the result is six NaN.
 template <class T>
 Sym3<T> pow(const Sym3<T>& s, double p);
 

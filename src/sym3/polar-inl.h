@@ -47,7 +47,6 @@ static HWY_INLINE Nine<V> product(const Nine<V>& m, const Six<V>& s) {
           sum_of_products(m.zx, s.xz, m.zy, s.yz, m.zz, s.zz)};
 }
 
-/// Returns a x + b.
 template <class V>
 static HWY_INLINE Nine<V> multiply_add(const Nine<V>& a, V x, const Nine<V>& b) {
   return {hn::MulAdd(a.xx, x, b.xx), hn::MulAdd(a.xy, x, b.xy), hn::MulAdd(a.xz, x, b.xz),
@@ -62,8 +61,8 @@ static HWY_INLINE V squared_norm(const Nine<V>& m) {
                  sum_of_products(m.zx, m.zx, m.zy, m.zy, m.zz, m.zz));
 }
 
-/// Returns the largest root, by Newton's method from above. Processes G registers at once, because divisions
-/// take long.
+/// Computes the traces x (see the top of this file) by Newton's method, from above the largest root.
+/// Processes G registers at once, because divisions take long.
 template <int G, class D, class V>
 static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G], const V (&q)[G],
                                          V (&x)[G]) {
@@ -88,14 +87,14 @@ static HWY_INLINE void traces_of_stretch(D d, const V (&n)[G], const V (&det)[G]
   }
 }
 
-/// Rotations. A lane is `ok`, that is valid, if s2 + s3 (polar.h) is not small relative to s1.
+/// `r` is valid in lanes of `ok`. In these lanes, s2 + s3 (polar.h) is not small relative to s1.
 template <class D, class V = hn::Vec<D>>
 struct Rotations {
   Nine<V> r;
   hn::Mask<D> ok;
 };
 
-/// Returns the rotation of m, from cofactors k, squared norm n and trace x of the stretch.
+/// Returns the rotation of `m` from its cofactors `k`, its squared norm `n` and the trace `x` of its stretch.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Rotations<D> rotation_from_trace(D d, const Nine<V>& m, const Nine<V>& k, V n, V x) {
   using T = hn::TFromD<D>;
@@ -137,7 +136,7 @@ static HWY_INLINE void polar_quick(D d, const Nine<V> (&m)[G], Rotations<D> (&ou
   for (int g = 0; g < G; ++g) out[g] = rotation_from_trace(d, m[g], k[g], n[g], x[g]);
 }
 
-/// Returns the symmetric part of R^T M. Halves before it adds, so that large entries do not overflow.
+/// Returns the symmetric part of R^T M. Halves terms before adding them: large entries do not overflow.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE Six<V> stretch(D d, const Nine<V>& r, const Nine<V>& m) {
   const V half = hn::Set(d, hn::TFromD<D>(0.5));

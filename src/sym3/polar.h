@@ -10,15 +10,15 @@
 
 namespace viete::sym3 {
 
-// R is the rotation nearest to M, and U = R^T M is symmetric. The eigenvalues of U are s1 >= s2 >= |s3|. They
-// are the singular values of M, except that s3 has the sign of det M.
+// R is the rotation nearest to M, and U = R^T M is symmetric. The eigenvalues of U are s1 >= s2 >= |s3|.
+// These numbers are the singular values of M, but s3 has the sign of det M.
 //
 // |R - exact| <= 8 u (1 + s1 / (s2 + s3)) in the Frobenius norm; u is 2^-53 for double and 2^-24 for float.
 // The error of U relative to M has the same bound. The trace of U is a root of a polynomial of degree four
 // (polar-inl.h). If (s1 + s2)(s1 + s3)(s2 + s3) is less than 3 % of |M|^3, R is computed from the largest
-// eigenvector of Horn's 4x4 matrix (1987), in about 1 us. If s2 + s3 = 0, several rotations are nearest and
-// the result is one of them; for M = 0 it is the identity. Entries of U that overflow are infinite. A NaN or
-// an infinity in M gives NaN. Thread-safe; no allocation, no throw.
+// eigenvector of Horn's 4x4 matrix (1987), in about 1 us. If s2 + s3 = 0, several rotations are nearest, and
+// the result is one of these rotations. For M = 0 the result is the identity. Entries of U that overflow are
+// infinite. A NaN or an infinity in M gives NaN. Thread-safe; no allocation, no throw.
 
 template <class T>
 struct Polar {

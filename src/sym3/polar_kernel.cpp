@@ -40,7 +40,6 @@ struct RotationOf {
   }
 };
 
-/// Computes nine numbers of the rotation, then six numbers of the stretch.
 struct RotationAndStretch {
   static constexpr int in = 9, out = 15, group = 2;
   static constexpr bool memory_bound = false;
@@ -61,7 +60,7 @@ struct RotationAndStretch {
   }
 
 private:
-  /// Scales large matrices down, because sums of three entries could overflow.
+  /// Like put_both(), but scales large matrices down, because sums of three entries could overflow.
   template <class D, class V>
   static HWY_INLINE void put_in_range(D d, const V (&r)[9], const V (&m)[9], V (&both)[out]) {
     using T = hn::TFromD<D>;

@@ -17,7 +17,7 @@ using Matrix = Sym3<DoubleDouble>;
 
 constexpr int terms = 32;  // 1/32! < 2^-117
 constexpr double entry_limit = 1e6;
-constexpr double largest_exponent = 2800;  // above it every result overflows or underflows
+constexpr double largest_exponent = 2800;  // for larger sizes, every result overflows or underflows
 
 const std::array<Real, terms>& inverse_factorials() {
   static const auto table = [] {
@@ -42,8 +42,7 @@ Real exp_taylor(const Real& x) {
   return sum;
 }
 
-/// Returns the Taylor polynomial of exp at a matrix with trace zero and norm up to about 1, by the recurrence
-/// of exp-inl.h.
+/// Like above, at a matrix with trace zero and norm up to about 1, by the recurrence of exp-inl.h.
 Matrix exp_taylor(const Matrix& m) {
   const Matrix c = {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
@@ -63,14 +62,14 @@ Real mean_of_diagonal(const Sym3<double>& s) {
   return (Real{s.xx, 0} + Real{s.yy, 0} + Real{s.zz, 0}) * third;
 }
 
-/// Returns m 2^n. Multiplies in four steps, because 2^n as one factor may overflow.
+/// Returns m * 2^n. Multiplies in four steps, because 2^n as one factor may overflow.
 Matrix times_power(Matrix m, int n) {
   const int quarter = n / 4;
   for (int i = 0; i < 3; ++i) m = scaled(m, std::ldexp(1.0, quarter));
   return scaled(m, std::ldexp(1.0, n - 3 * quarter));
 }
 
-/// Returns m e^x, with x = n ln 2 + r and 160 bits of ln 2.
+/// Returns m * e^x, with x = n * ln 2 + r and 160 bits of ln 2.
 Matrix times_exp(const Matrix& m, double x) {
   x = std::clamp(x, -largest_exponent, largest_exponent);
   const double n = std::nearbyint(x / 0x1.62e42fefa39efp-1);
@@ -102,7 +101,6 @@ Matrix exp_below(const Sym3<double>& s, double top) {
   return m;
 }
 
-/// Clears the low part of x if the high part has overflowed.
 Real tidy(const Real& x) {
   return std::isfinite(x.hi) ? x : Real{x.hi, 0};
 }

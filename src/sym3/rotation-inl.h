@@ -1,9 +1,10 @@
 // exp of rotation vectors and log of rotations in vector registers. For an example see exp-inl.h. For bounds
 // and special values see rotation.h.
 //
-// exp computes the quaternion of half the angle. Up to 3.24 radians, cos(sqrt h) and sin(sqrt h) / (2 sqrt h)
-// are polynomials in h = |w|^2 / 4. log uses the tangent t of a quarter of the angle, which is at most one,
-// and a polynomial in t^2 for atan(t) / t. Therefore small angles and half turns need no special cases.
+// exp computes the quaternion from cos and sin of half the angle. Up to 3.24 radians, cos(sqrt h) and
+// sin(sqrt h) / (2 sqrt h) are polynomials in h = |w|^2 / 4. log uses a polynomial in t^2 for atan(t) / t,
+// where t is the tangent of a quarter of the angle. t is at most 1. Therefore small angles and half turns
+// need no special cases.
 #if defined(VIETE_SYM3_ROTATION_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_ROTATION_INL_H
 #undef VIETE_SYM3_ROTATION_INL_H
@@ -18,7 +19,6 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// Unit quaternions. The scalar part w is the first component.
 template <class V>
 struct Quaternion {
   V w, x, y, z;
@@ -58,7 +58,7 @@ static HWY_INLINE V quarter_of_square(D d, const Three<V>& w) {
   return Mul(sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z), hn::Set(d, hn::TFromD<D>(0.25)));
 }
 
-/// Returns true if the polynomials are valid: for angles up to 3.24.
+/// Returns true if the polynomials are valid: for angles up to 3.24 radians.
 template <class D, class V = hn::Vec<D>>
 static HWY_INLINE hn::Mask<D> is_small_angle(D d, V h) {
   return hn::Le(h, hn::Set(d, RotationTables<hn::TFromD<D>>::h_limit));
@@ -74,7 +74,7 @@ static HWY_INLINE HalfAngle<V> half_angle_quick(D d, V h) {
   return {horner(d, C::cosine, h), horner(d, C::sine, h)};
 }
 
-/// Works for any angle. Lanes with angles above 3.24 are computed one by one.
+/// Works for any angle. Lanes with angles above 3.24 radians are computed one by one.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE HalfAngle<V> half_angle_general(D d, const Three<V>& w, const V& h) {
   using T = hn::TFromD<D>;
@@ -108,8 +108,9 @@ static HWY_INLINE Nine<V> exp_rotation_lanes(D d, const Three<V>& w) {
   return to_matrix(d, half_angle_quaternion(half.cosine, half.sine, w));
 }
 
-/// Rotates the vector u by w without the matrix. Returns u + 2 c s w x u + 2 s^2 w x (w x u) with the cosine
-/// c and sine s of HalfAngle. V is one register or Two.
+/// Rotates the vector u by the rotation vector w without a matrix. Returns
+/// u + 2 c s * cross(w, u) + 2 s^2 * cross(w, cross(w, u)), where c and s are the cosine and sine of
+/// HalfAngle. V is one register or Two.
 template <class D, class V>
 static HWY_INLINE Three<V> rotate_lanes(D d, const Three<V>& w, const Three<V>& u) {
   const HalfAngle<V> half = half_angle_lanes(d, w);
@@ -144,7 +145,7 @@ static HWY_INLINE Quaternion<V> to_quaternion(D d, const Nine<V>& r) {
   return select(w_is_largest, by_w, select(x_is_largest, by_x, select(hn::Ge(r.yy, r.zz), by_y, by_z)));
 }
 
-/// Returns the first nonzero number of q. If this number is positive, the rotation angle is at most pi.
+/// Returns the first nonzero component of q. If this component is positive, the rotation angle is at most pi.
 template <class D, class V>
 static HWY_INLINE V first_but_zero(D d, const Quaternion<V>& q) {
   const V zero = hn::Zero(d);

@@ -18,8 +18,7 @@ using Mat3 = std::array<T, 9>;
 
 /// Returns the rotation R about the axis w / |w| by |w| radians, for any angle. w = 0 gives exactly the
 /// identity. |R - exact| <= (8 + 5 |w|) u in the Frobenius norm; u is 2^-53 for double and 2^-24 for float. A
-/// NaN or an infinity in w gives nine NaN. The function computes the quaternion of half the angle, by a
-/// polynomial in |w|^2 up to 3.24 radians.
+/// NaN or an infinity in w gives nine NaN. Up to 3.24 radians, the function uses polynomials in |w|^2.
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w);
 
@@ -33,8 +32,8 @@ void exp_rotation(const VecView<const float>& in, const MatView<float>& out, std
 /// Returns the rotation vector w with exp_rotation(w) = R and |w| <= pi up to rounding. If R rotates by
 /// exactly 180 degrees (symmetric to the last bit), w and -w are both valid; the result is the vector whose
 /// first nonzero component is positive. |w - exact| <= 6 u |w| if the entries of R are exact up to rounding.
-/// R need not be an exact rotation: an error E of R with |E| <= 0.1 (Frobenius norm) changes w by at most 2
-/// |E|. If R has a NaN, an infinity or an entry whose square overflows, the result is three NaN. Computes w
+/// R need not be an exact rotation: an error E of R with |E| <= 0.1 (Frobenius norm) changes w by at most
+/// 2 |E|. If R has a NaN, an infinity or an entry whose square overflows, the result is three NaN. Computes w
 /// from the quaternion (Shepperd 1978) and the tangent of a quarter of the angle, which is at most one.
 template <class T>
 Vec3<T> log_rotation(const Mat3<T>& r);

@@ -1,5 +1,5 @@
 // Algebra of symmetric and general 3x3 matrices and vectors. Internal. Kernels must not include this file,
-// because they must not share inline functions with other code.
+// because kernels must not share inline functions with other code.
 #pragma once
 
 #include <algorithm>
@@ -55,7 +55,6 @@ Sym3<T> log_of_256_times(Sym3<T> log) {
   return log;
 }
 
-/// Converts six contiguous numbers to a matrix.
 template <class T>
 Sym3<double> from_six(const T* in) {
   return {in[0], in[1], in[2], in[3], in[4], in[5]};
@@ -100,7 +99,7 @@ std::array<double, N> times(double s, std::array<double, N> a) {
   return a;
 }
 
-/// Returns a + s b for matrices or vectors.
+/// Returns a + s * b for matrices or vectors.
 template <std::size_t N>
 std::array<double, N> plus(std::array<double, N> a, double s, const std::array<double, N>& b) {
   for (std::size_t i = 0; i < N; ++i) a[i] += s * b[i];

@@ -1,12 +1,15 @@
 // Functions of symmetric matrices in vector registers, by a closed form of the eigenvalues and Newton's
 // divided differences. Internal.
 //
-// S = M I + s B, where B has trace zero and s is a power of two that makes the largest entry of B about 1. p,
-// q and C = adj B are as in exp-inl.h. With g^2 = p / 3 and the angle t of 2 g^3 exp(3 i t) = |q| + i sqrt(D
-// / 27), the eigenvalues of B are 2 g cos t and -g (cos t -+ sqrt 3 sin t), times the sign of q. The
-// discriminant D is a sum of squares of minors of (I, B, C). Since nothing is subtracted, close eigenvalues
-// are as accurate as any others; errors are relative to the largest eigenvalue. Newton's form is f(B) = f(b)
-// + f[b,c] (B - b) + f[a,b,c] (B - b)(B - c) = z0 I + z1 B + z2 C.
+// S = m I + s B, where m is the mean eigenvalue and B has trace zero. The power of two s makes the largest
+// entry of B about 1. For p, q and C = adj B see exp-inl.h. Let g^2 = p / 3, and let 3 t be the argument of
+// the complex number |q| + i sqrt(D / 27), where D is the discriminant of B. The eigenvalues of B, times the
+// sign of q, are
+//   2 g cos t   and   -g (cos t -+ sqrt(3) sin t).
+// The code computes D as a sum of squares of minors of (I, B, C). This sum subtracts no close numbers, so
+// close eigenvalues are as accurate as others. Errors are relative to the largest eigenvalue. For the
+// eigenvalues a, b and c of B, Newton's form is
+//   f(B) = f(b) I + f[b,c] (B - b I) + f[a,b,c] (B - b I)(B - c I) = z0 I + z1 B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
 #undef VIETE_SYM3_SPECTRAL_INL_H
@@ -30,7 +33,8 @@ struct Spectrum {
   V at_a, at_b, at_c;       ///< the eigenvalues of S
 };
 
-/// Returns 2^e and 2^-e, where e is the binary exponent of x. x = 0 gives 0 and 2^1023 (float 2^127).
+/// Sets `power` to 2^e and `inverse` to 2^-e, where e is the binary exponent of x. x = 0 gives 0 and 2^1023
+/// (float 2^127).
 template <class D, class V>
 static HWY_INLINE void power_of_two_below(D d, V x, V& power, V& inverse) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -47,16 +51,16 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// Returns 4/3 of the discriminant D of B as a sum of squares. D is the product of the squared differences of
-/// the eigenvalues, and the Gram determinant of (I, B, B^2) for the inner product tr(X Y). Since C = B^2 - p
-/// I, it is also the Gram determinant of (I, B, C). B and C' = C - (tr C / 3) I are orthogonal to I, and tr(I
-/// I) = 3, so D = 3 (|B|^2 |C'|^2 - tr(B C')^2). By Lagrange's identity D is 3 times the sum of all (b_i c_j
-/// - b_j c_i)^2 with i < j. Here b and c are coordinates of B and C' in an orthonormal basis of the matrices
-/// with trace zero: (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz. The code uses sqrt 2
-/// times these coordinates.
+/// Returns 4/3 of the discriminant D of B, as a sum of squares.
 ///
-/// The formula 4 p^3 - 27 q^2 would have an error of u. Its root, the difference of close eigenvalues, would
-/// have an error of sqrt u. The minors have an error of u, so the root of their sum also has an error of u.
+/// D is the product of the squared differences of the eigenvalues. D is also the Gram determinant of
+/// (I, B, B^2) for the inner product tr(X Y), and also of (I, B, C), because C = B^2 - p I. B and
+/// C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) = 3. Therefore D = 3 (|B|^2 |C'|^2 - tr(B C')^2).
+/// By Lagrange's identity, D is 3 times the sum of all (b_i c_j - b_j c_i)^2 with i < j. Here b_i and c_i are
+/// the coordinates of B and C' in an orthonormal basis of the matrices with trace zero:
+///   (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
+/// The code uses sqrt 2 times these coordinates. Each minor has an error of u, so the square root of the sum
+/// also has an error of u. With the formula D = 4 p^3 - 27 q^2, the root of D would have an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -107,7 +111,7 @@ static HWY_INLINE Spectrum<V> spectrum(D d, const Six<V>& s) {
   return e;
 }
 
-/// Returns true if S is positive definite, k is not too large, and nothing overflows or underflows.
+/// Returns true if S is positive definite and not badly conditioned, and nothing overflows or underflows.
 template <class D, class V>
 static HWY_INLINE hn::Mask<D> is_ordinary(D d, const Spectrum<V>& e) {
   using C = SpectralTables<hn::TFromD<D>>;
@@ -143,7 +147,8 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// Computes log(x / y) and log(x / y) / (x - y) for positive normal x, y. `difference` is an accurate x - y.
+/// log(x / y) and slope = log(x / y) / (x - y). x and y must be positive and normal. `difference` must be an
+/// accurate x - y.
 template <class V>
 struct LogRatio {
   V log, slope;
@@ -155,7 +160,7 @@ static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using C = SpectralTables<T>;
   const hn::RebindToUnsigned<D> du;
   using U = hn::TFromD<decltype(du)>;
-  // Finds a power 2^k close to x / y from the exponent of the difference of the bits.
+  // Finds 2^k close to x / y: subtracts the bits of y from the bits of x, and keeps the exponent.
   const U shift = (U(C::exponent_bias) << C::mantissa_bits) + (U(1) << (C::mantissa_bits - 1));
   const auto bits = hn::Add(hn::Sub(hn::BitCast(du, x), hn::BitCast(du, y)), hn::Set(du, shift));
   const V power = hn::BitCast(d, hn::And(bits, hn::Set(du, U(2 * C::exponent_bias + 1) << C::mantissa_bits)));
@@ -178,7 +183,7 @@ template <class D, class V>
 static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   using T = hn::TFromD<D>;
   const V one = hn::Set(d, T(1));
-  // The eigenvalue b minus 1 comes from diagonal entries minus 1. It is exact if the logarithm is small.
+  // Computes at_b - 1 from diagonal entries minus 1, which are exact if S is close to I.
   const V above = hn::Mul(hn::Add(hn::Add(hn::Sub(s.xx, one), hn::Sub(s.yy, one)), hn::Sub(s.zz, one)),
                           hn::Set(d, T(1) / T(3)));
   const V at_b = log_ratio(d, e.at_b, one, hn::MulAdd(e.size, e.b, above)).log;
@@ -189,7 +194,6 @@ static HWY_INLINE Six<V> log_lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
   return newton_form(e, at_b, hn::Mul(e.size, bc), hn::Mul(e.size, curvature));
 }
 
-/// Returns the eigenvalues in ascending order.
 template <class D, class V>
 static HWY_INLINE Three<V> eigenvalues_lanes(D d, const Spectrum<V>& e) {
   const auto far_is_top = hn::Ge(e.a, hn::Zero(d));

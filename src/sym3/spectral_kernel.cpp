@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// A function of positive definite matrices: F::lanes() for lanes with is_ordinary(), otherwise F::one().
+/// A function of positive definite matrices: F::lanes(), or F::one() in lanes that are not ordinary.
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;
@@ -27,7 +27,6 @@ struct OfPositive {
   }
 
 private:
-  /// Returns the lanes that are valid.
   template <class D, class V>
   static HWY_INLINE hn::Mask<D> lanes(D d, const V (&in)[6], V (&out)[6]) {
     const Six<V> s = six(in);

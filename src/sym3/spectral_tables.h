@@ -4,7 +4,7 @@
 namespace viete::sym3 {
 
 /// With t = (2/3) atan(sqrt w) and 0 <= w <= 1, `sine` is sin(t) / sqrt w and `cosine` is cos(t). `atanh` is
-/// atanh(s) / s as a polynomial in s^2 <= 0.0445. tests/sym3/make_tables.cpp interpolated the functions at
+/// atanh(s) / s as a polynomial in s^2 <= 0.0445. tests/sym3/make_tables.cpp interpolates the functions at
 /// Chebyshev points. The errors are below 0.9 u (float 1.5 u).
 template <class T>
 struct SpectralTables;

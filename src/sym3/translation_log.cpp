@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// Returns the damping factor of E (see the header) at an angle: 0 at a whole turn, with a smooth rise to 1.
+// Returns the damping factor of E (see the header): 0 at 360, 720 ... degrees, 1 at a distance of pole_width.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -26,7 +26,7 @@ double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
 }
 
-// Returns E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
+// Returns the factor of E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
 double across(double angle) {
   const double square = angle * angle;
   if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
@@ -41,11 +41,10 @@ Mat3<double> projector(const Vec3<double>& axis) {
   return m;
 }
 
-// Multiplies polynomials p[0] I + p[1] L + p[2] L^2. Higher powers reduce to these (Cayley-Hamilton).
+// Polynomials p[0] I + p[1] L + p[2] L^2. Products reduce to this form (Cayley-Hamilton).
 struct Powers {
   double t1, t2, t3;  // L^3 = t1 L^2 - t2 L + t3 I
 
-  // Returns L p.
   Vec3<double> shifted(const Vec3<double>& p) const {
     return {p[2] * t3, p[0] - p[2] * t2, p[1] + p[2] * t1};
   }
@@ -56,8 +55,8 @@ struct Powers {
   }
 };
 
-// Computes phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k and |A| <= 1/2. Then uses phi(2 A) = phi(A) +
-// A phi(A)^2 / 2 k times.
+// Computes phi(L) = c[0] I + c[1] A + c[2] A^2 with A = L / 2^k and |A| <= 1/2. Then applies
+// phi(2 A) = phi(A) + A phi(A)^2 / 2, k times.
 struct Phi {
   Mat3<double> a;
   Vec3<double> c;
@@ -101,7 +100,7 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
 Sym3<double> even_part(const Vec3<double>& y) {
   const double angle = norm(y), g = across(angle);
   if (angle == 0) return identity<double>();
-  // If the angle is so small that rounding decides the axis, then 1 - g is also small.
+  // For tiny angles, rounding decides the axis, but then 1 - g is also tiny.
   const double along = (1 - g) / dot(y, y);
   return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
           g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
@@ -122,7 +121,7 @@ Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
 }
 
-// Returns phi(Y) x with phi(Y) = I + (1 - cos) / theta^2 Y + (theta - sin) / theta^3 Y^2, by theta / 2.
+// With t = |y|, returns phi(Y) x for phi(Y) = I + (1 - cos t) / t^2 * Y + (t - sin t) / t^3 * Y^2.
 Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
   const double square = dot(y, y), angle = std::sqrt(square);
   const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,

@@ -13,18 +13,18 @@ namespace viete::sym3 {
 // E is an even function of L. If L is a rotation by the angle theta, E is symmetric: E is 1 along the axis,
 // and (theta / 2) cot(theta / 2) perpendicular to the axis.
 //
-// A handle moves from the centre c to c'. If points are relative to m before and to m' after the motion, the
-// map has the translation (c' - m') - e^L (c - m). Since W e^L = E + L / 2, the logarithm v of this
-// translation is linear in m and m':
+// The centre of a handle moves from c to c'. If coordinates are relative to m before and to m' after the
+// motion, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since
+// W e^L = E + L / 2, v is linear in m and m':
 //
 //     v = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
 //
-// Therefore E, L and a can be blended, and v can be computed from the blended centres. The result does not
-// depend on the origin. If all handles move rigidly together, v is 0.
+// Therefore programs can blend E, L and a, and then compute v from the blended centres m and m'. The result
+// does not depend on the origin. If all handles move rigidly together, v is 0.
 //
 // For rotations by 360, 720 ... degrees there is no logarithm, because cot is infinite. Within 60 degrees of
-// these angles E is reduced, down to 0 at these angles, so that E is continuous and bounded. Thread-safe; no
-// allocation, no throw.
+// these angles, E perpendicular to the axis decreases smoothly to 0, so that E is continuous and bounded.
+// Thread-safe; no allocation, no throw.
 
 /// Returns E for a rotation vector.
 Sym3<double> even_part(const Vec3<double>& turn);
@@ -35,8 +35,8 @@ Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& turn);
 Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x);
 Vec3<double> phi_times(const Vec3<double>& turn, const Vec3<double>& x);
 
-/// Returns E x - L x / 2 with E of even_part(). Except near whole turns, this is phi(L)^-1 x. The result is
-/// always finite: if e^L overflows or L has hundreds of turns, E may count as 0.
+/// Returns E x - L x / 2 with E of even_part(). Except near whole turns, the result is phi(L)^-1 x. The
+/// result is always finite: if e^L overflows or L has hundreds of turns, the code may use 0 for E.
 Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x);
 
 }  // namespace viete::sym3

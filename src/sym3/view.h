@@ -11,13 +11,13 @@ namespace viete::sym3 {
 
 enum class Layout : unsigned char {
   planes,  ///< structure of arrays: entry k of item i at plane[k][i]
-  packed,  ///< array of structures: entry k of item i at data[N i + k]
-  full,    ///< symmetric matrices with all nine entries: data[9 i + k], by rows or by columns
+  packed,  ///< array of structures: entry k of item i at data[N * i + k]
+  full,    ///< symmetric matrices with all nine entries: data[9 * i + k], by rows or by columns
 };
 
-/// A view of many items of N numbers of type T, which may be const. An item is a symmetric matrix in the
-/// order of Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment.
-/// Planes must not overlap other planes. If the layout is `full`, functions read the entries 0 1 2 4 5 8 of a
+/// A view of many items of N numbers of type T. T may be const. An item is a symmetric matrix in the order of
+/// Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment. Planes
+/// must not overlap each other. If the layout is `full`, functions read the entries 0 1 2 4 5 8 of a
 /// symmetric matrix and write all nine. Planes are the fastest layout, but distances between planes that are
 /// multiples of 4096 bytes are slow, see padded_stride().
 template <class T, int N>
@@ -59,7 +59,8 @@ SymView<const T> packed(const Sym3<T>* data) {
 
 /// Returns a stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than
 /// the previous plane, so that planes use different cache sets. A processor can also confuse a load with a
-/// store 4096 bytes away; the stride avoids that. If the first plane is aligned to 64 bytes, all planes are.
+/// store 4096 bytes away; the stride avoids this confusion. If the first plane is aligned to 64 bytes, all
+/// planes are aligned.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);

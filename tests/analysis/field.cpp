@@ -31,7 +31,6 @@ analysis::FieldValues of_shares(const std::vector<double>& shares) {
   return analysis::measure(Field::influence, input);
 }
 
-// Computes the determinant in double-double precision.
 double determinant(const sym3::Sym3<sym3::DoubleDouble>& m) {
   const auto d = m.xx * (m.yy * m.zz - m.yz * m.yz) - m.xy * (m.xy * m.zz - m.yz * m.xz) +
                  m.xz * (m.xy * m.yz - m.yy * m.xz);

@@ -78,7 +78,7 @@ TEST_CASE("a_stretch_of_a_plane_is_measured_exactly") {
   mesh::Surface rest = sheet();
   for (Point& p : rest.positions) p[2] = 0;
   const double a = 1.7, b = 0.6;
-  // The axes are oblique and rotated out of the plane.
+  // Stretches along oblique axes, and rotates the sheet out of its plane.
   const double c = std::cos(0.4), s = std::sin(0.4);
   const auto drawn = moved(rest, [&](const Point& p) {
     const double u = a * (c * p[0] + s * p[1]), v = b * (c * p[1] - s * p[0]);

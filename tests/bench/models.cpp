@@ -35,7 +35,7 @@ TEST_CASE("a_star_cage_has_the_requested_faces_and_encloses_the_model") {
   }
 }
 
-// Checks the distances that the reference for binding computes, by an independent implementation.
+// Checks PlainWeights against an independent implementation.
 TEST_CASE("plain_weights_are_inverse_squared_distances_that_sum_to_one") {
   const auto model = test::sphere(2);
   const auto cage = deform::make_cage(test::moved(test::cube(), 1.7));
@@ -130,12 +130,13 @@ TEST_CASE("the_energy_is_that_of_the_jacobians_weighted_by_area") {
 
 TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
   const RestModel model(square());
-  // 3 |e|^2 / A is 3 * 2 / 1.
+  // In RestModel::bending(), 3 |e|^2 / A is 3 * 2 / 1 here.
   for (const double angle : {0.5, -0.5, 3.0}) {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // Both folds are nearly complete, on opposite sides. The shortest motion between them unfolds the square.
+  // The folds are nearly complete, on opposite sides. The smaller rotation between them passes the complete
+  // fold.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;

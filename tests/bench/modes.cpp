@@ -29,7 +29,6 @@ std::vector<mesh::Point> with_the_box(const deform::Pose& pose) {
   return moved;
 }
 
-// Moves all vertices by the mean motion of the box's vertices.
 std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
   mesh::Point mean{0, 0, 0};
   for (std::size_t v = 0; v < 8; ++v) mean = mean + 0.125 * (pose.positions[v] - cage.surface.positions[v]);
@@ -85,7 +84,7 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage moves along x. It moves 0.5 away from the first point, and sideways for the second point.
+  // The cage moves by 0.5 along x: away from the first point, and sideways for the second point.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));
@@ -97,7 +96,7 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   const std::vector<mesh::Point> rest = {{0, 0, 0},     {side, 0, 0},     {0, side, 0},
                                          {0, 0, 0.005}, {side, 0, 0.005}, {0, side, 0.005}};
   const auto pairs = near_pairs(mesh::from_triangles(rest, {{0, 1, 2}, {3, 4, 5}}));
-  CHECK(pairs.size() == 6);  // in both directions
+  CHECK(pairs.size() == 6);  // each pair in both directions
   auto posed = test::mapped(rest, [](const mesh::Point& p) { return mesh::Point{p[1] + 3, -p[0], p[2]}; });
   CHECK(torn(pairs, rest, posed) < 1e-12);
   posed[5][2] += 0.1;
@@ -105,7 +104,7 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   posed[5][2] = NAN;
   CHECK(std::isnan(torn(pairs, rest, posed)));
   CHECK(near_pairs(mesh::from_triangles(rest, {{0, 1, 2}})).empty());
-  // A crack of width 0.0005. Only a long path connects its sides.
+  // A crack of width 0.0005. Only a long path of edges connects its sides.
   const std::vector<mesh::Point> cracked = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0.0005, 0, 0}};
   CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
 }
@@ -147,7 +146,7 @@ TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
     CHECK(rest.volume == doctest::Approx(1));
     CHECK(rest.gap == doctest::Approx(compared.rest_gap));
     CHECK(std::isnan(rest.energy_ratio));  // 0 / 0
-    // If a deformer only rotates, it causes less distortion.
+    // mls_rigid distorts less than the other schemes, because it only rotates.
     CHECK(posed.energy > (scheme.blend == deform::Blend::mls_rigid ? 1e-4 : 1e-3));
     CHECK(posed.energy_ratio > 0);
     CHECK(posed.bending_ratio > 0);

@@ -27,7 +27,6 @@ using namespace viete::bench;
 
 namespace {
 
-/// Returns figures for a ball in a box, in the smallest sizes.
 Figures small_figures() {
   const test::TemporaryFolder scratch;
   mesh::Surface ball = test::sphere(2);
@@ -131,7 +130,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Errors have two digits, and times mostly three digits. Other digits would be noise.
+// Relative tolerances. The tables have two digits of errors, and mostly three digits of times.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {

@@ -19,7 +19,7 @@ double difference(const Affine& a, const Affine& b) {
                   sym3::norm(sym3::plus(a.translation, -1, b.translation)));
 }
 
-// Returns a random rotation by at most `angle`, with stretches, shears and a translation.
+// Returns a random map: a rotation by at most `angle`, stretches, shears and a translation.
 Affine any_map(Random& random, double angle = 2.5, double stretch = 3) {
   const auto some = [&] { return uniform(random, -1, 1); };
   const sym3::Vec3<double> w{some(), some(), some()};
@@ -79,7 +79,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
     const Affine half = sym3::combine(std::vector{whole}, std::vector{0.5});
     CHECK(difference(half, about_z(turn / 4 * angle)) < 1e-15);
   }
-  // A screw motion: both maps rotate about one axis.
+  // `screw` is half a turn about an axis with a shift along this axis. `quarter` is half of this motion.
   const Affine to{about_z(0).linear, {3, 1, 0}},
       screw = to * Affine{half_turn.linear, {0, 0, 2}} * sym3::inverse(to);
   const Affine quarter = to * about_z(turn / 4, {0, 0, 1}) * sym3::inverse(to);
@@ -88,7 +88,7 @@ TEST_CASE("half_of_a_half_turn_is_a_quarter_turn") {
 
 TEST_CASE("the_branch_nearest_to_a_turn_is_followed_any_number_of_times_round") {
   sym3::Vec3<double> before{};
-  for (int i = 1; i <= 72; ++i) {  // 30 degrees each time: six turns
+  for (int i = 1; i <= 72; ++i) {  // 30 degrees in each step: six turns
     const double angle = turn * i / 12;
     const Affine map = about_z(angle);
     const AffineLog log = sym3::log_affine(map, before);

@@ -27,9 +27,9 @@ inline Polynomial interpolated(const QuadFunction& f, Quad end, int count) {
   std::vector<Quad> values;
   for (int j = 0; j < count; ++j) values.push_back(f(end * (1 + cosq(angle(j))) / 2));
   Polynomial sum(count, 0), before(count, 0),
-      last(count, 0);  // shifted Chebyshev polynomials k - 1 and k of y = x / end
+      last(count, 0);  // the two previous shifted Chebyshev polynomials of y = x / end
   for (int k = 0; k < count; ++k) {
-    Polynomial next(count, 0);  // 1, then 2 y - 1, then (4 y - 2) last - before
+    Polynomial next(count, 0);  // 1, then 2 y - 1, then (4 y - 2) * last - before
     const int factor = k == 1 ? 1 : 2;
     for (int i = 0; i < count && k > 0; ++i) {
       next[i] = factor * ((i > 0 ? 2 * last[i - 1] : 0) - last[i]) - before[i];
@@ -91,7 +91,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// Returns the position of the largest value in each run of equal signs; at most `count` positions.
+/// Returns the position of the largest absolute value in each run of equal signs; at most `count` positions.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -107,8 +107,8 @@ inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std
   return found;
 }
 
-/// Replaces the coefficients of `p` from x^first on, to make the largest error smallest (Remez). If the other
-/// coefficients keep the signs of the errors from alternating, returns the best polynomial found.
+/// Returns `p` with new coefficients from x^first on, which make the largest error smallest (Remez). If
+/// errors with alternating signs are not possible, returns the best polynomial found.
 inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   const int count = static_cast<int>(p.size()), unknown = count - first;
   const Polynomial kept(p.begin(), p.begin() + first);
@@ -150,15 +150,14 @@ inline Polynomial minimax(const Target& t, Polynomial p, int first) {
   return best;
 }
 
-/// Rounds x to T, in units of `unit`.
 template <class T>
 Quad rounded(Quad x, Quad unit) {
   return static_cast<T>(x / unit) * unit;
 }
 
-/// Returns the minimax polynomial whose coefficients are numbers of T times `unit`. Coefficients in `kept` do
-/// not change. Coefficients before `one_by_one` are rounded one by one, and each time the rest is fitted
-/// again. All others are rounded at once.
+/// Returns the minimax polynomial whose coefficients are numbers of T times `unit`. Its first coefficients
+/// are `kept`. Coefficients before `one_by_one` are rounded one by one; after each rounding, later
+/// coefficients are fitted again. All other coefficients are rounded together.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {

@@ -38,7 +38,6 @@ sym3::Sym3<T> diagonal(T x, T y, T z) {
   return {x, 0, 0, y, 0, z};
 }
 
-/// Computes exp of `count` matrices with six numbers each.
 template <class T>
 void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
   sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),

@@ -1,4 +1,4 @@
-// Tests error bounds of derivatives with every kernel, and that batches in any layout equal single calls.
+// Tests the error bounds of derivatives with every kernel. Batches in any layout must equal single calls.
 #include "sym3/derivative.h"
 
 #include <algorithm>
@@ -65,7 +65,6 @@ Sym3<T> some_direction(Random& random, const Sym3<T>& s, std::size_t i) {
   return e;
 }
 
-/// The numbers for the error bounds: the condition of S and the norm of log S.
 struct OfMatrix {
   const sym3::Kernel& kernel;
   double condition, log_norm;
@@ -78,7 +77,7 @@ OfMatrix of_matrix(const sym3::Kernel& kernel, const std::array<Quad, 3>& values
   return {kernel, static_cast<double>(high / low), std::sqrt(squares)};
 }
 
-/// Checks for all kernels that the error is within the bound of each matrix.
+/// Checks for all kernels that the error for each matrix is within its bound.
 template <class T, class Allowed>
 void check_derivatives(Of f, const std::string& what, const std::vector<Sym3<T>>& matrices,
                        const Allowed& allowed, double p = exponent) {

@@ -139,7 +139,7 @@ TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bounds", T, double, 
   check_bound("diagonal", diagonals, 18, 23);
 }
 
-// These headers must be included before Highway's headers.
+// exp_derivative-inl.h includes Highway, so highway_targets.h must come first.
 #include "sym3/exp_derivative-inl.h"
 //
 #include "sym3/call_kernel.h"
@@ -183,7 +183,7 @@ namespace {
 template <class T>
 constexpr T inf = std::numeric_limits<T>::infinity();
 
-/// Checks that each entry can overflow alone, to an infinity with the sign of the exact number.
+/// Checks that an entry overflows to an infinity of the correct sign, and leaves other entries finite.
 template <class T>
 void check_overflow(const sym3::Kernel& kernel, const Sym3<T>& s) {
   const auto computed = entries_of(exp_with(kernel, s));

@@ -72,7 +72,7 @@ Mat3<double> nearly_defective(double gap, Random& random) {
   return in_axes_of({a, 1, b, 0, a * (1 + gap), c, 0, 0, a * (1 + gap * uniform(random, -2, 2))}, random);
 }
 
-// Returns the relative error in units of u (1 + k). k is the condition.
+// Returns the relative error in units of u (1 + k), where k is the condition number.
 template <class F>
 double error_by_condition(const Mat3<double>& computed, const F& f, const QuadMat& m) {
   const QuadMat exact = f(m);
@@ -191,7 +191,7 @@ TEST_CASE("exp_of_a_long_log_is_as_exact_too") {
   CHECK(entry_difference(m, diagonal_matrix(0, 1, 1)) < 1e-15);
 }
 
-// Another step of Newton's method could increase the residual. One matrix in 20,000 had no logarithm.
+// A regression: one Newton step too many increased the residual, so one matrix in 20,000 had no logarithm.
 TEST_CASE("every_exponential_has_a_logarithm") {
   CHECK(has_log({1.0686076570091338, 1.4855289131697111, -0.8290871979372267, 0.3883423827946375,
                  1.6512376532597528, -0.9656765334150027, -0.5479660687323898, -1.1674576718875822,
@@ -248,8 +248,7 @@ TEST_CASE("logs_of_similarities_are_sums_also_at_180_degrees_and_at_rest") {
 }
 
 TEST_CASE("logs_are_bounded_and_continuous_at_matrices_without_logarithm") {
-  // Rotates about z by 150 to 210 degrees, and stretches along x. Near 180 degrees, two eigenvalues are
-  // negative.
+  // Rotates about z by 150 to 210 degrees, stretches along x. Near 180 degrees, two eigenvalues are negative.
   Mat3<double> before{};
   int without = 0;
   for (int i = 0; i <= 4000; ++i) {

@@ -80,7 +80,7 @@ TEST_CASE("a_route_reports_the_case_of_the_paper_and_the_squarings_of_fast") {
   CHECK(route(apart, Method::diag) == Route{});
   CHECK(route(apart, Method::fast) == Route{.degree = 21});
   CHECK(route(all, Method::fast) == Route{.degree = 21});
-  // If there are no squarings, p = |A|^2 / 2 is at most 8. If A is halved, p is divided by four.
+  // If p = |A|^2 / 2 is at most 8, there are no squarings. Each halving of A divides p by four.
   const auto spread = [](double x) { return Sym3<double>{x, 0.1, 0, -x, 0, 0}; };
   CHECK(route(spread(2.8), Method::fast).squarings == 0);
   CHECK(route(spread(2.9), Method::fast).squarings == 1);

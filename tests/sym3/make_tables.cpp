@@ -1,6 +1,6 @@
 // Computes the coefficients of the files *_tables.h in 113 bits, prints them, and compares them with the
-// headers. Interpolated polynomials must be exactly equal. Minimax polynomials may differ, but the error of
-// the header must be the documented error.
+// headers. Interpolated coefficients must be equal after rounding. Minimax coefficients may differ, but the
+// error of the header's polynomial must be at most the documented error.
 #include <cmath>
 #include <cstdio>
 #include <iterator>
@@ -102,7 +102,8 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Returns the number just below x whose product with a number of T is closest to 1. f(0) is then about 1.
+/// Tries 2000 numbers below x. Returns the number whose product with a number of T is closest to 1, so that
+/// f(0) is about 1.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -142,7 +143,7 @@ Polynomial derivative(const Polynomial& p) {
   return d;
 }
 
-/// Returns the polynomial whose derivative is minimax. Rounds its coefficients.
+/// Computes and checks the polynomial whose derivative is minimax.
 template <class T>
 void exponential_with_derivative(double error, double derivative_error) {
   using C = ExpDerivativeTables<T>;

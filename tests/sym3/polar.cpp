@@ -12,7 +12,8 @@ using sym3::Mat3;
 
 namespace {
 
-/// The nearest rotation, from the eigenvectors of M^T M in 113 bits, and 1 + s1 / (s2 + s3) of polar.h.
+/// `rotation` comes from the eigenvectors of M^T M in 113 bits. `condition` is 1 + s1 / (s2 + s3), see
+/// polar.h.
 struct Truth {
   QuadMat rotation{};
   double condition;

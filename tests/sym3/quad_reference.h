@@ -27,8 +27,8 @@ inline Quad to_quad(const sym3::DoubleDouble& x) {
   return Quad(x.hi) + Quad(x.lo);
 }
 
-/// Returns 1 / sqrt(x) with 112 bits. Computes it with 64 bits, then improves it by one Newton step. (sqrtq
-/// takes ten times as long.)
+/// Returns 1 / sqrt(x) with 112 bits. Computes with 64 bits, then improves the result by one Newton step.
+/// (sqrtq takes ten times as long.)
 inline Quad quad_inverse_root(Quad x) {
   const Quad y = 1 / std::sqrt(static_cast<long double>(x));
   return y + y * (1 - x * y * y) / 2;
@@ -92,7 +92,6 @@ inline QuadSym quad_inv_sqrt(const QuadSym& s) {
   return quad_function(s, [](Quad x) { return 1 / sqrtq(x); });
 }
 
-/// Computes the rotation by Rodrigues' formula.
 inline std::array<Quad, 9> quad_rotation(const std::array<Quad, 3>& w) {
   const Quad angle = sqrtq(w[0] * w[0] + w[1] * w[1] + w[2] * w[2]);
   const Quad half = angle / 2, a = angle > 0 ? sinq(angle) / angle : 1;
@@ -179,7 +178,7 @@ inline QuadMat quad_root(const QuadMat& m) {
   return y;
 }
 
-/// log(M) = 2^n log(R). R is the n-th repeated square root of M and close to I. log(R) is a short series.
+/// Returns log(M) = 2^n log(R). R is M after n square roots, and close to I. A short series gives log(R).
 inline QuadMat quad_log_general(QuadMat m) {
   int roots = 0;
   const int exponent = ilogbq(quad_norm(m));
@@ -211,8 +210,8 @@ inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact)
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// Returns the largest relative change of f per relative change of the matrix. This is the largest singular
-/// value of the difference quotient; power iteration finds it.
+/// Returns condition number * |f(m)|: the largest singular value of the difference quotient, by power
+/// iteration.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
