@@ -65,7 +65,8 @@ void Weigher::add_triangles() {
   }
 }
 
-// Skips elements without area, because the sides of such an element cancel. Points on it need scalar code.
+// Skips elements without area, because the sides of such an element cancel. Points on such elements need
+// scalar code.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];
