@@ -72,8 +72,7 @@ struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
   Vec3 turn;                   ///< |turn| <= pi
-  double least,
-      largest;  ///< least and largest stretch; least < 0 if the map mirrors; NaN if the map is not finite
+  double least, largest;       ///< stretches; least < 0 if the map mirrors, NaN if the map is not finite
 };
 
 /// Splits the maps of `elements` in double precision and leaves other splits unchanged. The bits of a split
@@ -113,9 +112,9 @@ struct Polar {
   Vec3 stretches;               ///< descending, not negative
 };
 
-/// Computes the decomposition by SVD, M = U * D * V^T: the rotation is U * V^T. If det M < 0, flips the
-/// singular vector of the smallest value, which gives the closest proper rotation. If M = 0, the rotation is
-/// I. If M is not finite, all results are NaN.
+/// Computes the decomposition by SVD: M = U * D * V^T and rotation = U * V^T. If det M < 0, flips the
+/// singular vector of the smallest value. If M = 0, the rotation is I. If M is not finite, all results are
+/// NaN.
 Polar polar(const sym3::Mat3<double>& m);
 
 /// Returns axes * diag(log(stretches)) * axes^T. The stretches must be positive.
@@ -124,9 +123,8 @@ sym3::Sym3<double> log_stretch(const Polar& polar);
 /// Returns true if `least` is not below the minimum stretch of log_maps(). Returns false for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// Leaves the split of an ordinary map unchanged, see is_ordinary(). Otherwise computes the split by SVD and
-/// raises singular values to the minimum of log_maps(). Returns true if a value was raised or the map is not
-/// finite.
+/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD and raises
+/// singular values to the minimum. Returns true if a value was raised or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R * S. Uses the split, or an SVD if the map mirrors or nearly

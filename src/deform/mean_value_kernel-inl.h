@@ -28,10 +28,8 @@ using ViewV = hn::Vec<ViewTag>;
 // (Ju, Schaefer, Warren 2005). The two triangles at an edge have equal a_i / (2 * |c_i|) and |c_i|^2, and
 // opposite c_i. Therefore these three numbers are computed once per edge. u_i is computed once per corner.
 
-constexpr double in_plane =
-    1e-8;  // if |volume| / (largest product of two sines) is less, p may be in the plane
-constexpr double vanishing =
-    1e-9;  // if |sum of weights| / (sum of absolute weights) is less, the sum counts as 0
+constexpr double in_plane = 1e-8;   // limit of |volume|, relative to the largest product of two sines
+constexpr double vanishing = 1e-9;  // limit of |sum of weights|, relative to the sum of |weights|
 constexpr double pi = 3.14159265358979323846;
 
 // Returns 1 / sqrt(x) with an error of at most two ulp, for x from 1e-38 to 1e38. Improves the hardware
@@ -48,8 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for 0 <= c <= 1. Interpolates at Chebyshev points; the error is 4e-17
-// before rounding.
+// Returns acos(c) / sqrt(1 - c^2) for 0 <= c <= 1, interpolated at Chebyshev points with an error of 4e-17.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -76,8 +73,7 @@ static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   return lanes::horner(d, powers, hn::Sub(hn::Set(d, 1.0), cosine));
 }
 
-// Directions from eight points to the cage. Each number below is an array of bind_lanes values, one per
-// point.
+// Directions from eight points to the cage. Each number is an array of bind_lanes values.
 struct Seen {
   double* directions;  // [corner][x y z, inverse distance]
   double* edges;       // [edge][cross product of the directions x y z, angle / (2 sine), squared sine]
@@ -131,8 +127,8 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Adds the triangle's s_i to the weights of its corners. Returns the lanes in which p may be in the
-// triangle's plane. In these lanes, the weights are not valid.
+// Adds the triangle's s_i to its corners' weights. Returns the lanes in which p may be in the triangle's
+// plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

@@ -17,7 +17,6 @@ Vec3 vector_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// Returns k^-1 * x.
 Vec3 solve(const MomentMatrix& k, const Vec3& x) {
   const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(k.data());
   const Eigen::Vector3d y = matrix.partialPivLu().solve(Eigen::Vector3d(x[0], x[1], x[2]));

@@ -22,11 +22,10 @@ namespace viete::deform {
 /// `similar` has M = R * tr S / tr K.
 ///
 /// The paper has only the first terms of B and K. If one point has all the weight, these terms vanish. If the
-/// weighted points lie in a plane, these terms lose rank. In both cases M would be undetermined. The second
-/// terms prevent this, and K is never singular. A is the map of the point's patch (patch_maps.h). A patch
-/// acts like a cloud of points with the radius l, which is 10 % of the cage's edge length. `affine` follows
-/// affine poses of the cage exactly, or only similarities if the cage is flat. `rigid` and `similar` follow
-/// similarities.
+/// weighted points lie in a plane, these terms lose rank. M would then be undetermined. The second terms
+/// prevent this: K is never singular. A is the map of the point's patch (patch_maps.h). A patch acts like a
+/// cloud of points with the radius l, which is 10 % of the cage's edge length. `affine` follows affine poses
+/// of the cage exactly, or only similarities if the cage is flat. `rigid` and `similar` follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w * p and w * p'. In K, negative weights could
 /// cancel other weights. Computes the positions of the vertices [begin, end) in double. Each vertex is

@@ -19,7 +19,6 @@ namespace viete::deform::HWY_NAMESPACE {
 // Sums of a vertex: the nine entries of B' by rows, then sum w * p'. See moments.h.
 inline constexpr std::size_t moment_sums = 12;
 
-// Adds the sums of the vertices in one vector register to s.
 template <bool Listed, class V>
 static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)[moment_sums]) {
   const Tag d;
@@ -63,8 +62,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input for a vertex's map. For dual and scale, see RestMoment. `rotation` is the rotation nearest to b,
-// and is set only if Fit::rotates.
+// The input for a vertex's map, see RestMoment. `rotation` is nearest to b, and is set only if Fit::rotates.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;

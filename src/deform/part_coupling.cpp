@@ -19,8 +19,7 @@ constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relativ
 constexpr double farther = 4;  // relative to the distance of the nearest part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// The factor 2 in the strength of a coupling. Tuned on gaps between parts, in bends, drags and twists of
-// models with 2 to 30,000 parts (bench modes, torn).
+// Tuned on gaps in bends, drags and twists of models with 2 to 30,000 parts (bench modes, torn).
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {
@@ -69,8 +68,7 @@ private:
     });
     return found;
   }
-  // Moves the point to a near corner. This makes the matrix sparser, and couples matching vertices of layers
-  // opposite each other.
+  // Moves the point to a near corner. The matrix is then sparser, and layers couple at matching vertices.
   void take_corner(Neighbour& n) const {
     const auto& [a, b, c] = n.triangle;
     const mesh::Point point =

@@ -12,8 +12,7 @@
 
 namespace viete::deform {
 
-/// Couples a vertex to a point of a triangle. For a function w on the vertices, adds strength * (w(vertex) -
-/// w(point))^2 to w^T * L * w.
+/// Couples a vertex to a point of a triangle: adds strength * (w(vertex) - w(point))^2 to w^T * L * w.
 struct Coupling {
   std::uint32_t vertex;
   mesh::Triangle triangle;
@@ -29,15 +28,12 @@ inline constexpr double most_strength = 1e4;
 /// - in the vertex's own part, where folds touch: the nearest vertex within 0.1 %, unless a path of edges
 ///   shorter than 1 % joins the two vertices.
 /// A corner of the triangle replaces a point if the corner is within 0.3 %, or within half of the distance d
-/// from the vertex to the point. Points inside of triangles are needed because a coarse surface may have no
-/// vertex near a small part.
+/// from the vertex to the point.
 ///
 /// The strength is 2 * m / d^2, at most 1e4. m is the smaller share of the area of the vertex and the point.
 /// The unit of d^2 is the surface's area. m / d^2 is the Dirichlet energy of a column with base m and height
 /// d, which fills the gap. So cracks weld, layers move alike, and wider gaps couple less.
-///
-/// The surface must be welded. `masses` are as in IntrinsicLaplacian. Results do not depend on the number of
-/// threads.
+/// The surface must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
@@ -47,9 +43,8 @@ std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);
 
-/// The bodies of a model, numbered from 0. Each part of the model is a body, with one exception: a part with
-/// less than `small` of the area merges with parts that touch it (within 0.1 % of the diagonal). A triangle
-/// soup is then one body.
+/// The bodies of a model, numbered from 0. Each part is a body, but a part with less than `small` of the area
+/// merges with all parts that touch it (within 0.1 % of the diagonal). A triangle soup is then one body.
 struct Bodies {
   std::vector<std::uint32_t> of_vertex;  ///< the number of each vertex's body
   std::vector<double> shares;            ///< each body's share of the area

@@ -1,5 +1,4 @@
-// Vector code for blocks of triangles. Each triangle has one small matrix; a plane contains one entry of all
-// these matrices.
+// Vector code for small matrices, one per triangle. A plane contains one entry of the matrices of a block.
 #pragma once
 
 #include <cstddef>
@@ -13,8 +12,7 @@ namespace viete::deform {
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// The number of partial sums in a sum over triangles. The number is fixed, so that all computers add in the
-/// same order.
+/// Number of partial sums in a sum over triangles. It is fixed, so that all computers add in the same order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -34,18 +32,16 @@ struct PlaneKernel {
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
   /// m = sum of weight_k * posed_k * side_k^T over the three sides k.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// s = exp(X) and m = r * exp(Y) * s. `logs` are X and Y. r is one matrix by rows for all triangles; null
-  /// means I. Prefetches `next`.
+  /// s = exp(X), m = r * exp(Y) * s for logs X, Y. r is one matrix by rows, or null for I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
-  /// Computes the images of two directions u and v under exp(Y) * exp(X), and the derivatives of these images
-  /// by the weights. X and Y are weighted sums of `count` logs. group[number][group_size] contains u and v,
-  /// and for each log X (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]:
-  /// for each log, the derivative by its weight; after the last log, the images. Writes only the first
-  /// group_size numbers of each plane.
+  /// Computes the images of directions u and v under exp(Y) * exp(X), and the images' derivatives by the
+  /// weights. X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and each
+  /// log X (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the
+  /// derivatives by each log's weight; then the images. Writes only the first group_size numbers of each
+  /// plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
-  /// Multiplies the first two columns of each of `count` maps by columns[k][2][plane_size], for all k < n.
-  /// Adds the products to sums[map][k][3][group_size], where triangle i belongs to partial sum i %
-  /// group_size.
+  /// Multiplies two columns of each of `count` maps by columns[k][2][plane_size], k < n. Adds the products to
+  /// sums[map][k][3][group_size]. Triangle i belongs to partial sum i % group_size.
   void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n,
                        double* sums);
 };

@@ -40,8 +40,7 @@ void set_edge(double x, double y, double dx, double dy, double* along, double* i
   std::copy_n(to_inward, 3, inward);
 }
 
-// Returns the triangle in its own coordinates, see DistanceTriangle. The edge from a to b must be the
-// longest.
+// Returns the triangle in its own coordinates, see DistanceTriangle. The edge from a to b is the longest.
 DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   DistanceTriangle<double> t{};
   const double size = largest_abs(b - a);
@@ -200,9 +199,8 @@ int widest(const View& v) {
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Returns the coefficients of m along u[0], u[1] and u[2]. If p is almost in the triangle's plane, these
-// directions are nearly dependent. If m is then almost in the plane too, uses only the two most independent
-// directions.
+// Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane,
+// these directions are nearly dependent. Then uses only the two most independent directions.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

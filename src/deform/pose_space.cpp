@@ -8,8 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// Limit in radians. If a part's turn differs more from the mean of the part's logs, the logs cannot represent
-// the turn.
+// Logs cannot represent a turn that differs from the mean of the part's logs by more than this, in radians.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {

@@ -30,8 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight, 0 to 1, at a distance given in radii. From one radius on, only `endless` has a weight
-/// above 0.
+/// Returns the weight, 0 to 1, at a distance given in radii. From one radius on, only `endless` is above 0.
 double weight_at(Falloff falloff, double radii);
 
 /// The range in which one part of a probe's motion (turn, stretch or move) acts.
@@ -42,8 +41,7 @@ struct Influence {
   friend bool operator==(const Influence&, const Influence&) = default;
 };
 
-/// The probe's motion from rest, y = place + exp(Y) * exp(X) * (x - place) + move. At rest, all members are
-/// 0.
+/// The motion from rest: y = place + exp(Y) * exp(X) * (x - place) + move. At rest, all members are 0.
 struct ProbePose {
   Vec3 turn{0, 0, 0};            ///< Y as a rotation vector, any number of turns
   sym3::Sym3<double> stretch{};  ///< X = log S
@@ -52,8 +50,8 @@ struct ProbePose {
   friend bool operator==(const ProbePose&, const ProbePose&) = default;
 };
 
-/// Returns the pose after another rotation about the probe's place, by any angle. The axis must have length
-/// 1. It may differ from the axis of the pose's own turn.
+/// Returns the pose after another rotation about the probe's place, by any angle. The axis must have
+/// length 1. It may differ from the axis of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
 inline constexpr double least_factor = 1e-3;
 /// Returns the pose scaled along the file's axes. Factors below least_factor become least_factor, so that the

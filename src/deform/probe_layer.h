@@ -55,11 +55,9 @@ public:
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// Returns the absolute places of the probes on the displayed model, after carry() and the motion of other
-  /// probes.
+  /// Returns the absolute places of probes on the displayed model: carried, then moved by all other probes.
   std::vector<mesh::Point> places() const;
-  /// The places of the probes after the last carry(), relative to its `origin`. Motions of probes are not
-  /// included.
+  /// The places after the last carry(), relative to the `origin` passed to it, without the probes' motions.
   std::span<const Vec3> carried() const { return places_; }
 
 private:

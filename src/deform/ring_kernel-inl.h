@@ -78,8 +78,7 @@ static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
-// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. A vector without area becomes 0 0 1
-// 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
 static HWY_INLINE void normalise(OnePoint, const Points& inverse_sum, Points (&areas)[4]) {
   const float scale[4] = {inverse_sum.x, inverse_sum.y, inverse_sum.z, inverse_sum.w};
   for (int k = 0; k < 4; ++k) {
@@ -183,8 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (|x| + |y| + |z|) of vectors with lanes z x y 0, or 0 for a vector without area. Lane k of a
-// block belongs to areas[k].
+// Returns 1 / (|x| + |y| + |z|) of vectors z x y 0, or 0 without area. Lane k of a block is for areas[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -192,8 +190,7 @@ static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), sums));
 }
 
-// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. A vector without area becomes 0 0 1
-// 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
   const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_sum, hn::Zero(d)));
@@ -218,8 +215,7 @@ struct Areas {
 
 // Returns twice the sum of the area vectors of the triangles around `self`. Two consecutive triangles form a
 // quadrilateral. The cross product of its diagonals is twice its area vector, so half as many products
-// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. An open ring must have an odd
-// length.
+// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. Open rings have odd lengths.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -261,8 +257,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Returns the area vectors of one register of slots, starting at slot s. After the last register of a group,
-// advances `neighbours` to the next group.
+// Returns the area vectors of one register of slots, from s on. Advances `neighbours` after each group.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -273,8 +268,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// Copies ghosts from other leaves and prefetches the next leaf's ghosts. If no slot moved and no ghost
-// changed, copies nothing and returns false.
+// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if nothing has changed.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
@@ -316,8 +310,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; a leaf has a multiple of 32 slots
 
-// Computes up to ring_block slots, starting at `begin`. To hide latency, each step runs for all slots before
-// the next step.
+// Computes up to ring_block slots from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

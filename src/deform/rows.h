@@ -15,17 +15,15 @@ enum class RowForm {
   logs,             ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) * exp(X) * o + c'
   maps,             ///< D = M - I by rows, d = c' - c - D * c:               x + D * x + d
   positions,        ///< position p':                                          o + p'
-  affine_moments,   ///< p / l, l * A by rows, p':                             M * o + sum w * p', see
-                    ///< moments.h
+  affine_moments,   ///< p / l, l * A by rows, p':                             M * o + sum w * p' (moments.h)
   similar_moments,  ///< as affine_moments, but M is a rotation and a scale
   rigid_moments,    ///< as affine_moments, but M is a rotation
 };
 struct RowShape {
   std::size_t columns;
   std::size_t first_length;  ///< index of the first column with lengths; earlier columns have no unit
-  /// Number of leading columns from which the mean over all rows is subtracted. The frame adds the mean to
-  /// the sums again. As exact weights sum to 1, this only removes the error of compressed weights in the
-  /// mean.
+  /// Number of leading columns from which the mean of all rows is subtracted. The frame adds the mean again.
+  /// As exact weights sum to 1, this only removes the error of compressed weights in the mean.
   std::size_t with_mean;
   /// Index of the first of three columns with the handles' centres; `columns` if there are none. See Shares.
   std::size_t center;

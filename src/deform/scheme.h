@@ -50,7 +50,6 @@ std::span<const BlendEntry> all_blends();
 const WeightsEntry& entry(Weights weights);
 const BlendEntry& entry(Blend blend);
 
-/// Returns the kind of elements for these weights and this blend.
 Elements elements_of(Weights weights, Blend blend);
 
 /// Returns the value with this name in a table, or nullopt.
@@ -125,8 +124,7 @@ inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
-/// Returns the reason why weights, blend or stitching are incompatible, as a sentence. Otherwise returns
-/// nullopt.
+/// Returns the reason why weights, blend or stitching are incompatible, as a sentence; otherwise nullopt.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
 /// A choice of weights and a choice of a blend. A member without a value allows any value.
@@ -136,7 +134,6 @@ struct PartialChoice {
 
   bool any() const { return weights || blend; }
 };
-/// Returns true if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
 /// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
@@ -217,13 +214,12 @@ const NumberEntry& number(std::string_view name);
 
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. Throws base::Error
 /// for incompatible choices, for numbers that the scheme does not use, and if elements that only translate
-/// would be stitched. If only a radius is asked, selects cut-off weights, unless `chosen` is true: the user
-/// chose other weights by name before, for example in a session.
+/// would be stitched. A radius selects cut-off weights, unless `asked` also chooses a deformer or weights, or
+/// weights were `chosen` by name earlier, for example in a session.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
-/// Returns the engine. Stitched schemes use the stitched engine. The fused engine runs method `fast` and
-/// schemes without an exponential. The staged engine runs all other methods, and `fast` if `same_path` is
-/// true.
+/// Returns the engine: stitched for stitched schemes, fused for method `fast` and for schemes without an
+/// exponential, and staged for all other methods. If `same_path` is true, `fast` is also staged.
 EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
 
 }  // namespace viete::deform

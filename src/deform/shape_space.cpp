@@ -18,8 +18,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// Let s0 <= s1 <= s2 be the singular values of the mean map. If (s0 + s1) / s2 is less, no rotation is
-// nearest.
+// If (s0 + s1) / s2 is less for the mean map's singular values s0 <= s1 <= s2, no rotation is nearest.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
@@ -44,8 +43,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation vector nearest to `sum`, the area-weighted sum of maps. If no rotation is nearest,
-// returns 0.
+// Returns the rotation vector nearest to `sum`, the area-weighted sum of maps, or 0 if none is nearest.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant
@@ -55,8 +53,7 @@ Vec3 mean_turn(const Mat& sum) {
 
 }  // namespace
 
-// Finds triangles that collapse or flip against all their neighbours. spread() gives them the mean of their
-// neighbours' logs.
+// Finds triangles that collapse or flip against all neighbours. spread() gives them the neighbours' logs.
 class ShapeSpace::Folds {
 public:
   Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)

@@ -20,8 +20,7 @@ struct ShapeReport {
   std::size_t flat = 0;  ///< triangles without area at rest; their corners determine them
   std::size_t folded =
       0;  ///< triangles that collapse or flip against all neighbours; they get the neighbours' logs
-  /// Pairs of neighbours whose logs differ by more than half a turn. Interpolation between such logs is
-  /// ambiguous.
+  /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
 };
 
@@ -37,10 +36,9 @@ public:
   /// The log space, for sums, shapes and the anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Converts a shape to a vector with coherent branches of the logs. `before` is the preceding shape's
-  /// vector or null. If it is not null, the branch of each log is nearest to the triangle's log in `before`.
-  /// Throws base::Error unless each vertex has a finite position. The number of threads does not change the
-  /// result.
+  /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
+  /// vector) is not null, the branch of each log is nearest to the triangle's log in `before`. Throws
+  /// base::Error unless each vertex has a finite position. Results do not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 

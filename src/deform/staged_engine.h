@@ -18,8 +18,7 @@ namespace viete::deform {
 /// `sums` must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Multiplies the sums of a vertex by its share, and adds (1 - share) * rest position to the centres in the
-/// sums.
+/// Multiplies a vertex's sums by its share, and adds (1 - share) * rest position to the sums of centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
@@ -27,9 +26,8 @@ void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Computes positions of the vertices [begin, end) from sums of any form except moments. For logs, the
-/// positions are origin + (exp(Y) * exp(X) * o + c'), where `stretches` contains exp(X). For symbols, see
-/// RowForm.
+/// Computes positions of the vertices [begin, end) from sums of any form except moments. For logs, these are
+/// origin + (exp(Y) * exp(X) * o + c') with exp(X) from `stretches`. Symbols: see RowForm.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);

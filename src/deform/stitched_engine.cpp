@@ -77,7 +77,6 @@ struct Stitcher::Maps {
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
   }
-  // Splits the maps into rotations and stretches.
   void split(std::size_t count) {
     const sym3::MatView<double> maps(rotations[0], stride);
     sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
@@ -171,7 +170,6 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
-// Sets the loads of a triangle's three corners. The loads sum to 0.
 inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
   loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }

@@ -21,8 +21,7 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses, one per vertex; empty means that all are 1. Shares also scale pins'
-  /// motions.
+  /// Sets the shares of the next poses, one per vertex; empty: all are 1. Shares also scale pins' motions.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.
@@ -83,8 +82,7 @@ public:
   /// Positions of the last frame, in double, relative to the rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// Returns blended positions of vertices in the last frame, before stitching. They are relative to the
-  /// rows' origin.
+  /// Returns positions of vertices in the last frame, before stitching, relative to the rows' origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

@@ -36,8 +36,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// A closed edge occurs once in each direction, so its terms cancel. At a vertex on an open edge, the sum is
-// not 0.
+// A closed edge occurs once in each direction, so its terms cancel. The terms of an open edge remain.
 std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
   for (const auto& t : triangles) {
@@ -301,8 +300,7 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// Moves clusters to the vertices that handles own, so that the plate's springs are where they are without a
-// proxy.
+// Moves clusters to owned vertices, so that the plate's springs are where they are without a proxy.
 void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   std::vector<bool> used(surface_.positions.size(), false);
   for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;

@@ -68,14 +68,12 @@ private:
 /// Weights along the surface of a large model, stored per cluster of its proxy.
 class ProxyWeights {
 public:
-  /// Solves on a proxy of about `clusters` clusters. Reports progress up to `done`. Errors: see
-  /// SurfaceSystem.
+  /// Solves on about `clusters` clusters. Reports progress up to `done`. Errors: see SurfaceSystem.
   ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                base::WorkerPool& pool, base::Progress* progress, double done,
                std::size_t clusters = proxy_vertices);
 
-  /// Writes the weights of a vertex of the model: at least 0, sum 1. row.size() is the number of handles.
-  /// Thread-safe.
+  /// Writes a vertex's weights: at least 0, sum 1. row.size() is the number of handles. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;
 
   /// Does the same without normalisation; weights may be negative.

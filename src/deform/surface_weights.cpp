@@ -23,8 +23,7 @@ namespace {
 constexpr double spring_per_handle = 1;
 // A body owns no vertices if its share of the area, times the number of handles, is less.
 constexpr double least_body = 0.1;
-// A handle is near a body's vertex if its distance is at most this many times the distance of the nearest
-// handle.
+// Limit of (distance from a handle to a vertex) / (distance from the nearest handle to this vertex).
 constexpr double as_near = 1.5;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
@@ -163,8 +162,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// Couples parts. Weakens the springs of a body if it would have more springs per area than a model with one
-// body.
+// Couples parts. No body gets more springs per area than the body of a model with only one body.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::span<const std::uint32_t> candidates, std::vector<double>& springs,
                                  base::WorkerPool& pool) {

@@ -22,13 +22,11 @@ namespace viete::deform {
 
 /// Approximate number of vertices of a proxy.
 inline constexpr std::size_t proxy_vertices = 40'000;
-/// Models with more vertices need a proxy for weights along the surface. For smaller models a proxy saves
-/// little time.
+/// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
 /// The vertex that each handle owns: the nearest corner of the model's triangles. If several are equally
-/// near, the handle owns the vertex with the lowest index. Handles that do not weigh (see handle_shape()) own
-/// none.
+/// near, it is the one with the lowest index. Handles that do not weigh (see HandleShape) own none.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
@@ -37,9 +35,8 @@ struct OwnedVertices {
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Finds the vertices by exact distances to the handles. `candidates` are the vertices to choose from, and
-/// must be corners of triangles; if empty, all corners are candidates. Throws base::Error if the model has no
-/// triangles. Takes O(k * log n) time for k handles and n vertices.
+/// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles, or
+/// from all corners if this is empty. Throws base::Error if the model has no triangles. O(k log n).
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
@@ -63,20 +60,17 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 ///
 /// M are the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights are
 /// smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
-/// Published tools omit M, so their weights depend on the triangulation; they also use the springs' strength
-/// as t.
+/// Published tools omit M, so their weights depend on the triangulation.
 ///
 /// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
 /// tear. part_couplings() join near parts and cracks in L. Handles own vertices in several bodies, see
 /// own_in_bodies(); s then depends on each body's area. Weights across bodies therefore depend on distances
 /// in space, and no pose tears the model.
 ///
-/// A part without an owned vertex moves as a whole: all its vertices copy the weights of one vertex. This is
-/// the vertex of a part with owned vertices that is nearest to the middle of the part. A vertex without
-/// triangles is also such a part.
+/// A part without an owned vertex moves as a whole: all its vertices copy the weights of the vertex nearest
+/// to the part's middle, in parts with owned vertices. A vertex without triangles is also such a part.
 ///
-/// The weights of a vertex sum to 1 only approximately, depending on the condition of the equations. Callers
-/// must divide by the sum.
+/// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {
 public:
   /// Factors the matrix. Reports progress up to `done`. For `candidates`, see owned_vertices(). Throws
@@ -96,9 +90,8 @@ public:
     std::span<const std::size_t> offsets;
     const double* of(std::size_t vertex) const { return block.data() + offsets[vertex]; }
   };
-  /// Calls store() until it got all handles, from any thread of the pool. The weights are invalid after
-  /// store() returns. Reports progress from `from` to `to`. Throws base::Cancelled. Results do not depend on
-  /// the number of threads.
+  /// Calls store() for all handles, from any thread of the pool. Weights are invalid after store() returns.
+  /// Reports progress from `from` to `to`. Throws base::Cancelled. Results do not depend on the thread count.
   void solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
              base::Progress* progress, double from = 0, double to = 1) const;
 

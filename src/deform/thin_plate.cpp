@@ -80,9 +80,8 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
   }
 }
 
-// Replaces forces by the plate's displacement, which is 0 at the grounds. The forces of each part must sum to
-// 0, including the force at the ground. If `part` is not null, computes the displacement only in this part of
-// the factor.
+// Replaces forces by the plate's displacement, which is 0 at the grounds. The forces of each part, with its
+// ground, must sum to 0. If `part` is not null, computes the displacement only there.
 void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);

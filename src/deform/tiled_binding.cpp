@@ -264,7 +264,6 @@ private:
     return {static_cast<double>(factors) / all, static_cast<double>(lists) / all};
   }
 
-  // Returns the handles with weight in the leaf.
   std::vector<std::uint32_t> handles_in(std::size_t leaf, const base::AlignedVector<float>& rows) const {
     std::vector<std::uint32_t> handles;
     for (std::uint32_t j = 0; j < b_.handles; ++j) {

@@ -14,9 +14,8 @@
 
 namespace viete::deform {
 
-/// The default error bound of compression. The error of a vertex is the Euclidean distance between its
-/// weights and its compressed weights. Positions change by 0.1 to 2 times this bound, relative to the cage's
-/// diagonal.
+/// The default error bound of compression: the Euclidean distance between the weights and the compressed
+/// weights of a vertex. Positions change by 0.1 to 2 times this bound, relative to the cage's diagonal.
 inline constexpr double usual_tolerance = 3e-5;
 
 /// The number of vertices whose exact weights are compared with the approximation.
@@ -24,16 +23,14 @@ inline constexpr std::size_t error_sample = 512;
 /// Returns at most `limit` of the indices 0 to `vertices` - 1, evenly spread.
 std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit);
 
-/// How weights are stored.
 enum class Storage {
   dense,    ///< weights of every handle at every vertex
   factors,  ///< compressed, see LeafFactors
   lists,    ///< weights of the handles that have weight in the leaf; lossless
 };
 
-/// The compressed weights of a leaf: factors, times the weights of some of the leaf's vertices, the pivots
-/// (row interpolative decomposition). A frame first blends the pivots' logs. Then it computes the other logs
-/// from these.
+/// Compressed weights of a leaf: factors, times the weights of some vertices of the leaf, the pivots (row
+/// interpolative decomposition). A frame blends the pivots' logs, and then computes all logs from these.
 struct LeafFactors {
   std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;

@@ -53,7 +53,6 @@ Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> poin
   return b;
 }
 
-// Adds the weights and the offset of the next vertex.
 void add_row(const Weigher& weigher, std::span<const double> weights, Binding& b) {
   b.weights.insert(b.weights.end(), weights.begin(), weights.end());
   b.offsets.push_back(rest_offset(weigher.cage(), weigher.handle_positions(),
@@ -114,7 +113,6 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
 
 namespace {
 
-// Moves absolute positions by the probes.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

@@ -30,8 +30,7 @@ struct VertexSum {
   bool has_logs = false;         ///< false: rows have another form, and all X and Y are 0
 };
 
-/// Computes the sum at a vertex. Recomputes weights in double, except weights along the surface. mask may be
-/// null.
+/// Computes the sum at a vertex. Recomputes weights in space in double. mask may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
@@ -43,8 +42,7 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
 /// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
-/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to constructor
-/// arguments.
+/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to arguments.
 class BoundVertices {
 public:
   BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);
@@ -59,9 +57,9 @@ private:
 
 /// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
 /// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
-/// in double from exact weights, and moved by `layer` if it is not null. `ways` are the displacements of the
-/// shape, see Engine::set_shape(). `shown` are the frame's positions of these vertices, relative to the rows'
-/// origin. Weights along the surface must come from tiles.
+/// in double from exact weights, and moved by `layer` if it is not null. ways: the shape's displacements, see
+/// Engine::set_shape(). shown: the frame's positions of these vertices, relative to the rows' origin. Weights
+/// along the surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);

@@ -29,8 +29,7 @@ struct SparseFactor : SymbolicFactor {
   TriangularFactor view(std::span<const Supernode> part) const {
     return {part.data(), part.size(), rows.data(), values.data(), inverse.data()};
   }
-  /// Returns the supernodes of these unknowns, and all ancestors of these supernodes. `places` inverts
-  /// `order`.
+  /// Returns the supernodes of these unknowns, and all ancestors. `places` is the inverse of `order`.
   std::vector<Supernode> part_above(std::span<const std::uint32_t> unknowns,
                                     std::span<const std::uint32_t> places) const;
 };
@@ -66,8 +65,7 @@ public:
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
   /// Solves A * x = b + c. c is nonzero only at the unknowns in `some`, and depends on the solution of A * x
   /// = b. First writes the solution of A * x = b at `some` to x, and sets b at `some` to 0. Then calls
-  /// correct(), which must write c to b. The forward solve of unknowns eliminated before `some` runs only
-  /// once.
+  /// correct(), which must write c to b. The forward solve of unknowns before `some` runs only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 

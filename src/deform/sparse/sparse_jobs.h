@@ -6,8 +6,7 @@
 
 #include "sym3/highway_targets.h"
 
-// The scalar version of an object. Null if each computer that the build supports has a better instruction
-// set.
+// The scalar version, or null if each computer that the build supports has a better instruction set.
 #if HWY_TARGETS & HWY_SCALAR
 #define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
 #else
