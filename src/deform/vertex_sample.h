@@ -30,7 +30,7 @@ struct VertexSum {
   bool has_logs = false;         ///< false: rows have another form, and all X and Y are 0
 };
 
-/// Computes the sum at a vertex. Recomputes weights in space in double. mask may be null.
+/// Computes the sum at a vertex. Reads weights along the surface, recomputes other weights. mask may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
