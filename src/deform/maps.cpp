@@ -70,8 +70,7 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 
 namespace {
 
-constexpr std::size_t portion =
-    64;  // elements per split_portion(); their numbers fit into the first-level cache
+constexpr std::size_t portion = 64;  // elements split at once; their data fit into the first-level cache
 
 /// N numbers for each element of a portion. at[i][n] is number i of element n.
 template <int N>

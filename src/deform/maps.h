@@ -49,7 +49,7 @@ Vec3 middle(std::span<const mesh::Point> positions);
 
 /// Returns the pose's origin. Positions relative to this origin are precise even far from the coordinate
 /// origin. The origin is the middle of the rest cage, moved near the middle of the pose in large steps. Each
-/// step is half to all of the cage's size, so a small edit does not change the origin.
+/// step is at least half of the cage's size, so a small edit does not change the origin.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
 /// Returns the matrix M that maps the rest basis to u, v and n. Near rest, computes M as I + (posed - rest) *
@@ -60,10 +60,11 @@ sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& 
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);
 
-/// Computes linear = [u' v' n'] * [u v n]^-1. u and v are two edges at rest, and n = N / sqrt|N| for N = u x
-/// v; u', v' and n' are posed. The maps reproduce similarities. An element that is unmoved or degenerate at
-/// rest gets exactly I. A posed element without area gets a matrix of rank 2 or less. Changes only the maps
-/// of `elements`. `maps` has one entry per element of the cage, `posed` has one position per vertex.
+/// Computes linear = [u' v' n'] * [u v n]^-1. At rest, u and v are two edges, and n = N / sqrt|N| with
+/// N = cross(u, v). In the pose, u', v' and n' are the same. The maps reproduce similarities. An element that
+/// is unmoved or degenerate at rest gets exactly I. A posed element without area gets a matrix of rank 2 or
+/// less. Changes only the maps of `elements`. `maps` has one entry per element, `posed` has one position per
+/// vertex.
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
@@ -113,14 +114,14 @@ struct Polar {
 };
 
 /// Computes the decomposition by SVD: M = U * D * V^T and rotation = U * V^T. If det M < 0, flips the
-/// singular vector of the smallest value. If M = 0, the rotation is I. If M is not finite, all results are
+/// singular vector of the smallest value. If M = 0, the rotation is I. If M is not finite, all numbers are
 /// NaN.
 Polar polar(const sym3::Mat3<double>& m);
 
 /// Returns axes * diag(log(stretches)) * axes^T. The stretches must be positive.
 sym3::Sym3<double> log_stretch(const Polar& polar);
 
-/// Returns true if `least` is not below the minimum stretch of log_maps(). Returns false for NaN.
+/// Returns true if `least` is at least the minimum stretch of log_maps(). Returns false for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
 /// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD and raises

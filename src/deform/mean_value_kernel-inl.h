@@ -26,7 +26,7 @@ using ViewV = hn::Vec<ViewTag>;
 // The formula for s_i is Cramer's rule, because c_i . u_i = u_0 . c_0, and c_i . u_j = 0 for i != j. A
 // corner's weight is the sum of s_i over the corner's triangles, divided by the distance from p to the corner
 // (Ju, Schaefer, Warren 2005). The two triangles at an edge have equal a_i / (2 * |c_i|) and |c_i|^2, and
-// opposite c_i. Therefore these three numbers are computed once per edge. u_i is computed once per corner.
+// opposite c_i. Therefore these three values are computed once per edge. u_i is computed once per corner.
 
 constexpr double in_plane = 1e-8;   // limit of |volume|, relative to the largest product of two sines
 constexpr double vanishing = 1e-9;  // limit of |sum of weights|, relative to the sum of |weights|
@@ -127,8 +127,7 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Adds the triangle's s_i to its corners' weights. Returns the lanes in which p may be in the triangle's
-// plane.
+// Adds the triangle's s_i to its corners' weights. Returns the lanes in which p may be in the plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

@@ -12,11 +12,11 @@
 
 namespace viete::deform {
 
-/// Couples a vertex to a point of a triangle: adds strength * (w(vertex) - w(point))^2 to w^T * L * w.
+/// Couples a vertex to a point. For weights w, adds strength * (w(vertex) - w(point))^2 to w^T * L * w.
 struct Coupling {
   std::uint32_t vertex;
-  mesh::Triangle triangle;
-  Vec3 shares;  ///< the point's barycentric coordinates
+  mesh::Triangle triangle;  ///< contains the point
+  Vec3 shares;              ///< the point's barycentric coordinates
   double strength;
 };
 
@@ -30,15 +30,16 @@ inline constexpr double most_strength = 1e4;
 /// A corner of the triangle replaces a point if the corner is within 0.3 %, or within half of the distance d
 /// from the vertex to the point.
 ///
-/// The strength is 2 * m / d^2, at most 1e4. m is the smaller share of the area of the vertex and the point.
-/// The unit of d^2 is the surface's area. m / d^2 is the Dirichlet energy of a column with base m and height
-/// d, which fills the gap. So cracks weld, layers move alike, and wider gaps couple less.
+/// The strength is 2 * m / d^2, at most 1e4. m is the smaller of the areas that belong to the vertex and to
+/// the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a column with base m and height d,
+/// which fills the gap. So cracks weld, layers move alike, and wider gaps couple less.
 /// The surface must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
-/// Splits each coupling into couplings to the corners with a positive share. In a matrix, these create no
-/// positive off-diagonal entries. But functions that are linear on the triangle no longer have zero energy.
+/// Splits each coupling into couplings to the corners with a positive share. In a matrix, such couplings have
+/// no positive off-diagonal entries. But functions that are linear on the triangle no longer have zero
+/// energy.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

@@ -18,8 +18,7 @@ constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
 constexpr double least_spread = 0.1;   // relative to the largest singular value
 constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
 constexpr std::size_t most_vertices = 256;
-constexpr double least_area =
-    1e-9;  // relative to the sum of |area vectors|; a smaller |sum| is a rounding error
+constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
 constexpr std::size_t most_corners = 16;  // in larger polygons, only the two ends of an edge are neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};

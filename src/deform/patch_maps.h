@@ -11,11 +11,11 @@
 
 namespace viete::deform {
 
-/// A cage vertex at c and the vertices p of its patch move to c' and p'. The patch's map M is a least-squares
-/// fit:
+/// A cage vertex at c and the vertices p of its patch move to c' and p'. M is fitted by least squares:
 ///
 ///     M = (sum w * (p' - c') * (p - c)^T) * K^-1 = sum (p' - c') * g^T,
 ///     K = sum w * (p - c) * (p - c)^T,    g = w * K^-1 * (p - c).
+///
 /// A patch starts with the vertices of all polygons at c. It grows by rings until its vertices spread in all
 /// directions: the least singular value of all sqrt(w) * (p - c) must be at least a tenth of the largest.
 /// Most patches need one ring. A patch also stops growing at 256 vertices, or when it contains its whole

@@ -37,11 +37,10 @@ struct PlaneKernel {
   /// Computes the images of directions u and v under exp(Y) * exp(X), and the images' derivatives by the
   /// weights. X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and each
   /// log X (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the
-  /// derivatives by each log's weight; then the images. Writes only the first group_size numbers of each
-  /// plane.
+  /// derivatives by each log's weight; then the images. Writes only group_size numbers per plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
-  /// Multiplies two columns of each of `count` maps by columns[k][2][plane_size], k < n. Adds the products to
-  /// sums[map][k][3][group_size]. Triangle i belongs to partial sum i % group_size.
+  /// Multiplies both columns of each of `count` maps by columns[k][2][plane_size], for all k < n. Adds the
+  /// products to sums[map][k][3][group_size]. Triangle i belongs to partial sum i % group_size.
   void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n,
                        double* sums);
 };

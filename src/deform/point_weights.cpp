@@ -152,12 +152,9 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 
 namespace {
 
-constexpr double in_plane =
-    1e-8;  // if |volume| / (largest product of two sines) is less, p may be in the plane
-constexpr double negligible =
-    1e-14;  // if |component of a mean vector along the plane's normal| is less, it counts as 0
-constexpr double vanishing =
-    1e-9;  // if |sum of weights| / (sum of absolute weights) is less, the sum counts as 0
+constexpr double in_plane = 1e-8;     // limit of |volume|, relative to the largest product of two sines
+constexpr double negligible = 1e-14;  // limit of |dot(mean vector, the plane's normal)|
+constexpr double vanishing = 1e-9;    // limit of |sum of weights|, relative to the sum of |weights|
 
 // A triangle seen from p. Indices are corners, modulo 3.
 struct View {

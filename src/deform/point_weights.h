@@ -22,8 +22,8 @@ namespace viete::deform {
 // e = (t - clamp(t, 0, L))^2 + s^2. For the longest edge, t = x and s = y. For other edges, t and s are
 // affine in x and y. Rounding can choose the wrong formula only near an edge, where the two formulas agree.
 
-/// Returns a triangle in its own coordinates, and writes their origin. The longest side must be at most
-/// about 1. A triangle without area becomes its longest edge or a point.
+/// Returns a triangle in its own coordinates. Writes the origin of these coordinates to `origin`. The longest
+/// side must be at most about 1. A triangle without area becomes its longest edge or a point.
 DistanceTriangle<double> distance_triangle(const std::array<Vec3, 3>& corners, Vec3& origin);
 
 DistanceTriangle<float> in_float(const DistanceTriangle<double>& triangle);

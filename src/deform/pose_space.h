@@ -11,7 +11,7 @@
 
 namespace viete::deform {
 
-/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses its
+/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses
 /// vertices. A vector stores whole turns apart from its logs if the logs cannot represent them: the axis of
 /// such turns is not the axis of the part's rotation, see choose_branches(). Thread-safe.
 class PoseSpace {

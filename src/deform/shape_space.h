@@ -17,9 +17,8 @@ namespace viete::deform {
 
 /// How well the logs represent a shape.
 struct ShapeReport {
-  std::size_t flat = 0;  ///< triangles without area at rest; their corners determine them
-  std::size_t folded =
-      0;  ///< triangles that collapse or flip against all neighbours; they get the neighbours' logs
+  std::size_t flat = 0;    ///< triangles without area at rest
+  std::size_t folded = 0;  ///< triangles that collapse or flip; they use the neighbours' logs
   /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
 };

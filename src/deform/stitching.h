@@ -23,11 +23,10 @@ inline constexpr double pin_strength = 0.03;
 ///
 /// T_t projects onto the triangle's plane, A_h is the map of the pin's handle, and b is the blended position.
 /// The published energy (S. Kaji, "ARAP" modes) uses tetrahedra with a fourth corner off the plane. Each
-/// fourth corner belongs to only one tetrahedron, so at the minimum the map agrees with M_t in this corner's
-/// direction. Only the part in the plane remains, with a third of the unknowns. The first sum gives the
-/// equations K * x' = sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector per corner: the area
-/// times the gradient of the corner's hat function. The matrix is factored once. A pose needs three
-/// right-hand sides.
+/// fourth corner belongs to one tetrahedron, so at the minimum the map agrees with M_t in this corner's
+/// direction. Only the part in the plane remains, with a third of the unknowns. The first sum gives K * x' =
+/// sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector per corner: the area times the gradient of
+/// the corner's hat function. The matrix is factored once. Each pose has three right-hand sides.
 ///
 /// part_couplings() join near parts, cracks, and vertices at one position. A coupling of a and b with
 /// strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. It is stored as triangle (a, b, b).

@@ -25,10 +25,9 @@ constexpr int most_halvings = 5;
 constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
 constexpr double fit_reach = 1.9;    // radius of influence, in mean distances to the neighbours
-// Limit extrapolation if all clusters are on one side, as at tips. Relative to the sum of factors.
+// Ridges limit extrapolation if all clusters are on one side, as at tips. Relative to the sum of factors.
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
-constexpr double least_facing =
-    0.1;  // lower limit of a cosine; at tips, even the nearest clusters may face away
+constexpr double least_facing = 0.1;  // lower limit of a cosine; at tips, even near clusters may face away
 
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -19,10 +19,10 @@ namespace viete::deform {
 ///
 /// A cluster is a connected piece of the surface in one cell of a grid, so layers and parts stay apart.
 /// Triangles with corners in three clusters become the proxy's triangles. A cell is halved, up to five times,
-/// if its cluster has no proxy triangle, if no proxy triangle joins it to a cluster that it meets (in a tube
-/// thinner than a cell), or if handles own several of its members. A cluster's position is the mean of its
-/// members, or of its members on open edges if there are any. If a handle owns a member, the cluster is at
-/// this member.
+/// if its cluster has no proxy triangle, or if handles own several of its members. It is also halved if its
+/// cluster meets another cluster without a common proxy triangle (in a tube thinner than a cell). A cluster's
+/// position is the mean of its members, or of its members on open edges if there are any. If a handle owns a
+/// member, the cluster is at this member.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
 /// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth and
@@ -39,12 +39,12 @@ public:
   /// The clusters that contain a vertex owned by a handle, ascending.
   const std::vector<std::uint32_t>& owned() const { return owned_; }
 
-  /// Writes the terms of the interpolated value at a vertex: the sum of factor * value at cluster. Factors
-  /// sum to 1 up to rounding. Thread-safe.
   struct Term {
     std::uint32_t cluster;
     double factor;
   };
+  /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * value at
+  /// cluster. The factors sum to 1 up to rounding. Thread-safe.
   void terms(std::uint32_t vertex, std::vector<Term>& terms) const;
 
 private:
@@ -60,9 +60,10 @@ private:
   std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
   mesh::Surface surface_;
   std::vector<std::uint32_t> owned_;
-  std::vector<Vec3> normals_;                   // one per cluster, unit length or 0
-  std::vector<double> radii_;                   // radius of influence per cluster
-  std::vector<std::uint32_t> nearby_, starts_;  // each cluster, then the clusters within four rings
+  std::vector<Vec3> normals_;  // one per cluster, unit length or 0
+  std::vector<double> radii_;  // radius of influence per cluster
+  std::vector<std::uint32_t> nearby_,
+      starts_;  // for each cluster: itself, then all clusters within four rings
 };
 
 /// Weights along the surface of a large model, stored per cluster of its proxy.

@@ -21,7 +21,7 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// A body owns no vertices if its share of the area, times the number of handles, is less.
+// A body owns no vertices if (its share of the area) * (number of handles) is less.
 constexpr double least_body = 0.1;
 // Limit of (distance from a handle to a vertex) / (distance from the nearest handle to this vertex).
 constexpr double as_near = 1.5;
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   return used;
 }
 
-// Returns the vertex whose weights each vertex takes: itself if its part has owned vertices.
+// Returns for each vertex the vertex whose weights it copies: itself, if its part has owned vertices.
 std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatrix& stiffness,
                                    const HeldParts& held) {
   const auto n = static_cast<std::uint32_t>(stiffness.size());
@@ -162,7 +162,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// Couples parts. No body gets more springs per area than the body of a model with only one body.
+// Couples parts. No body gets more springs per area than a model of only one body has.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::span<const std::uint32_t> candidates, std::vector<double>& springs,
                                  base::WorkerPool& pool) {

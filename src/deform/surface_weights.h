@@ -25,8 +25,8 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// The vertex that each handle owns: the nearest corner of the model's triangles. If several are equally
-/// near, it is the one with the lowest index. Handles that do not weigh (see HandleShape) own none.
+/// The vertex that each handle owns: the nearest corner of the model's triangles, or the one with the lowest
+/// index of several nearest corners. Handles that do not weigh (see HandleShape) own none.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
@@ -35,15 +35,15 @@ struct OwnedVertices {
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles, or
-/// from all corners if this is empty. Throws base::Error if the model has no triangles. O(k log n).
+/// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles. If
+/// it is empty, chooses from all corners. Throws base::Error if the model has no triangles. O(k log n).
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
-/// For each handle, adds the nearest vertex v of each body that is near the handle: the handle must be at
-/// most 1.5 times as far from v as the handle nearest to v. So layers and their contents follow the cage
-/// alike, and a new body takes no vertices from other bodies. Skips bodies with less than a tenth of the mean
-/// area per handle. In a body without candidates, all vertices are candidates.
+/// For each handle and each body, adds the body's vertex v nearest to the handle, if the handle is near v.
+/// Near means: at most 1.5 times as far from v as the handle that is nearest to v. So layers and their
+/// contents follow the cage alike, and a new body takes no vertices from other bodies. Skips bodies with less
+/// than a tenth of the mean area per handle. In a body without candidates, all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
@@ -67,8 +67,9 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 /// own_in_bodies(); s then depends on each body's area. Weights across bodies therefore depend on distances
 /// in space, and no pose tears the model.
 ///
-/// A part without an owned vertex moves as a whole: all its vertices copy the weights of the vertex nearest
-/// to the part's middle, in parts with owned vertices. A vertex without triangles is also such a part.
+/// A part without owned vertices moves as a whole. All its vertices copy the weights of one vertex: the
+/// vertex nearest to the part's middle, among parts with owned vertices. A vertex without triangles is such a
+/// part.
 ///
 /// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {

@@ -81,7 +81,7 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
 }
 
 // Replaces forces by the plate's displacement, which is 0 at the grounds. The forces of each part, with its
-// ground, must sum to 0. If `part` is not null, computes the displacement only there.
+// ground, must sum to 0. If `part` is not null, computes only this part of the displacement.
 void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);

@@ -32,10 +32,10 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 ///
 /// The matrix of this problem is L * M^-1 * L + E * S * E^T. (S contains the strengths s; E maps springs to
 /// vertices.) Its factor would have four times as many entries as a factor of L and take ten times as long.
-/// Instead, solves for the springs' forces f = S * (t - w), one per spring, and then L * y = E * f and L * w
-/// = M * y. The factor of L has one fixed vertex per part, the ground, with value 0. The forces of a part sum
-/// to 0. They are sums of pairs: a force phi at a spring and -phi at the ground. Let w = w' + b, where w' is
-/// 0 at the ground. The difference of the equations f = S * (t - w) at spring and ground is
+/// Instead, solves for the springs' forces f = S * (t - w), one per spring, and then L * y = E * f and
+/// L * w = M * y. The factor of L has one fixed vertex per part, the ground, with value 0. The forces of a
+/// part sum to 0. They are sums of pairs: a force phi at a spring and -phi at the ground. Let w = w' + b,
+/// where w' is 0 at the ground. The difference of the equations f = S * (t - w) at spring and ground is
 ///
 ///     (K + S^-1 + D) * phi = t - t_ground,   K_uv = w'_u of the pair v,   D = 1 / s_ground within a part.
 ///
@@ -49,7 +49,7 @@ public:
   /// A vertex must not occur twice. At all other vertices, t is 0.
   using Load = std::vector<Target>;
   /// Reports progress up to `done`. Throws base::Cancelled. Throws base::Error if memory is insufficient or
-  /// no solution exists in double precision. Memory: springs * springs and springs * loads numbers.
+  /// no solution exists in double precision. Needs memory for springs^2 + springs * loads numbers.
   ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts, const std::vector<bool>& has_spring,
             std::vector<double> springs, std::vector<Load> loads, base::WorkerPool& pool,
             base::Progress* progress = nullptr, double done = 1);

@@ -80,7 +80,7 @@ struct TiledBinding {
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
-  std::size_t bytes() const;        ///< size of weights or factors and offsets, all read once per frame
+  std::size_t bytes() const;  ///< size of weights (or factors) and offsets; a frame reads all of these once
   std::size_t dense_bytes() const;  ///< bytes() without compression
   struct Sizes {
     std::size_t factors, skeleton;
@@ -95,12 +95,12 @@ Shares shares_of(const TiledBinding& binding);
 /// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// Returns true if compression may be worth its cost for these sizes. Not for handles that only translate.
+/// Returns true if compression may be worth its cost for these sizes, if the handles are triangles.
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. Assumes that
-/// compressible weights shrink to about a quarter; otherwise, the number is an upper bound for the fused
-/// engine. For weights along the surface, the number includes the uncompressed weights of all vertices.
+/// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine,
+/// the number is an upper bound if compressible weights shrink to about a quarter. For weights along the
+/// surface, the number includes the uncompressed weights of all vertices.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 

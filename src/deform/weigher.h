@@ -31,9 +31,10 @@ public:
   /// Returns a bit mask of points without mean value coordinates.
   unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
                  LaneShares& shares) const;
-  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points (a multiple of 16). Writes
-  /// weights to `rows` as [tile][handle][16], each point's sum of weight * handle position to `sums`, and its
-  /// share to `shares`. Returns true for each point without mean value coordinates.
+  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. Their number must be a
+  /// multiple of 16. Writes weights to `rows` as [tile][handle][16], each point's sum of weight * handle
+  /// position to `sums`, and each point's share to `shares`. Returns true for each point without mean value
+  /// coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().

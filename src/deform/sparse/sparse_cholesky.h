@@ -63,8 +63,8 @@ public:
 
   /// Solves A * x = b. b and x have size() entries and may be one array.
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// Solves A * x = b + c. c is nonzero only at the unknowns in `some`, and depends on the solution of A * x
-  /// = b. First writes the solution of A * x = b at `some` to x, and sets b at `some` to 0. Then calls
+  /// Solves A * x = b + c. c is nonzero only at the unknowns in `some`, and depends on the solution of
+  /// A * x = b. First writes the solution of A * x = b at `some` to x, and sets b at `some` to 0. Then calls
   /// correct(), which must write c to b. The forward solve of unknowns before `some` runs only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
