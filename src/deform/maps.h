@@ -72,7 +72,7 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
-  Vec3 turn;                   ///< |turn| <= pi
+  Vec3 turn;                   ///< rotation vector, |turn| <= pi
   double least, largest;       ///< stretches; least < 0 if the map mirrors, NaN if the map is not finite
 };
 

@@ -202,7 +202,7 @@ static HWY_INLINE void fit_tile(const float* sums, const float* rest, const floa
   }
 }
 
-// Scales each vertex's displacement from rest by its share.
+// Scales the displacement of each vertex from rest by the vertex's share.
 static HWY_INLINE void keep_shares(const float* shares, const float* rest, float* moved) {
   const Tag d;
   for (std::size_t lane = 0; lane < line_lanes; lane += hn::Lanes(d)) {

@@ -25,7 +25,7 @@ public:
   /// Returns the number of entries of a column below the diagonal.
   std::uint32_t count(std::size_t column) const { return counts_[column]; }
 
-  /// Calls visit(place) for the neighbours of the unknown at this place.
+  /// Calls visit(place) for each neighbour of the unknown at place `at`.
   template <class Visit>
   void for_neighbours(std::uint32_t at, const Visit& visit) const {
     for (const auto u : neighbours_.of(order_[at])) visit(place_[u]);
