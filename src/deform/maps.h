@@ -61,10 +61,10 @@ Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh:
                     const Vec3& origin);
 
 /// Computes linear = [u' v' n'] * [u v n]^-1. At rest, u and v are two edges, and n = N / sqrt|N| with
-/// N = cross(u, v). In the pose, u', v' and n' are the same. The maps reproduce similarities. An element that
-/// is unmoved or degenerate at rest gets exactly I. A posed element without area gets a matrix of rank 2 or
-/// less. Changes only the maps of `elements`. `maps` has one entry per element, `posed` has one position per
-/// vertex.
+/// N = cross(u, v). u', v' and n' are the same vectors in the pose. The maps reproduce similarities. An
+/// element that is unmoved or degenerate at rest gets exactly I. A posed element without area gets a matrix
+/// of rank 2 or less. Changes only the maps of `elements`. `maps` has one entry per element, `posed` has one
+/// position per vertex.
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 

@@ -37,9 +37,8 @@ inline constexpr double most_strength = 1e4;
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
-/// Splits each coupling into couplings to the corners with a positive share. In a matrix, such couplings have
-/// no positive off-diagonal entries. But functions that are linear on the triangle no longer have zero
-/// energy.
+/// Splits each coupling into couplings to the corners with a positive share. Such couplings add no positive
+/// off-diagonal entries to a matrix. But linear functions on the triangle no longer have zero energy.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

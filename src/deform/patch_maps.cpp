@@ -15,7 +15,7 @@ namespace {
 using Symmetric = sym3::Sym3<double>;
 
 constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
-constexpr double least_spread = 0.1;   // relative to the largest singular value
+constexpr double least_spread = 0.1;   // limit of the least singular value, relative to the largest
 constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
 constexpr std::size_t most_vertices = 256;
 constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
@@ -27,7 +27,7 @@ struct Spread {
     k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
     k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
   }
-  // Returns the least singular value of the points divided by the largest.
+  // Returns (least singular value) / (largest singular value) of the points.
   double ratio() const {
     const auto squares = sym3::eigenvalues(k);
     return squares[2] > 0 ? std::sqrt(std::max(squares[0], 0.0) / squares[2]) : 0;

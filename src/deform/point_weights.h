@@ -46,8 +46,8 @@ struct HandleShape {
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
 /// Returns x - sum of weights[j] * handles[j], for a vertex at the rest position x. Rounds as blend() does,
-/// so that a cage at rest reproduces all bits of x. Returns 0 if the result is only a rounding error, because
-/// a pose would not scale this error with the model. `handles` and x must be relative to the same origin.
+/// so that a cage at rest reproduces all bits of x. A result that is only a rounding error becomes 0; in a
+/// pose that shrinks the model, it would not shrink. `handles` and x must be relative to the same origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 

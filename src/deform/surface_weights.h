@@ -36,7 +36,7 @@ struct OwnedVertices {
 };
 
 /// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles. If
-/// it is empty, chooses from all corners. Throws base::Error if the model has no triangles. O(k log n).
+/// `candidates` is empty, chooses from all corners. Throws base::Error if the model has no triangles.
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 

@@ -143,7 +143,7 @@ inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   return mesh::from_triangles(p, t);
 }
 
-/// A twist about an axis through `center`. The angle in radians grows linearly from `low` to `high`.
+/// A twist about an axis through `center`: from `from` to `to`, the angle goes from `low` to `high` radians.
 struct Twist {
   int axis;
   Vec3 center;

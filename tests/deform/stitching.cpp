@@ -85,7 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// Returns x^T * K * x, where K includes the pins. The minimum of the energy is a constant minus this.
+// Returns x^T * K * x, where K includes the pins. At the minimum, the energy is a constant - x^T * K * x.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;

@@ -231,7 +231,7 @@ private:
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  // The update that each supernode passes to its parent: a lower triangle of rows below the supernode.
+  // The update that each supernode passes to its parent: a lower triangle, for rows below the supernode.
   std::vector<base::AlignedVector<double>> updates_;
   std::vector<double> work_;  // work of each subtree
   double total_ = 0;
