@@ -1,4 +1,4 @@
-// Affine maps of the cage's triangles from rest to pose, and their polar decompositions and logs.
+// Affine maps of the cage's triangles from rest to pose; polar decompositions and logs of these maps.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace viete::deform {
 
-/// Maps x to linear (x - c) + center + origin, with the element's rest centre c. linear is stored by rows.
+/// Maps a point x to linear * (x - c) + center + origin. c is the element's centre at rest, and origin is the
+/// pose's origin. `linear` is stored by rows.
 struct AffineMap {
   sym3::Mat3<double> linear;
   mesh::Vec3 center;  ///< posed centre minus the pose's origin
@@ -31,7 +32,7 @@ inline mesh::Vec3 times(const sym3::Mat3<double>& m, const mesh::Vec3& x) {
           m[6] * x[0] + m[7] * x[1] + m[8] * x[2]};
 }
 
-/// Returns a + w b.
+/// Returns a + w * b.
 inline sym3::Sym3<double> plus(const sym3::Sym3<double>& a, double w, const sym3::Sym3<double>& b) {
   return {a.xx + w * b.xx, a.xy + w * b.xy, a.xz + w * b.xz,
           a.yy + w * b.yy, a.yz + w * b.yz, a.zz + w * b.zz};
@@ -43,26 +44,27 @@ inline sym3::Mat3<double> times(const sym3::Mat3<double>& a, const sym3::Mat3<do
 
 using sym3::full;
 
-/// Returns the centre of the bounding box. Poses near rest have the centre of the rest cage as origin.
+/// Returns the centre of the bounding box.
 Vec3 middle(std::span<const mesh::Point> positions);
 
-/// Returns the point to which a pose's positions are relative, so that blending is precise far from the
-/// coordinate origin. This is the middle of the rest cage, moved near the middle of the pose in steps of
-/// about half the cage's size. Small edits do not change the point, so distant vertices keep all bits.
+/// Returns the pose's origin. Positions relative to this origin are precise even far from the coordinate
+/// origin. The origin is the middle of the rest cage, moved near the middle of the pose in large steps. Each
+/// step is at least half of the cage's size, so a small edit does not change the origin.
 Vec3 pose_origin(const Cage& cage, std::span<const mesh::Point> posed);
 
-/// Returns the matrix that maps the rest basis to u, v, n. Near rest, computes I + (posed - rest) rest^-1,
-/// which is exactly I for an unmoved element.
+/// Returns the matrix M that maps the rest basis to u, v and n. Near rest, computes M as I + (posed - rest) *
+/// rest^-1. For an unmoved element, M is then exactly I.
 sym3::Mat3<double> linear_map(const RestBasis& rest, const Vec3& u, const Vec3& v, const Vec3& n);
 
-/// Returns the element's centroid relative to origin.
+/// Returns the element's centroid relative to `origin`.
 Vec3 element_center(const Cage& cage, std::size_t element, std::span<const mesh::Point> positions,
                     const Vec3& origin);
 
-/// Computes linear = [u' v' n'] [u v n]^-1, where u and v are two edges, N = u x v and n = N / sqrt|N|. This
-/// reproduces similarities. Unmoved elements and degenerate rest elements get exactly I. A posed element
-/// without area gets a matrix of rank 2 or less. Changes only the maps of `elements`. maps has one entry per
-/// element of the cage, posed one position per vertex.
+/// Computes linear = [u' v' n'] * [u v n]^-1. At rest, u and v are two edges, and n = N / sqrt|N| with
+/// N = cross(u, v). u', v' and n' are the same vectors in the pose. The maps reproduce similarities. An
+/// element that is unmoved or degenerate at rest gets exactly I. A posed element without area gets a matrix
+/// of rank 2 or less. Changes only the maps of `elements`. `maps` has one entry per element, `posed` has one
+/// position per vertex.
 void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3& origin,
                std::span<const std::uint32_t> elements, std::span<AffineMap> maps);
 
@@ -70,16 +72,16 @@ void face_maps(const Cage& cage, std::span<const mesh::Point> posed, const Vec3&
 struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
-  Vec3 turn;                   ///< |turn| <= pi
+  Vec3 turn;                   ///< rotation vector, |turn| <= pi
   double least, largest;       ///< stretches; least < 0 if the map mirrors, NaN if the map is not finite
 };
 
-/// Splits the maps of `elements` in double precision and leaves other splits unchanged. Each split depends
-/// only on its own map, bit for bit. sym3/polar.h and sym3/log.h list the errors of rotation and stretch.
+/// Splits the maps of `elements` in double precision and leaves other splits unchanged. The bits of a split
+/// depend only on its map. For the errors of rotation and stretch, see sym3/polar.h and sym3/log.h.
 void split_maps(std::span<const AffineMap> maps, std::span<const std::uint32_t> elements,
                 std::span<MapSplit> splits);
 
-/// The log of a map: linear = exp(rotation) exp(stretch). Blending is linear in these twelve numbers.
+/// The log of a map: linear = exp(rotation) * exp(stretch). A blend sums these twelve numbers with weights.
 struct MapLog {
   sym3::Sym3<double> stretch;  ///< X = log S
   Vec3 rotation;               ///< Y = log R as a rotation vector, any number of turns
@@ -94,50 +96,51 @@ inline std::array<double, 9> numbers(const MapLog& log) {
 
 /// Results of log_maps() that are shown to the user, and the turns that the next pose needs.
 struct LogReport {
-  std::vector<Vec3> turns;               ///< one per part of the cage; pass them with the next pose
+  std::vector<Vec3> turns;               ///< one per part of the cage; input of log_maps() for the next pose
   std::vector<std::uint32_t> collapsed;  ///< indices of maps whose stretch was raised, ascending
-  /// Neighbouring maps whose rotations differ by more than 120 degrees or whose logs differ by more than 180
-  /// degrees. Blends between such maps are ambiguous. (A ring of elements that turns once has such a pair.)
+  /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees, or whose logs differ by more
+  /// than 180 degrees. Blends between such maps are ambiguous.
   std::vector<mesh::Edge> torn;
 };
 
-/// Returns a pose's overall scale: the geometric mean of the largest stretches of unskipped elements.
+/// Returns the geometric mean of the elements' largest stretches. Ignores skipped elements.
 double mean_stretch(std::span<const std::uint8_t> skipped, std::span<const MapSplit> splits);
 
-/// The polar decomposition M = rotation * axes diag(stretches) axes^T.
+/// The polar decomposition M = rotation * axes * diag(stretches) * axes^T.
 struct Polar {
   sym3::Mat3<double> rotation;  ///< proper rotation, by rows
   sym3::Mat3<double> axes;      ///< columns are the directions of stretch at rest
   Vec3 stretches;               ///< descending, not negative
 };
 
-/// Computes the decomposition from singular values: M = U diag V^T, R = U V^T. If det M < 0, flips the
-/// smallest singular vector, which gives the closest proper rotation. If M = 0, R is I.
+/// Computes the decomposition by SVD: M = U * D * V^T and rotation = U * V^T. If det M < 0, flips the
+/// singular vector of the smallest value. If M = 0, the rotation is I. If M is not finite, all numbers are
+/// NaN.
 Polar polar(const sym3::Mat3<double>& m);
 
-/// Returns X = axes diag(log stretches) axes^T. The stretches must be positive.
+/// Returns axes * diag(log(stretches)) * axes^T. The stretches must be positive.
 sym3::Sym3<double> log_stretch(const Polar& polar);
 
-/// Returns true if both stretches of a map are above the minimums of log_maps(). False for NaN.
+/// Returns true if `least` is at least the minimum stretch of log_maps(). Returns false for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// Computes the split by SVD, for a map that mirrors, collapses or is not finite. Raises singular values to
-/// the minimums of log_maps(). Returns true if a value was raised or the map is not finite.
+/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD and raises
+/// singular values to the minimum. Returns true if a value was raised or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
-/// Computes X = log S and Y = log R of each map R S from its split, or by SVD if the map mirrors or nearly
-/// collapses. Raises singular values to at least 1e-3 of the element's largest value and 1e-4 of the pose's
-/// mean value, so no element collapses fully. A mirroring map gets the closest proper rotation. A map that is
-/// not finite counts as collapsed and gets the log of I.
+/// Computes X = log S and Y = log R of each map R * S. Uses the split, or an SVD if the map mirrors or nearly
+/// collapses. Raises small singular values, so no element collapses fully. The minimum is 1e-3 of the
+/// element's largest value, but at least 1e-4 of the pose's mean_stretch(). A mirroring map gets the closest
+/// proper rotation. A map that is not finite counts as collapsed and gets the log of I.
 ///
-/// choose_branches() chooses the branches of Y. If each call gets report.turns of the previous call, the logs
-/// follow a continuous motion through any number of turns. logs.size() == maps.size(). O(k log k).
-/// Limitation: rotations near a whole turn (|Y| about 360 degrees) have nearly arbitrary axes. Elements with
-/// such rotations blend badly unless they rotate rigidly together; `torn` lists such elements.
+/// choose_branches() chooses the branch of Y. To follow a continuous motion through any number of turns, pass
+/// the report.turns of the previous call. logs.size() must be maps.size(). Takes O(k log k) time for k maps.
+/// Limitation: a rotation by almost a whole turn (|Y| near 360 degrees) has a nearly arbitrary axis. Elements
+/// with such rotations blend badly unless they rotate rigidly together. report.torn lists these elements.
 void log_maps(const Cage& cage, std::span<const AffineMap> maps, std::span<const MapSplit> splits,
               std::span<const Vec3> turns, std::span<MapLog> logs, LogReport& report);
 
-/// Returns true if the rows are moments, from which maps are fitted to points: see moments.h.
+/// Returns true if the rows contain moments, see moments.h.
 inline bool has_moments(RowForm form) {
   return form >= RowForm::affine_moments;
 }

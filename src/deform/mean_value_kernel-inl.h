@@ -19,21 +19,21 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
-// Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners (numbers modulo 3):
-//     c_i = u_i+1 x u_i+2                        |c_i| is the sine of the angle a_i between these
-//     m   = sum of (a_i / |c_i|) c_i / 2         is the integral of unit vectors over the spherical triangle
-//     m   = sum of s_i u_i,  s_i = (c_i . m) / (u_0 . c_0)
-// The last line is Cramer's rule: c_i . u_i is the volume u_0 . c_0, and c_i . u_j = 0 for i != j. The weight
-// of a corner is the sum of the s_i of its triangles, divided by the corner's distance from p (Ju, Schaefer,
-// Warren 2005). The two triangles of an edge have equal a_i / (2 |c_i|) and |c_i|^2, and equal c_i except for
-// the sign. Therefore these three are computed once per edge, and u_i once per corner.
+// Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners. Indices are modulo 3.
+//     c_i = u_i+1 x u_i+2                     |c_i| is the sine of the angle a_i from u_i+1 to u_i+2
+//     m   = sum of (a_i / |c_i|) * c_i / 2    is the integral of unit vectors over the spherical triangle
+//     m   = sum of s_i * u_i,  s_i = (c_i . m) / (u_0 . c_0)
+// The formula for s_i is Cramer's rule, because c_i . u_i = u_0 . c_0, and c_i . u_j = 0 for i != j. A
+// corner's weight is the sum of s_i over the corner's triangles, divided by the distance from p to the corner
+// (Ju, Schaefer, Warren 2005). The two triangles at an edge have equal a_i / (2 * |c_i|) and |c_i|^2, and
+// opposite c_i. Therefore these three values are computed once per edge. u_i is computed once per corner.
 
-constexpr double in_plane = 1e-8;   // if the sine of an angle is less, p may be in a triangle's plane
-constexpr double vanishing = 1e-9;  // a smaller (sum of weights / sum of absolute weights) counts as 0
+constexpr double in_plane = 1e-8;   // limit of |volume|, relative to the largest product of two sines
+constexpr double vanishing = 1e-9;  // limit of |sum of weights|, relative to the sum of |weights|
 constexpr double pi = 3.14159265358979323846;
 
-// Returns 1 / sqrt(x) to two ulp, for x from 1e-38 to 1e38. Improves the hardware estimate by two third-order
-// steps, which takes a third of the time of a square root and a division.
+// Returns 1 / sqrt(x) with an error of at most two ulp, for x from 1e-38 to 1e38. Improves the hardware
+// estimate by two third-order steps. A square root and a division would take three times as long.
 static HWY_INLINE ViewV inverse_root(ViewV x) {
   const ViewTag d;
   const hn::Rebind<float, ViewTag> narrow;
@@ -46,7 +46,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Interpolates acos(c) / sqrt(1 - c^2), 0 <= c <= 1, at Chebyshev points; error 4e-17 before rounding.
+// Returns acos(c) / sqrt(1 - c^2) for 0 <= c <= 1, interpolated at Chebyshev points with an error of 4e-17.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,
@@ -73,7 +73,7 @@ static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   return lanes::horner(d, powers, hn::Sub(hn::Set(d, 1.0), cosine));
 }
 
-// The cage as seen from eight points. Each number is an array of bind_lanes values.
+// Directions from eight points to the cage. Each number is an array of bind_lanes values.
 struct Seen {
   double* directions;  // [corner][x y z, inverse distance]
   double* edges;       // [edge][cross product of the directions x y z, angle / (2 sine), squared sine]
@@ -127,8 +127,7 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Splits the triangle's mean vector along the directions to its corners, as mean_value_weights() does if p is
-// not in the triangle's plane. Returns the lanes in which p is, or may be, in the plane.
+// Adds the triangle's s_i to its corners' weights. Returns the lanes in which p may be in the plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

@@ -17,7 +17,6 @@ Vec3 vector_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-// Returns K^-1 x.
 Vec3 solve(const MomentMatrix& k, const Vec3& x) {
   const Eigen::Matrix3d matrix = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(k.data());
   const Eigen::Vector3d y = matrix.partialPivLu().solve(Eigen::Vector3d(x[0], x[1], x[2]));
@@ -30,11 +29,11 @@ void add_moment(double v, const Vec3& a, const Vec3& b, MomentMatrix& m) {
   }
 }
 
-// The means of one vertex. Rest lengths are multiples of l.
+// Sums and means for one vertex, see moments.h. Rest positions are multiples of l.
 struct Means {
   double weight = 0;                   // sum of v
-  Vec3 rest{0, 0, 0}, posed{0, 0, 0};  // m, m'
-  Vec3 center{0, 0, 0};                // sum w p'
+  Vec3 rest{0, 0, 0}, posed{0, 0, 0};  // m and m'
+  Vec3 center{0, 0, 0};                // sum w * p'
 };
 
 Means means(std::span<const double> weights, const double* table) {
@@ -52,7 +51,7 @@ Means means(std::span<const double> weights, const double* table) {
   return m;
 }
 
-// posed is B / l, rest is K / l^2.
+// posed is B / l, and rest is K / l^2.
 struct Moments {
   MomentMatrix posed{}, rest{};
 };
@@ -71,7 +70,7 @@ Moments moments(std::span<const double> weights, const double* table, const Mean
   return sum;
 }
 
-// Returns M o.
+// Returns M * o for the offset o.
 Vec3 fitted(RowForm form, const Moments& moments, const Vec3& o, double length) {
   if (form == RowForm::affine_moments) return times(moments.posed, solve(moments.rest, (1 / length) * o));
   const auto [rotation, stretch] = sym3::polar(moments.posed);

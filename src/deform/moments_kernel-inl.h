@@ -1,7 +1,7 @@
 // Moving least squares in vector registers: computes positions from weights and rows of moments.
 // frame_kernel.cpp includes this file once per instruction set. (No #pragma once: see sym3/exp-inl.h.)
-// Sums are formed in float relative to a point near each vertex's mean point, which avoids cancellation. Maps
-// are computed from the sums in double, because nearly flat or collinear points lose digits.
+// To avoid cancellation, the sums are relative to a point near each vertex's mean point. The sums are in
+// float. Maps are computed from these sums in double, because nearly flat or collinear points lose digits.
 #if defined(VIETE_DEFORM_MOMENTS_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
 #undef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
@@ -16,10 +16,9 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::deform::HWY_NAMESPACE {
 
-// The nine entries of B' by rows, then sum w p'.
+// Sums of a vertex: the nine entries of B' by rows, then sum w * p'. See moments.h.
 inline constexpr std::size_t moment_sums = 12;
 
-// Adds the moments of the vertices in one vector register.
 template <bool Listed, class V>
 static HWY_INLINE void add_moments(const TileRun& run, std::size_t group, V (&s)[moment_sums]) {
   const Tag d;
@@ -63,7 +62,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input of a vertex's map. For dual and scale, see RestMoment. rotation is the nearest to b, if needed.
+// The input for a vertex's map, see RestMoment. `rotation` is nearest to b, and is set only if Fit::rotates.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -78,7 +77,7 @@ static HWY_INLINE lanes::Three<V> times(const lanes::Nine<V>& m, const lanes::Th
           lanes::sum_of_products(m.zx, u.x, m.zy, u.y, m.zz, u.z)};
 }
 
-// Each form of the map M has a functor that returns M o for the offset o.
+// Each form of the map M has a functor that returns M * o for the offset o.
 struct AffineFit {
   static constexpr bool rotates = false;
   template <class V>
@@ -109,7 +108,7 @@ struct SimilarFit {
   }
 };
 
-// Recomputes the rotation nearest to m, lane by lane, in lanes where the fast result is not certain.
+// Recomputes r, the rotation nearest to m, in the lanes that are not `certain`.
 template <class D, class V>
 static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<D> certain,
                                          lanes::Nine<V>& r) {
@@ -120,12 +119,12 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
   r = {out[0], out[1], out[2], out[3], out[4], out[5], out[6], out[7], out[8]};
 }
 
-// Maps are fitted for this many register vectors at once. Two vectors hide the latency of divisions.
+// The number of registers for which maps are fitted at the same time. Two hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// Returns the rotation R nearest to M = R S. R is also nearest to M + a cof M, because cof M = R cof S. For
-// points along a line, S has two small stretches, and cof S has two large stretches. With a = |M| / |cof M|,
-// the sum determines R well. If M = 0, returns I.
+// Returns m + a * cof(m) with a = |m| / |cof(m)|. For m = R * S, the nearest rotation of this sum is also R,
+// because cof(m) = R * cof(S). If points are nearly on a line, S has two small stretches and cof(S) has two
+// large stretches. The sum therefore determines R well. If m = 0, returns I.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);
@@ -150,7 +149,7 @@ static HWY_INLINE void find_rotations(D d, FitInput<V> (&in)[fits_at_once]) {
   }
 }
 
-// Reads and writes lines of floats of one tile as vectors of doubles, starting at `lane`.
+// Reads and writes lines of one tile as vectors of doubles, starting at `lane`. Tiles store floats.
 struct TileLanes {
   using D = hn::CappedTag<double, 8>;
   using V = hn::Vec<D>;
@@ -169,7 +168,7 @@ struct TileLanes {
   }
 };
 
-// Returns B = B' - center sum^T.
+// Returns B = B' - center * sum^T.
 template <class V>
 static HWY_INLINE lanes::Nine<V> about_mean(const TileLanes& at, const float* sums,
                                             const lanes::Three<V>& center, const lanes::Three<V>& sum) {
@@ -203,7 +202,7 @@ static HWY_INLINE void fit_tile(const float* sums, const float* rest, const floa
   }
 }
 
-// Scales each vertex's displacement from rest by its share.
+// Scales the displacement of each vertex from rest by the vertex's share.
 static HWY_INLINE void keep_shares(const float* shares, const float* rest, float* moved) {
   const Tag d;
   for (std::size_t lane = 0; lane < line_lanes; lane += hn::Lanes(d)) {

@@ -19,7 +19,7 @@ constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relativ
 constexpr double farther = 4;  // relative to the distance of the nearest part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Tuned on gaps between parts, in bends, drags and twists of models of 2 to 30,000 parts (bench modes, torn).
+// Tuned on gaps in bends, drags and twists of models with 2 to 30,000 parts (bench modes, torn).
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {
@@ -28,7 +28,7 @@ struct Neighbour {
   double squared_distance;
 };
 
-/// Finds points near a vertex that are not joined to it.
+/// Finds points that are near a vertex in space but not along edges, see part_couplings().
 class Neighbours {
 public:
   Neighbours(const mesh::Surface& surface, const mesh::EdgePaths& paths, std::vector<std::uint32_t> used)
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  // The nearest point of each part, sorted by distance.
+  // Returns the nearest point of each other part within reach, sorted by distance.
   std::vector<Neighbour> in_other_parts(std::uint32_t vertex) const {
     const mesh::Point& p = positions_[vertex];
     std::vector<Neighbour> found;
@@ -68,7 +68,7 @@ private:
     });
     return found;
   }
-  // Snapping to corners keeps the matrix sparser, and matching vertices of layers opposite each other.
+  // Moves the point to a near corner. The matrix is then sparser, and layers couple at matching vertices.
   void take_corner(Neighbour& n) const {
     const auto& [a, b, c] = n.triangle;
     const mesh::Point point =
@@ -79,7 +79,7 @@ private:
     n.shares = {0, 0, 0};
     n.shares[k] = 1;
   }
-  // A near vertex of its own part without a short path to it.
+  // Returns the nearest touching vertex of the same part to which no short path leads.
   std::optional<Neighbour> nearest_fold(std::uint32_t vertex) const {
     std::optional<Neighbour> nearest;
     vertex_tree_.for_within(positions_[vertex], touching * size_, [&](std::uint32_t b) {
@@ -97,7 +97,7 @@ private:
   double size_;
   std::vector<mesh::Triangle> triangles_;
   mesh::PointTree vertex_tree_;
-  std::optional<mesh::TriangleTree> triangle_tree_;  // only for several parts
+  std::optional<mesh::TriangleTree> triangle_tree_;  // empty if there is only one part
 };
 
 double area_of(const mesh::Surface& surface) {

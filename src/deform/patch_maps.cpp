@@ -15,11 +15,11 @@ namespace {
 using Symmetric = sym3::Sym3<double>;
 
 constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
-constexpr double least_spread = 0.1;   // relative to the largest singular value
+constexpr double least_spread = 0.1;   // limit of the least singular value, relative to the largest
 constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
 constexpr std::size_t most_vertices = 256;
 constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
-constexpr std::size_t most_corners = 16;  // in larger polygons, only ends of an edge are neighbours
+constexpr std::size_t most_corners = 16;  // in larger polygons, only the two ends of an edge are neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
 
@@ -27,7 +27,7 @@ struct Spread {
     k.xx += w * x[0] * x[0], k.xy += w * x[0] * x[1], k.xz += w * x[0] * x[2];
     k.yy += w * x[1] * x[1], k.yz += w * x[1] * x[2], k.zz += w * x[2] * x[2];
   }
-  // Returns the least singular value of the points divided by the largest.
+  // Returns (least singular value) / (largest singular value) of the points.
   double ratio() const {
     const auto squares = sym3::eigenvalues(k);
     return squares[2] > 0 ? std::sqrt(std::max(squares[0], 0.0) / squares[2]) : 0;
@@ -35,7 +35,6 @@ struct Spread {
   double largest() const { return sym3::eigenvalues(k)[2]; }
 };
 
-// Inverts m by cofactors.
 Symmetric inverse(const Symmetric& m) {
   const Symmetric c{m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};
@@ -47,8 +46,8 @@ void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) 
   if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-// Vertices of the cage are neighbours if they share a polygon or a position. In a polygon with more than 16
-// corners, only the two vertices of an edge are neighbours.
+// Two vertices of the cage are neighbours if they belong to one polygon or have the same position. In a
+// polygon with more than most_corners corners, only the two ends of an edge are neighbours.
 mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   const mesh::Surface& surface = cage.surface;
   const mesh::Surface welded = mesh::welded(surface);
@@ -66,7 +65,6 @@ mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   return mesh::adjacency(surface.positions.size(), without_skipped(std::move(pairs), cage.unused));
 }
 
-// Makes patches. Each patch grows by rings until its vertices spread in all directions.
 std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, std::span<const Vec3> normals) {
   const auto& positions = cage.surface.positions;
   const double scale = 1 / size;
@@ -130,7 +128,7 @@ Vec3 VertexPatches::normal(std::uint32_t vertex, std::span<const mesh::Point> at
   return norm(sum) > least_area * total ? side_along(sum) : Vec3{0, 0, 0};
 }
 
-// Near rest, computes the map as I plus a sum over displacements, which is exactly I if no vertex moved.
+// Near rest, adds a sum over displacements to I, so that the map is exactly I if no vertex moved.
 void VertexPatches::compute(std::span<const mesh::Point> posed, const Vec3& origin,
                             std::span<const std::uint32_t> which, std::span<AffineMap> maps) const {
   const auto& rest = cage_.surface.positions;

@@ -1,4 +1,4 @@
-// Maps of the patches around the cage's vertices: the affine map that best fits a vertex and its neighbours.
+// Affine maps of patches. A patch is a vertex of the cage with the vertices around it.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,19 @@
 
 namespace viete::deform {
 
-/// The map M of a cage vertex at c is the least-squares fit to the vertices p of its patch, which move to p':
+/// A cage vertex at c and the vertices p of its patch move to c' and p'. M is fitted by least squares:
 ///
-///     M = (sum w (p' - c') (p - c)^T) K^-1 = sum (p' - c') g^T,
-///     K = sum w (p - c) (p - c)^T,    g = w K^-1 (p - c).
-/// A patch starts with the vertices that share a polygon with c. The patch grows by rings until its vertices
-/// spread in all directions: the least singular value of all sqrt(w) (p - c) must be at least a tenth of the
-/// largest. One ring is usually enough. A patch stops growing at 256 vertices and at the end of its part. The
-/// weight w = 1 / (e^2 + |p - c|^2) keeps the fit local; e is 3 % of `size`, the size of the cage.
+///     M = (sum w * (p' - c') * (p - c)^T) * K^-1 = sum (p' - c') * g^T,
+///     K = sum w * (p - c) * (p - c)^T,    g = w * K^-1 * (p - c).
 ///
-/// Every patch reproduces any affine pose of the whole cage. A patch that is flat to a thousandth of its size
-/// uses the normal as third direction, as face_maps() does, and reproduces only similarities. A vertex
-/// without polygons gets the identity.
+/// A patch starts with the vertices of all polygons at c. It grows by rings until its vertices spread in all
+/// directions: the least singular value of all sqrt(w) * (p - c) must be at least a tenth of the largest.
+/// Most patches need one ring. A patch also stops growing at 256 vertices, or when it contains its whole
+/// part. The weight w = 1 / (e^2 + |p - c|^2) keeps the fit local. e is 3 % of `size`, the size of the cage.
+///
+/// A patch reproduces any affine pose of the whole cage, unless the patch is flat to a thousandth of its
+/// size. A flat patch uses the normal as third direction, as face_maps() does, and reproduces only
+/// similarities. A vertex without polygons gets the identity.
 class VertexPatches {
 public:
   /// The cage must outlive this object.

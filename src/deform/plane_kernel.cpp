@@ -30,7 +30,7 @@ static HWY_INLINE void put(V v, Plane& plane, std::size_t i) {
   hn::Store(v, Tag(), plane + i);
 }
 
-// Returns a x + b y + c z, rounded in this order.
+// Returns a * x + b * y + c * z. Each operation rounds, from left to right.
 static HWY_INLINE V sum(V a, V x, V b, V y, V c, V z) {
   return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
 }
@@ -120,7 +120,6 @@ static HWY_INLINE Vector sum(V a, const Vector& x, V b, const Vector& y, V c, co
           lanes::sum_of_products(a, x.z, b, y.z, c, z.z)};
 }
 
-// Stores the images of two directions.
 static HWY_INLINE void put(const Vector& u, const Vector& v, V (&six)[6]) {
   six[0] = u.x, six[1] = u.y, six[2] = u.z, six[3] = v.x, six[4] = v.y, six[5] = v.z;
 }
@@ -129,8 +128,9 @@ static HWY_INLINE void put(const V (&six)[6], double* planes) {
   for (std::size_t n = 0; n < 6; ++n) hn::Store(six[n], Tag(), planes + n * plane_stride);
 }
 
-// Computes the columns of the left Jacobian J v = v + p w x v + q w x (w x v) of a rotation vector w of
-// length a; p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics, 7.1.5).
+// Computes the left Jacobian J of w, |w| = a: J * v = v + p * (w x v) + q * (w x (w x v)),
+// p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics, 7.1.5). j are its
+// columns.
 static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle<V>& half, Vector (&j)[3]) {
   const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
   const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);
@@ -144,7 +144,7 @@ static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle
   j[2] = {hn::MulAdd(qx, w.z, py), hn::MulSub(qy, w.z, px), hn::MulAdd(hn::Mul(q, w.z), w.z, rest)};
 }
 
-// Computes the derivatives of exp at `at` for the six directions with a single entry 1.
+// Computes the derivatives of exp at `at` by each of the six entries.
 static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> (&slopes)[6]) {
   if (HWY_LIKELY(hn::AllTrue(Tag(), at.ok))) return lanes::put_exp_tangent(Tag(), at.parts, slopes);
   const V o = hn::Zero(Tag()), i = hn::Set(Tag(), 1);
@@ -153,8 +153,8 @@ static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> 
   for (std::size_t k = 0; k < 6; ++k) slopes[k] = lanes::exp_derivative_general(Tag(), at, directions[k]);
 }
 
-// Computes the images of two directions under exp(Y) exp(X), and their tangents: d(exp(Y) exp(X)) =
-// exp(Y) dexp(X) + [J dY]x exp(Y) exp(X). X is in the axes u, v, u x v.
+// Computes the images of u and v under exp(Y) * exp(X), and their derivatives by d(exp(Y) * exp(X)) =
+// exp(Y) * dexp(X) + (J * dY) x (exp(Y) * exp(X)). X is in the axes u, v, u x v.
 static HWY_INLINE void put_tangent(const V (&log)[9], const Vector& u, const Vector& v, V (&map)[6],
                                    V (&tangent)[9][6]) {
   const Vector y{log[6], log[7], log[8]};
@@ -200,7 +200,6 @@ static void derive(const double* group, const double* weights, std::size_t count
   }
 }
 
-// Adds the products of one map with N columns to the sums.
 template <std::size_t N>
 static HWY_INLINE void add_products_of(const double* m, const double* columns, double* sums) {
   for (std::size_t l = 0; l < group_size; l += width) {

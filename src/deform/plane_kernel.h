@@ -1,4 +1,4 @@
-// Vector code for blocks of triangles with one small matrix each. A plane has one entry of all matrices.
+// Vector code for small matrices, one per triangle. A plane contains one entry of the matrices of a block.
 #pragma once
 
 #include <cstddef>
@@ -7,12 +7,12 @@
 
 namespace viete::deform {
 
-/// A plane has one number per triangle, and one cache line of padding so that no two planes are 4096 bytes
-/// apart. The functions always compute plane_size numbers, even for fewer triangles.
+/// A plane has one number per triangle, and one cache line of padding. Without padding, some planes would be
+/// 4096 bytes apart. The functions always compute plane_size numbers, even if a block has fewer triangles.
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
-/// Sums over triangles consist of this number of partial sums, so that all computers add in one order.
+/// Number of partial sums in a sum over triangles. It is fixed, so that all computers add in the same order.
 inline constexpr std::size_t group_size = 8;
 
 struct ScaledRows {
@@ -20,27 +20,27 @@ struct ScaledRows {
   double factor;
 };
 
-/// General matrices have nine planes by rows, symmetric matrices six in the order of Sym3, and vectors three.
-/// The first four functions round products and sums separately and give equal bits on all computers. The
-/// other functions give equal bits on all computers with fused multiply-add.
+/// A general matrix has nine planes by rows, a symmetric matrix has six in the order of Sym3, and a vector
+/// has three. The first four functions round products and sums separately and give equal bits on all
+/// computers. The other functions give equal bits on all computers with fused multiply-add.
 struct PlaneKernel {
-  /// Adds factor_k rows_k to sums, in the order of k. Rows have n numbers.
+  /// Adds rows[k].factor * rows[k].numbers to sums, in the order of k. `numbers` and `sums` have n entries.
   void (*add_rows)(const ScaledRows* rows, std::size_t count, std::size_t n, double* sums);
-  /// product = m s, where s is symmetric.
+  /// product = m * s, where s is symmetric.
   void (*times_symmetric)(const Plane* m, const Plane* s, Plane* product);
-  /// pulls_k = weight_k (m - I) side_k, for three sides.
+  /// pull_k = weight_k * (m - I) * side_k for the three sides k of each triangle.
   void (*pull)(const Plane* m, const Plane* sides, const Plane* weights, Plane* pulls);
-  /// m = the sum over three sides of weight_k posed_k side_k^T.
+  /// m = sum of weight_k * posed_k * side_k^T over the three sides k.
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
-  /// s = exp(X) and m = r exp(Y) s for logs X and Y. r is a matrix by rows; null means I. Prefetches `next`.
+  /// s = exp(X), m = r * exp(Y) * s for logs X, Y. r is one matrix by rows, or null for I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
-  /// Computes the images of two directions u and v under exp(Y) exp(X), and their derivatives by the weights.
-  /// X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and for each log X
-  /// (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the derivatives by
-  /// the weights, and the images as the last entry. Writes only the first group_size numbers of each plane.
+  /// Computes the images of directions u and v under exp(Y) * exp(X), and the images' derivatives by the
+  /// weights. X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and each
+  /// log X (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the
+  /// derivatives by each log's weight; then the images. Writes only group_size numbers per plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
-  /// Applies the first two columns of `count` maps to columns[n][2][plane_size]. Adds the results, summed
-  /// over groups, to sums[map][column][3][group_size].
+  /// Multiplies both columns of each of `count` maps by columns[k][2][plane_size], for all k < n. Adds the
+  /// products to sums[map][k][3][group_size]. Triangle i belongs to partial sum i % group_size.
   void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n,
                        double* sums);
 };

@@ -11,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double least_near = 1.0 / 512;  // in diagonals of the cage: about the size of a leaf
+constexpr double least_near = 1.0 / 512;  // relative to the cage's diagonal; about the size of a leaf
 
 // Returns v without its component along `unit`, normalised. If only rounding errors remain, returns 0.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
@@ -30,7 +30,7 @@ Vec3 any_across(const Vec3& unit) {
   return unit_across(axis, unit);
 }
 
-// Sets along, inward (see DistanceTriangle) and length of the edge from (x, y) with the vector (dx, dy).
+// Sets along, inward and length (see DistanceTriangle) of the edge from (x, y) to (x + dx, y + dy).
 void set_edge(double x, double y, double dx, double dy, double* along, double* inward, double& length) {
   const double size = std::max(std::abs(dx), std::abs(dy));
   length = size > 0 ? size * std::hypot(dx / size, dy / size) : 0;
@@ -40,7 +40,7 @@ void set_edge(double x, double y, double dx, double dy, double* along, double* i
   std::copy_n(to_inward, 3, inward);
 }
 
-// Returns the triangle in its own axes: x along the longest edge from a to b, z along the normal.
+// Returns the triangle in its own coordinates, see DistanceTriangle. The edge from a to b is the longest.
 DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c) {
   DistanceTriangle<double> t{};
   const double size = largest_abs(b - a);
@@ -62,7 +62,7 @@ DistanceTriangle<double> in_own_axes(const Vec3& a, const Vec3& b, const Vec3& c
   return t;
 }
 
-// Returns the corner at which the longest edge begins, which is the origin.
+// Returns the corner where the longest edge begins. The caller uses this corner as origin.
 int first_corner(const std::array<Vec3, 3>& p) {
   const double ab = norm(p[1] - p[0]), bc = norm(p[2] - p[1]), ca = norm(p[0] - p[2]);
   return ab >= bc ? (ab >= ca ? 0 : 2) : (bc >= ca ? 1 : 2);
@@ -152,14 +152,14 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 
 namespace {
 
-constexpr double in_plane = 1e-8;     // if the sine of an angle is less, p may be in a triangle's plane
-constexpr double negligible = 1e-14;  // a smaller component of a mean vector off this plane counts as 0
-constexpr double vanishing = 1e-9;    // a smaller (sum of weights / sum of absolute weights) counts as 0
+constexpr double in_plane = 1e-8;     // limit of |volume|, relative to the largest product of two sines
+constexpr double negligible = 1e-14;  // limit of |dot(mean vector, the plane's normal)|
+constexpr double vanishing = 1e-9;    // limit of |sum of weights|, relative to the sum of |weights|
 
-// A triangle seen from p: directions to its corners, and for each corner the cross product of the other two.
+// A triangle seen from p. Indices are corners, modulo 3.
 struct View {
-  Vec3 u[3];       // unit directions
-  double d[3];     // distances
+  Vec3 u[3];       // unit directions from p to the corners
+  double d[3];     // distances from p to the corners
   Vec3 c[3];       // c[i] = u[i+1] x u[i+2]
   double sine[3];  // |c[i]|
 };
@@ -178,8 +178,8 @@ View view_of(const mesh::Point& p, const Cage& cage, const mesh::Triangle& t) {
   return view;
 }
 
-// Returns the integral of the unit vectors over the spherical triangle: half the sum over the edges of angle
-// times normal. The two triangles of an edge get equal bits with opposite signs.
+// Returns the integral of the unit vectors over the spherical triangle: half the sum of angle * normal over
+// the edges. An edge adds equal bits with opposite signs to its two triangles.
 Vec3 mean_vector(const View& v) {
   Vec3 m{0, 0, 0};
   for (int i = 0; i < 3; ++i) {
@@ -190,15 +190,14 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// Returns the corner whose opposite edge looks widest from p.
+// Returns the corner opposite to the edge that looks widest from p.
 int widest(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Returns the coefficients of m along u[0], u[1], u[2]. If p is almost in the triangle's plane, the
-// directions are nearly dependent, and m is almost in their plane. If so, uses only the two most independent
-// directions.
+// Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane,
+// these directions are nearly dependent. Then uses only the two most independent directions.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

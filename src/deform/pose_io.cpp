@@ -24,7 +24,7 @@ std::string_view trimmed(std::string_view text) {
   return begin == std::string_view::npos ? "" : text.substr(begin);
 }
 
-// Parses a line `viete turns: part 0: x y z`. Returns false for any other text.
+// Parses a line `viete turns: part 0: x y z`. Returns false if the text, the part or the turn is invalid.
 bool read_turn(std::string_view line, std::vector<Vec3>& turns) {
   std::istringstream in{std::string(trimmed(line).substr(turns_mark.size()))};
   in.imbue(std::locale::classic());

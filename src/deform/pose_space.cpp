@@ -8,7 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// If the turns differ from the mean of the part's logs by more radians, the logs cannot represent the turns.
+// Logs cannot represent a turn that differs from the mean of the part's logs by more than this, in radians.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {
@@ -21,7 +21,7 @@ LogSpace logs_of(const Cage& cage) {
 
 PoseSpace::PoseSpace(std::shared_ptr<const Cage> cage) : cage_(std::move(cage)), logs_(logs_of(*cage_)) {}
 
-// Removes the whole turns that a part's logs cannot represent from the logs, and returns these turns.
+// Returns the whole turns that the logs of a part cannot represent, and removes these turns from the logs.
 std::vector<Vec3> PoseSpace::take_wholes(std::span<const AffineMap> maps, std::span<const MapSplit> splits,
                                          const LogReport& report, std::vector<MapLog>& logs) const {
   std::vector<Vec3> wholes(report.turns.size()), rotations;

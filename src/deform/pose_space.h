@@ -11,9 +11,9 @@
 
 namespace viete::deform {
 
-/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses other
-/// elements. The whole turns of a vector are the turns that its logs cannot represent, because their axis is
-/// not the axis of the part's rotation, see choose_branches(). Constant after construction, so thread-safe.
+/// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses
+/// vertices. A vector stores whole turns apart from its logs if the logs cannot represent them: the axis of
+/// such turns is not the axis of the part's rotation, see choose_branches(). Thread-safe.
 class PoseSpace {
 public:
   /// Throws base::Error as LogSpace does.
@@ -22,13 +22,12 @@ public:
   const Cage& cage() const { return *cage_; }
   /// The log space, for sums of vectors and the anchors of a moving pose.
   const LogSpace& logs() const { return logs_; }
-  /// Converts a pose to a vector, with the pose's turns. If the pose has no turns, uses the turns nearest to
-  /// `turns_before`, which are the preceding pose's turns (0 if missing). Throws base::Error if the number of
-  /// positions is wrong.
+  /// Converts a pose to a vector. If the pose has no turns, chooses the turns nearest to `turns_before`, the
+  /// turns of the preceding pose (0 if missing). Throws base::Error if the number of positions is wrong.
   LogVector vector(const Pose& pose, std::span<const Vec3> turns_before = {}) const;
-  /// Returns the pose of a sum of vectors.
+  /// Returns the pose of the sum of `terms`.
   Pose pose(std::span<const LogTerm> terms, const Held& held) const;
-  /// Returns the linear sum, in which every vertex moves on a straight line.
+  /// Returns the linear sum of the poses' positions: every vertex moves on a straight line.
   Pose straight(std::span<const LogTerm> terms) const;
 
 private:

@@ -78,7 +78,7 @@ sym3::Mat3<double> linear_part(const ProbePose& pose) {
   return times(sym3::exp_rotation(pose.turn), full(sym3::exp(pose.stretch)));
 }
 
-// Rotates in small steps, so that the log continues on the right branch for long turns.
+// Rotates in small steps, so that the log continues on the right branch for large angles.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians) {
   constexpr double largest_step = 1.5;
   ProbePose result = pose;
@@ -121,7 +121,7 @@ void probe_weights(const Probes& probes, const mesh::Point& point, std::span<Pro
   share_out(weights, &ProbeWeights::pivot, true);
 }
 
-// A reflection F converts R to F R F, which reflects the rotation axis and reverses the rotation.
+// With a reflection F, the rotation R becomes F * R * F. This reflects the axis and reverses the rotation.
 Probe mirrored(const Probe& probe, int axis, double at) {
   const auto a = static_cast<std::size_t>(axis);
   Probe result = probe;

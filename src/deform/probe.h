@@ -1,4 +1,4 @@
-// Probes: frames on or near a model that move, rotate and stretch their surroundings.
+// Probes: points on or near a model that move, rotate and stretch their surroundings.
 #pragma once
 
 #include <cstdint>
@@ -30,10 +30,10 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight, 0 to 1, at a distance in radii. If radii >= 1, only `endless` is greater than 0.
+/// Returns the weight, 0 to 1, at a distance given in radii. From one radius on, only `endless` is above 0.
 double weight_at(Falloff falloff, double radii);
 
-/// How far from the probe one part of its motion (rotation, stretch or translation) acts.
+/// The range in which one part of a probe's motion (turn, stretch or move) acts.
 struct Influence {
   Falloff falloff = Falloff::smooth;
   double radius = 1;  ///< in the file's unit; positive
@@ -41,7 +41,7 @@ struct Influence {
   friend bool operator==(const Influence&, const Influence&) = default;
 };
 
-/// The probe's motion from rest, y = place + exp(Y) exp(X) (x - place) + move. At rest, all members are 0.
+/// The motion from rest: y = place + exp(Y) * exp(X) * (x - place) + move. At rest, all members are 0.
 struct ProbePose {
   Vec3 turn{0, 0, 0};            ///< Y as a rotation vector, any number of turns
   sym3::Sym3<double> stretch{};  ///< X = log S
@@ -50,14 +50,14 @@ struct ProbePose {
   friend bool operator==(const ProbePose&, const ProbePose&) = default;
 };
 
-/// Returns the pose, rotated further about the probe's place. Any angle is allowed. The axis must have length
-/// 1 and may differ from the axis of the pose's own turn.
+/// Returns the pose after another rotation about the probe's place, by any angle. The axis must have
+/// length 1. It may differ from the axis of the pose's own turn.
 ProbePose turned(const ProbePose& pose, const Vec3& axis, double radians);
+inline constexpr double least_factor = 1e-3;
 /// Returns the pose scaled along the file's axes. Factors below least_factor become least_factor, so that the
 /// result neither mirrors nor collapses.
-inline constexpr double least_factor = 1e-3;
 ProbePose scaled(const ProbePose& pose, const Vec3& factors);
-/// Returns exp(Y) exp(X) by rows.
+/// Returns exp(Y) * exp(X) by rows.
 sym3::Mat3<double> linear_part(const ProbePose& pose);
 
 /// A constraint that moves a vertex of the shape to the probe's position, see ExamplePosing.
@@ -92,12 +92,12 @@ struct ProbeWeights {
   double pivot = 0;  ///< weight of the probe's place in the vertex's pivot
 };
 
-/// Computes the weights of all probes at a rest position; pins get 0. Turn, stretch and move are combined
-/// separately. `added` leaves the weights unchanged. `partial` divides the weights by their sum if the sum is
-/// above 1, `whole` if the sum is above 0. `softmax` replaces each weight b by e^(s b) - 1, with s =
-/// softmax_sharpness, and divides by the sum. The nearest probe then dominates. A pivot is the larger of turn
-/// and stretch, divided by the sum over all probes. weights has one entry per probe.
 inline constexpr double softmax_sharpness = 8;
+/// Computes the weights of all probes at a rest position; pins get 0. Combines the weights of turn, stretch
+/// and move separately. `added` does not change weights. `partial` divides weights by their sum if the sum is
+/// above 1. `whole` divides weights by their sum if the sum is above 0. `softmax` replaces each weight b by
+/// e^(softmax_sharpness * b) - 1 and continues as `whole`, so the nearest probe dominates. A pivot is
+/// max(turn, stretch), divided by the sum of these maxima. `weights` has one entry per probe.
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 
 /// Returns the probe and its motion mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) is `at`.

@@ -52,7 +52,7 @@ void ProbeLayer::weigh() {
   });
 }
 
-// If all probes near a vertex are at rest, stores no shares, so that many resting probes need no memory.
+// If all probes near the block are at rest, stores no shares. Many resting probes then need no memory.
 void ProbeLayer::weigh(std::size_t begin, std::size_t end, Block& block) const {
   std::vector<ProbeWeights> weights(probes_.all.size());
   bool moves = false;
@@ -138,7 +138,7 @@ void ProbeLayer::move(std::span<const std::uint32_t> vertices, std::span<Vec3> p
   for (std::size_t n = 0; n < sums.size(); ++n) {
     Vec3& x = positions[sums[n].vertex];
     const Vec3 from = x - sums[n].pivot;
-    auto more = stretches[n];  // S - I, which is exactly 0 without motion
+    auto more = stretches[n];  // S - I; exactly 0 without motion
     more.xx -= none.xx, more.yy -= none.yy, more.zz -= none.zz;
     const Vec3 stretch = times(more, from), stretched = from + stretch;
     auto r = sym3::exp_rotation(sums[n].turn);
@@ -177,7 +177,7 @@ void write_rows(const ProbePose& pose, const Vec3& place, double unit, float* ro
   write(place, 1 / unit, rows + pivot_row * columns + center);
 }
 
-// Computes x - p for one tile as [3][lane], where p are the pivots.
+// Writes x - p for one tile to offsets[3][lane]. x are the positions, and p are the pivots.
 void subtract_pivots(const float* weights, std::span<const float> table, const float* positions,
                      float* offsets) {
   constexpr std::size_t columns = log_shape.columns;

@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
-// A point has four lanes x y z x. A rotation left by one lane gives y z x y, which a cross product needs. A
-// register has as many points as fit. Each point has a block of four lanes.
+// A point is a block of four lanes x y z x. A cross product needs the lanes y z x y, which are a rotation
+// left by one lane. A register contains as many points as fit.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -57,7 +57,7 @@ static HWY_INLINE Points scaled(OnePoint, const Points& a, float s) {
   return {a.x * s, a.y * s, a.z * s, a.w * s};
 }
 
-// Stores vertices with normals of absolute sum 1, see base::pack_normal().
+// Stores vertices. The absolute values of each normal must sum to 1, see base::pack_normal().
 static HWY_INLINE void store_vertices(OnePoint, const Points& position, const Points& normal,
                                       const std::uint32_t* order, FrameVertex* vertices) {
   const float fold = normal.z < 0 ? -normal.z : 0;
@@ -67,7 +67,7 @@ static HWY_INLINE void store_vertices(OnePoint, const Points& position, const Po
   vertices[*order] = {{position.x, position.y, position.z}, {packed(normal.x), packed(normal.y)}};
 }
 
-// Returns 1 / (sum of absolute values) of 4 area vectors with lanes z x y 0, or 0 without area.
+// Returns 1 / (|x| + |y| + |z|) of 4 area vectors with lanes z x y 0, or 0 for a vector without area.
 static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   float inverse[4];
   for (int k = 0; k < 4; ++k) {
@@ -78,7 +78,7 @@ static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
-// Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
 static HWY_INLINE void normalise(OnePoint, const Points& inverse_sum, Points (&areas)[4]) {
   const float scale[4] = {inverse_sum.x, inverse_sum.y, inverse_sum.z, inverse_sum.w};
   for (int k = 0; k < 4; ++k) {
@@ -138,7 +138,7 @@ static HWY_INLINE hn::Vec<D> scaled(D d, hn::Vec<D> a, float s) {
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* order, FrameVertex* vertices) {
   if constexpr (points(d) == 1) {
-    hn::Store(blocks, d, vertices[*order].position);  // also stores the normal behind it
+    hn::Store(blocks, d, vertices[*order].position);  // also stores the normal, which is the last lane
   } else {
     const hn::Half<D> half;
     store_blocks(half, hn::LowerHalf(half, blocks), order, vertices);
@@ -146,7 +146,7 @@ static HWY_INLINE void store_blocks(D d, const V& blocks, const std::uint32_t* o
   }
 }
 
-// Stores vertices with normals of absolute sum 1, see base::pack_normal().
+// Stores vertices. The absolute values of each normal must sum to 1, see base::pack_normal().
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals, const std::uint32_t* order,
                                       FrameVertex* vertices) {
@@ -161,7 +161,7 @@ static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals,
   store_blocks(d, hn::IfThenElse(is_last, hn::BitCast(d, packed), positions), order, vertices);
 }
 
-// Returns sums of lanes: lane k of each block is the sum of this block's lanes in s[k].
+// In each block of the result, lane k is the sum of the four lanes of the same block in s[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   const hn::RepartitionToWide<D> pairs;
@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (sum of absolute values) of vectors z x y 0: lane k of a block for areas[k], 0 without area.
+// Returns 1 / (|x| + |y| + |z|) of vectors z x y 0, or 0 without area. Lane k of a block is for areas[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -190,7 +190,7 @@ static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), sums));
 }
 
-// Normalises vectors and reorders their lanes from z x y 0 to x y z 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
   const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_sum, hn::Zero(d)));
@@ -202,7 +202,7 @@ static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
 
 #endif
 
-// A sum of cross products with lanes z x y 0. Two partial sums hide latency.
+// A sum of cross products with lanes z x y 0. Two separate sums hide latency.
 template <class V>
 struct Areas {
   V plus, minus_part;
@@ -213,9 +213,9 @@ struct Areas {
   }
 };
 
-// Returns twice the sum of the area vectors around `self`. Two consecutive triangles form a quadrilateral.
-// Twice the quadrilateral's area vector is the cross product of the diagonals, so half as many products
-// suffice. Neighbours are `stride` numbers apart, in units of `floats` floats. Open rings have an odd length.
+// Returns twice the sum of the area vectors of the triangles around `self`. Two consecutive triangles form a
+// quadrilateral. The cross product of its diagonals is twice its area vector, so half as many products
+// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. Open rings have odd lengths.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -239,7 +239,7 @@ static HWY_INLINE V areas_around(D d, const float* positions, const Index* neigh
   return minus(areas.plus, areas.minus_part);
 }
 
-// Calls ring sums with common lengths as compile-time constants, so that the compiler unrolls the loops.
+// Makes common lengths compile-time constants, so that the compiler unrolls the loops.
 template <class D, class V>
 static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint16_t* neighbours,
                                    std::size_t length, const V& self) {
@@ -257,7 +257,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Returns the area vectors of the register of slots that starts at s. Advances `neighbours`.
+// Returns the area vectors of one register of slots, from s on. Advances `neighbours` after each group.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -268,7 +268,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// Copies ghosts from other leaves and prefetches the next leaf's ghosts. Returns true if a bit changed.
+// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if nothing has changed.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
@@ -308,9 +308,9 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
     store_vertices(d, scaled(d, positions[k], run.unit), normals[k], order + k * points(d), vertices);
 }
 
-constexpr std::size_t ring_block = 128;  // slots; leaves are padded to multiples of 32
+constexpr std::size_t ring_block = 128;  // slots; a leaf has a multiple of 32 slots
 
-// Computes the slots of a block from `begin` on. Runs each step for all slots, to hide latency.
+// Computes up to ring_block slots from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

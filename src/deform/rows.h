@@ -8,28 +8,28 @@
 
 namespace viete::deform {
 
-/// The contents of a row, and how a weighted sum of rows becomes a position. x is the vertex at rest,
-/// relative to the middle of the rest cage. o = x - sum w c is its offset from the weighted mean of the
-/// handles' rest centres c. Positions are relative to the pose's origin.
+/// The contents of a row, and the formula by which weighted sums of rows become a position. x is the vertex
+/// at rest, relative to the middle of the rest cage. o = x - sum w * c is the vertex's offset from the
+/// weighted mean of the handles' rest centres c. Posed positions are relative to the pose's origin.
 enum class RowForm {
-  logs,             ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) exp(X) o + c'
-  maps,             ///< D = M - I by rows, d = D (-c) + c' - c:               x + D x + d
+  logs,             ///< X = log S (xx xy xz yy yz zz), Y = log R, centre c':  exp(Y) * exp(X) * o + c'
+  maps,             ///< D = M - I by rows, d = c' - c - D * c:               x + D * x + d
   positions,        ///< position p':                                          o + p'
-  affine_moments,   ///< p / l, l A by rows, p', see moments.h:                M o + sum w p', M fitted
+  affine_moments,   ///< p / l, l * A by rows, p':                             M * o + sum w * p' (moments.h)
   similar_moments,  ///< as affine_moments, but M is a rotation and a scale
   rigid_moments,    ///< as affine_moments, but M is a rotation
 };
 struct RowShape {
   std::size_t columns;
   std::size_t first_length;  ///< index of the first column with lengths; earlier columns have no unit
-  /// The number of leading columns whose mean is subtracted from the rows and added to the sums again.
-  /// Because exact weights sum to 1, this only removes the compression error of the mean.
+  /// Number of leading columns from which the mean of all rows is subtracted. The frame adds the mean again.
+  /// As exact weights sum to 1, this only removes the error of compressed weights in the mean.
   std::size_t with_mean;
   /// Index of the first of three columns with the handles' centres; `columns` if there are none. See Shares.
   std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9, 9};  // offsets correct the error of the centres
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // centres need no mean: offsets correct their error
 inline constexpr RowShape map_shape{12, 9, 12, 12};
 inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};

@@ -11,8 +11,8 @@
 
 namespace viete::deform {
 
-/// The handles of the cage: its triangles, each with an affine map, or its vertices, which only translate.
-/// Weights and blend determine the kind, see elements_of().
+/// The handles of the cage. `face`: the triangles, each with an affine map. `point`: the vertices, which only
+/// translate. Weights and blend determine the kind, see elements_of().
 enum class Elements { face, point };
 /// Returns "faces" or "vertices".
 std::string_view name(Elements elements);
@@ -24,8 +24,8 @@ enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 /// The quantities that are summed with the weights, and how the sums become a position.
 enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
 
-/// How a frame is computed: `staged` computes link by link in double, `fused` in one pass over the weights in
-/// float, and `stitched` solves for the positions. The program chooses the engine, see Deformer.
+/// How a frame is computed. `staged`: step by step, in double. `fused`: in one pass over the weights, in
+/// float. `stitched`: solves for the positions. The program chooses the engine, see engine_for().
 enum class EngineKind { staged, fused, stitched };
 
 /// The fields common to all tables of choices.
@@ -37,7 +37,7 @@ struct ChoiceEntry {
 
 struct WeightsEntry : ChoiceEntry {
   Weights value;
-  bool on_surface = false;  ///< true: along the model's surface; false: at points in space
+  bool on_surface = false;  ///< true: functions on the model's surface; false: functions of points in space
 };
 
 struct BlendEntry : ChoiceEntry {
@@ -50,7 +50,6 @@ std::span<const BlendEntry> all_blends();
 const WeightsEntry& entry(Weights weights);
 const BlendEntry& entry(Blend blend);
 
-/// Returns the kind of elements for these weights and this blend.
 Elements elements_of(Weights weights, Blend blend);
 
 /// Returns the value with this name in a table, or nullopt.
@@ -70,7 +69,7 @@ inline constexpr int most_iterations = 20;
 struct Weighting {
   Elements elements = Elements::face;
   Weights weights = Weights::inverse;
-  double radius = 0.25;  ///< the radius of cut-off weights, in sizes of the cage
+  double radius = 0.25;  ///< the radius of cut-off weights, relative to the cage's size
 
   double used_radius() const { return partial() ? radius : 0; }
   /// Returns true if weights end at the radius. If so, the weights of a vertex may sum to less than 1, see
@@ -84,7 +83,7 @@ struct Weighting {
   }
 };
 
-/// Factors of each map's rotation and stretch in log space: 0 removes, 2 doubles. Centres do not change.
+/// Factors for the logs of each map's rotation and stretch: 0 removes, 2 doubles. Centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -94,8 +93,8 @@ struct Amounts {
 
 /// Additional constraints of a stitched model, see stitch().
 struct Holding {
-  double radius = 0;  ///< vertices within this distance are attached to the cage; in sizes of the cage
-  double weight = 0;  ///< pull of every vertex towards its blended position
+  double radius = 0;  ///< vertices within this distance are attached to the cage; relative to the cage's size
+  double weight = 0;  ///< strength of the pull of each vertex towards its blended position
 
   friend bool operator==(const Holding&, const Holding&) = default;
 };
@@ -125,7 +124,7 @@ inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
-/// Returns why weights, blend and stitching are incompatible, as a sentence; nullopt if they are compatible.
+/// Returns the reason why weights, blend or stitching are incompatible, as a sentence; otherwise nullopt.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
 /// A choice of weights and a choice of a blend. A member without a value allows any value.
@@ -135,13 +134,12 @@ struct PartialChoice {
 
   bool any() const { return weights || blend; }
 };
-/// Returns true if the scheme agrees with the choice.
 bool fits(const PartialChoice& choice, const Scheme& scheme);
 
 /// Returns all compatible pairs of weights and blend in table order, unstitched and with default numbers.
 std::vector<Scheme> valid_schemes();
 
-/// Returns the names of weights and blend as on the command line: "inverse, srl".
+/// Returns the names of weights and blend, for example "inverse, srl". If stitched, adds ", stitched".
 std::string text(const Scheme& scheme);
 
 enum class Way { smooth, paper, mean_value, rigid, arap, local };
@@ -159,8 +157,8 @@ Scheme scheme_of(Way way, const Scheme& now = {});
 /// Returns the deformer of a scheme, or nullopt. Ignores amounts, radius, number of iterations and holding.
 std::optional<Way> way_of(const Scheme& scheme);
 
-/// The default deformer is Way::smooth. This deformer has the lowest energy over the poses of many models and
-/// is never among the worst (see the manual). Models without triangles get weights that need no surface.
+/// The default is Way::smooth. It has the lowest energy over the poses of many models and is never among the
+/// worst (see the manual). Without triangles, the default is Way::paper, because its weights need no surface.
 Scheme default_scheme(bool has_triangles = true);
 
 inline PartialChoice only(Weights weights) {
@@ -208,20 +206,20 @@ struct NumberEntry : ChoiceEntry {
   /// The value in percent, rounded to the number that a user typed: 29 instead of 28.999999999999996.
   double percent(Scheme scheme) const;
 };
-/// Returns a fraction as "25 %".
+/// Returns a fraction as text, for example "25 %".
 std::string text_of_percent(double fraction);
 /// The settings "radius", "turn", "stretch", "pins" and "hold".
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Returns `now` with the choices in `asked`. Other choices are kept if they are compatible. Throws
-/// base::Error for incompatible choices, for numbers that the scheme does not use, and if elements that only
-/// translate should be stitched. A radius selects cut-off weights, unless other weights were chosen by name
-/// here or earlier (`chosen`), for example in a session.
+/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. Throws base::Error
+/// for incompatible choices, for numbers that the scheme does not use, and if elements that only translate
+/// would be stitched. A radius selects cut-off weights, unless `asked` also chooses a deformer or weights, or
+/// weights were `chosen` by name earlier, for example in a session.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
-/// Returns the engine. Stitched schemes use the stitched engine. The fused engine runs method `fast` and
-/// schemes without an exponential. The staged engine runs all other methods, and `fast` if `same_path`.
+/// Returns the engine: stitched for stitched schemes, fused for method `fast` and for schemes without an
+/// exponential, and staged for all other methods. If `same_path` is true, `fast` is also staged.
 EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
 
 }  // namespace viete::deform

@@ -2,7 +2,7 @@
 
 namespace viete::deform {
 
-// Multiplies the displacement of each vertex by the vertex's sum of map rows.
+// Returns v' for each displacement v. `sums` contains share * (sum w * (M - I)) by rows.
 std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::span<const Vec3> ways) const {
   std::vector<Vec3> all;
   all.reserve(ways.size());

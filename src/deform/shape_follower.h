@@ -1,4 +1,3 @@
-// Rotates the displacements of a shape with the cage, for cages whose rows have no rotations.
 #pragma once
 
 #include <memory>
@@ -11,9 +10,9 @@
 
 namespace viete::deform {
 
-/// Moves each displacement v of a shape with the cage: v' = v + share sum w (M - I) v. M are the maps of the
-/// patches around the cage's vertices, w the weights of the vertex. If the cage moves by an affine map and
-/// share is 1, v' is the linear part of this map times v. Not thread-safe.
+/// Moves each displacement v of a shape with the cage: v' = v + share * (sum w * (M - I)) * v. M is the map
+/// of the patch around a vertex of the cage, and w is the weight of this vertex. If the cage moves by an
+/// affine map and share is 1, v' is the linear part of this map times v. Not thread-safe.
 class ShapeFollower {
 public:
   /// Returns true if the scheme's rows are positions. All other rows have maps.
@@ -25,10 +24,10 @@ public:
       : state_(std::move(cage), Elements::point, RowForm::maps) {}
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
-  /// Returns the moved displacements of all vertices, scaled by the mask. Uses tiles if the binding has them.
+  /// Returns v' for all vertices. The mask scales the shares. Uses tiles if the binding has them.
   std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
                                  base::WorkerPool& pool);
-  /// Returns moved displacements of a block's vertices. block.ways must be empty. Thread-safe between poses.
+  /// Returns v' for a block's vertices. block.ways must be empty. Thread-safe between calls of set_pose().
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 
 private:

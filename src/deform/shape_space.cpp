@@ -18,7 +18,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// If the mean map has the singular values s0, s1, s2 and (s0 + s1) / s2 is less, no rotation is nearest.
+// If (s0 + s1) / s2 is less for the mean map's singular values s0 <= s1 <= s2, no rotation is nearest.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
@@ -43,7 +43,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation nearest to `sum`, the area-weighted sum of maps. If no rotation is nearest, returns 0.
+// Returns the rotation vector nearest to `sum`, the area-weighted sum of maps, or 0 if none is nearest.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant
@@ -53,7 +53,7 @@ Vec3 mean_turn(const Mat& sum) {
 
 }  // namespace
 
-// Finds triangles that collapse or flip against all their neighbours, and gives them the neighbours' logs.
+// Finds triangles that collapse or flip against all neighbours. spread() gives them the neighbours' logs.
 class ShapeSpace::Folds {
 public:
   Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)
@@ -142,7 +142,7 @@ void ShapeSpace::doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt
   }
 }
 
-// Returns the logs of the rotations relative to the whole rotation.
+// Returns the logs of the rotations relative to the rotation `whole`.
 std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> rotations,
                                        const LogVector* before, base::WorkerPool& pool) const {
   const Mat back = transposed(sym3::exp_rotation(whole));

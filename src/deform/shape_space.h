@@ -1,4 +1,4 @@
-// Shapes of a model as vectors of its triangles' logs, so that in-between shapes rotate and do not collapse.
+// Shapes of a model as logs of its triangles' maps, so that in-between shapes rotate and do not collapse.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,27 @@ namespace viete::deform {
 
 /// How well the logs represent a shape.
 struct ShapeReport {
-  std::size_t flat = 0;    ///< triangles without area at rest, which follow their corners
-  std::size_t folded = 0;  ///< triangles that collapse or flip against all neighbours and use their logs
-  /// Neighbours whose logs differ by more than half a turn. Interpolation between such logs is ambiguous.
+  std::size_t flat = 0;    ///< triangles without area at rest
+  std::size_t folded = 0;  ///< triangles that collapse or flip; they use the neighbours' logs
+  /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
 };
 
 /// Converts shapes of one model, given as vertex positions, to vectors. The whole turn of a vector is the
 /// rotation of the area-weighted mean map; the logs represent the remaining rotations. Maps in log space: S.
 /// Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012. Maps of triangles: R.
-/// W. Sumner et al., Mesh-based inverse kinematics, 2005. Constant after construction, so thread-safe.
+/// W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
-  /// Throws base::Error if no triangle has area, see LogSpace, and base::Cancelled.
+  /// Throws base::Error if no triangle has area, and for the reasons of LogSpace. Throws base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   /// The log space, for sums, shapes and the anchors of moving shapes.
   const LogSpace& logs() const { return logs_; }
 
   /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
-  /// vector) is not null, each log is the branch nearest to the triangle's log in `before`. Throws
-  /// base::Error unless each vertex has a finite position. The number of threads does not change the result.
+  /// vector) is not null, the branch of each log is nearest to the triangle's log in `before`. Throws
+  /// base::Error unless each vertex has a finite position. Results do not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
 
@@ -48,7 +48,7 @@ private:
     std::vector<RestBasis> bases;
     std::vector<double> areas;  ///< relative to the squared diagonal
     std::vector<std::uint8_t> flat;
-    WeightedPairs neighbours;  ///< neighbours of flat triangles are joined
+    WeightedPairs neighbours;  ///< a flat triangle's neighbours are neighbours of each other
   };
   class Folds;
 

@@ -32,7 +32,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for vertices [begin, end). The sums of `Rows` rows should fill the registers.
+// Calls store(vertex, sums) for the vertices [begin, end). The sums of `Rows` vertices fill the registers.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {
@@ -184,7 +184,7 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
   const VertexBlock block{*binding_, shares_, ways_};
   times_ = {};
   if (has_moments(rows.form)) {
-    // One link computes the sums and the map of a vertex, because some sums depend on other sums.
+    // One step computes the sums and the map of a vertex, because some sums depend on other sums.
     run_link(Link::blend, [&](std::size_t begin, std::size_t end) {
       place_by_moments(block, rows, begin, end, positions_);
     });

@@ -1,4 +1,4 @@
-// Computes frames link by link, in double, so that each link can be timed and compared.
+// Computes frames step by step, in double, so that each step can be timed and compared.
 #pragma once
 
 #include <cstddef>
@@ -14,33 +14,33 @@
 
 namespace viete::deform {
 
-/// Computes sums [vertex][column] = weights * rows of the vertices [begin, end). Scales the sums by the
-/// shares and completes the centres. sums must have its final size. Results do not depend on the ranges.
+/// Computes sums[vertex][column] = weights * rows for the vertices [begin, end), then calls apply_shares().
+/// `sums` must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Does the second part of blend(): scales the sums by the shares and completes the centres.
+/// Multiplies a vertex's sums by its share, and adds (1 - share) * rest position to the sums of centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
-/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs, for the link exp.
+/// Copies the logs of stretches of the vertices [begin, end) from sums of RowForm::logs.
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Computes positions of the vertices [begin, end), from sums of any form except moments. For logs, the
-/// positions are origin + (exp(Y) exp(X) o + c'), where stretches contains exp(X). Symbols: see RowForm.
+/// Computes positions of the vertices [begin, end) from sums of any form except moments. For logs, these are
+/// origin + (exp(Y) * exp(X) * o + c') with exp(X) from `stretches`. Symbols: see RowForm.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
 
-/// Runs links 4 and 5 for all vertices, given their sums. If `error` is true, returns the largest relative
-/// difference of the exponentials, as place_vertices() does; otherwise 0.
+/// Runs the steps exp and apply for all vertices, given their sums. If `error` is true, returns the largest
+/// relative difference of the exponentials, as place_vertices() does; otherwise returns 0.
 double place_sums(const VertexBlock& block, RowForm form, std::span<const double> sums, const Vec3& origin,
                   sym3::Method method, std::span<mesh::Point> positions, bool error = false);
 
-/// Runs all links after the rows for all vertices. positions has one entry per vertex. If `sums` is not
-/// empty, writes the result of blend() to `sums`. Returns the largest relative difference (Frobenius norm)
-/// between the exponentials of `method` and of `fast`, which is exact to 1e-15. Returns infinity for NaN, and
-/// 0 for `fast` or if there are no exponentials.
+/// Runs the steps blend, exp and apply for all vertices. `positions` has one entry per vertex. If `sums` is
+/// not empty and the form has no moments, writes the result of blend() to `sums`. Returns the largest
+/// relative difference (Frobenius norm) between the exponentials of `method` and of `fast`; `fast` is exact
+/// to 1e-15. Returns infinity for NaN, and 0 for `fast` or without exponentials.
 double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method method,
                       std::span<mesh::Point> positions, std::span<double> sums = {});
 
@@ -67,7 +67,7 @@ private:
   base::WorkerPool& pool_;
   Shares shares_;
   std::span<const Vec3> ways_;                        // displacements of the shape
-  std::vector<double> sums_;                          // [vertex][column], for forms without moments
+  std::vector<double> sums_;                          // [vertex][column]; empty for moment forms
   std::vector<sym3::Sym3<double>> logs_, stretches_;  // for forms with stretches
   std::vector<mesh::Point> positions_, normals_;
   std::vector<FrameVertex> vertices_;

@@ -29,8 +29,8 @@ std::vector<std::size_t> vertices_of(const Entries& entries) {
 
 }  // namespace
 
-// The maps M of a block of triangles, as M = rotation stretch or as rotation = M and stretch = I. The layout
-// is [entry][triangle], so that vector code runs along the triangles.
+// The maps M = rotation * stretch of a block of triangles. If split() is not called, rotation is M and
+// stretch is I. The layout is [entry][triangle], so that vector code computes several triangles at once.
 struct Stitcher::Maps {
   static constexpr std::size_t stride = sym3::padded_stride<double>(triangles_per_block);
   static constexpr std::size_t ahead = 12;  // prefetch distance of rows, in triangles
@@ -42,7 +42,7 @@ struct Stitcher::Maps {
   void average(std::span<const double> of, RowForm form, std::span<const mesh::Triangle> triangles) {
     const std::size_t columns = shape(form).columns;
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      // Rows of vertices are in file order, which hardware prefetching cannot predict.
+      // Vertices are in file order, so hardware prefetching cannot predict which sums come next.
       for (const auto v : triangles[std::min(i + ahead, triangles.size() - 1)]) {
         __builtin_prefetch(of.data() + v * columns);
         __builtin_prefetch(of.data() + v * columns + 8);
@@ -77,7 +77,6 @@ struct Stitcher::Maps {
       put(stretches, i, std::array<double, 6>{1, 0, 0, 1, 0, 1});
     }
   }
-  // Splits the maps into rotations and stretches.
   void split(std::size_t count) {
     const sym3::MatView<double> maps(rotations[0], stride);
     sym3::polar(maps, maps, sym3::SymView<double>(stretches[0], stride), count);
@@ -89,7 +88,7 @@ struct Stitcher::Maps {
     if (apart) split(count);
   }
 
-  // Multiplies the vectors `in` of all triangles, stored as x y z, by their stretches.
+  // Multiplies one vector per triangle, in[x y z][triangle], by the triangle's stretch.
   void stretch(const Plane* in, Plane* out, std::size_t count) const {
     multiply<0, 1, 2, 1, 3, 4, 2, 4, 5>(stretches, in, out, count);
   }
@@ -159,7 +158,7 @@ void Stitcher::run(const Rows& rows, std::span<const double> sums, std::span<con
   }
 }
 
-// Computes the targets of the pins: the positions to which each pin's handle moves its vertex.
+// Computes the target of each pin: the position to which the pin's handle moves the pin's vertex.
 void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   const std::size_t columns = rows.columns(), n = pin_targets_.size();
   std::vector<double> sums(n * columns);
@@ -171,7 +170,6 @@ void Stitcher::place_pins(const Rows& rows, sym3::Method method) {
   place_sums(pins, rows.form, sums, {0, 0, 0}, method, pin_targets_);
 }
 
-// Sets the loads of a triangle's corners, which sum to 0.
 inline void Stitcher::set_load(std::size_t t, const Vec3& a, const Vec3& b) {
   loads_[3 * t] = a, loads_[3 * t + 1] = b, loads_[3 * t + 2] = Vec3{0, 0, 0} - (a + b);
 }
@@ -203,8 +201,8 @@ void Stitcher::load_blended(std::span<const double> sums, sym3::Method method, b
   });
 }
 
-// Sets the loads with new rotations R. R is the rotation nearest to A = sum_i x'_i (S g_i)^T. This R
-// maximises tr R^T A, the only term of the triangle's energy that depends on R.
+// Sets the loads with new rotations R. R is the rotation nearest to A = sum_i x'_i * (S * g_i)^T. This R
+// maximises tr(R^T * A), the only term of the triangle's energy that depends on R.
 void Stitcher::load_refitted() {
   pool_.for_blocks(stitching_.triangles.size(), triangles_per_block, [&](std::size_t begin, std::size_t end) {
     std::array<Mat, triangles_per_block> rotations;

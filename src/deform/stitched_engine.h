@@ -21,18 +21,18 @@ public:
   /// form must be logs or maps. stitching and pool must outlive this object.
   Stitcher(const Stitching& stitching, RowForm form, base::WorkerPool& pool);
 
-  /// Sets the shares of the next poses: one per vertex; empty if all are 1. Shares also scale pins' motions.
+  /// Sets the shares of the next poses, one per vertex; empty: all are 1. Shares also scale pins' motions.
   void set_shares(const Shares& shares);
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
   /// the shape's edges with the cotangents at rest.
   void set_shape(std::span<const Vec3> ways);
-  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. held has the blended
+  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. `held` has the blended
   /// position of each hold's vertex, relative to the rows' origin. A triangle's map is computed from the mean
   /// of the corners' sums.
   ///
-  /// iterations, 1 or more, is the number of solves. Each solve after the first replaces the rotations R_t by
-  /// the rotations that best fit the positions; the stretches S_t do not change (O. Sorkine, M. Alexa,
-  /// As-rigid-as-possible surface modeling, 2007). The energy never increases.
+  /// `iterations`, 1 or more, is the number of solves. Before each solve after the first, the rotations R_t
+  /// are replaced by the rotations that best fit the positions. The stretches S_t do not change (O. Sorkine,
+  /// M. Alexa, As-rigid-as-possible surface modeling, 2007). The energy never increases.
   void run(const Rows& rows, std::span<const double> sums, std::span<const Vec3> held, sym3::Method method,
            int iterations);
 
@@ -55,9 +55,9 @@ private:
   RowForm form_;
   base::WorkerPool& pool_;
   std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty without a shape
-  std::vector<Vec3> loads_;                            // M g of each corner of each triangle
-  std::vector<std::array<Vec3, 2>> stretched_;         // S g, if rotations are refitted
-  Shares pin_shares_;                                  // of the pinned vertices
+  std::vector<Vec3> loads_;                            // M * g of each corner of each triangle
+  std::vector<std::array<Vec3, 2>> stretched_;         // S * g; empty if rotations are not refitted
+  Shares pin_shares_;                                  // one per pin
   std::vector<Vec3> pin_ways_;
   std::vector<mesh::Point> pin_targets_;
   std::vector<Vec3> right_, positions_;
@@ -70,8 +70,8 @@ private:
 /// to the error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// binding and stitching must not be null, and must belong to one model, cage and kind of elements. form
-  /// must be logs or maps, and iterations 1 or more.
+  /// `binding` and `stitching` must not be null, and must belong to the same model, cage and kind of
+  /// elements. `form` must be logs or maps, and `iterations` must be 1 or more.
   StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -82,7 +82,7 @@ public:
   /// Positions of the last frame, in double, relative to the rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
-  /// Returns blended positions of the vertices in the last frame, before stitching, from the rows' origin.
+  /// Returns positions of vertices in the last frame, before stitching, relative to the rows' origin.
   std::vector<Vec3> blended(std::span<const std::size_t> vertices,
                             sym3::Method method = sym3::Method::fast) const;
 

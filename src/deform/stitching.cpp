@@ -27,7 +27,7 @@ constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
 constexpr double found_pins = 0.5;  // the fraction of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
-constexpr double indistinguishable = 1e-9;  // smaller differences of distances count as 0; in cage diagonals
+constexpr double indistinguishable = 1e-9;  // distances that differ by less count as equal; in cage diagonals
 
 class StitchMaker {
 public:
@@ -135,7 +135,7 @@ private:
   void hold_the_rest() {
     const std::size_t n = model_.positions.size();
     mesh::UnionFind parts(n);
-    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // one per vertex; one per part
+    std::vector<std::uint8_t> firm(n, 0), pinned(n, 0);  // firm: one per vertex; pinned: one per part
     for (std::size_t t = 0; t < thin_.size(); ++t) {
       if (thin_[t]) continue;
       const auto& [a, b, c] = model_.triangles[t];
@@ -224,21 +224,21 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<Coupling> couplings_;  // by corners
+  std::vector<Coupling> couplings_;  // split by by_corners()
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };
 
 }  // namespace
 
-// Returns the first two rows of K X. K is the triangle's stiffness matrix, the rows of X are its corners.
+// Returns the first two rows of K * X. K is the triangle's stiffness matrix; the rows of X are a, b and c.
 std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, const Vec3& c) {
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // Memory for factors (n log n); gradients, loads and stretches of two triangles per vertex; lists;
-  // right-hand sides
+  // In this order: factors (n log n); gradients, loads and stretches of two triangles per vertex; lists;
+  // right-hand sides.
   const auto n = static_cast<double>(vertices);
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }

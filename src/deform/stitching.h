@@ -13,26 +13,26 @@
 
 namespace viete::deform {
 
-/// The weight with which a handle pulls the corners of its nearest triangle to the handle's map. For
-/// comparison, the stiffness between neighbouring vertices is about 1, see stiffness_matrix().
+/// The weight of a handle's pins at the corners of its nearest triangle. For comparison, the stiffness
+/// between neighbouring vertices is about 1, see stiffness_matrix().
 inline constexpr double pin_strength = 0.03;
 
-/// The pose-independent data of a stitching. With the blended map M_t = R_t S_t of triangle t, x' minimises
+/// Pose-independent data of a stitching. With the blended map M_t of triangle t, the positions x' minimise
 ///
-///     sum_t area_t |(grad x' - M_t) T_t|^2 + sum_pins w |x' - A_h x|^2 + sum_holds w |x' - blended x'|^2.
+///     sum_t area_t * |(grad x' - M_t) * T_t|^2 + sum_pins w * |x' - A_h * x|^2 + sum_holds w * |x' - b|^2.
 ///
-/// T_t projects onto the triangle's plane; A_h is the map of the pin's handle. The published energy (S. Kaji,
-/// "ARAP" modes) uses tetrahedra with a fourth corner off the plane. Each fourth corner belongs to only one
-/// tetrahedron, so at the minimum the map agrees with M_t in this corner's direction. Only the part in the
-/// plane remains, with a third of the unknowns. The derivatives give K x' = sum_t M_t g_t. K is the stiffness
-/// matrix, and g_t, i is the area times the gradient of the hat function of corner i. A stitching needs one
-/// factorisation, and each pose needs three right-hand sides.
+/// T_t projects onto the triangle's plane, A_h is the map of the pin's handle, and b is the blended position.
+/// The published energy (S. Kaji, "ARAP" modes) uses tetrahedra with a fourth corner off the plane. Each
+/// fourth corner belongs to one tetrahedron, so at the minimum the map agrees with M_t in this corner's
+/// direction. Only the part in the plane remains, with a third of the unknowns. The first sum gives K * x' =
+/// sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector per corner: the area times the gradient of
+/// the corner's hat function. The matrix is factored once. Each pose has three right-hand sides.
 ///
-/// part_couplings() join near parts, cracks, and vertices at one place. A coupling of strength c adds the
-/// energy c |(x'_a - x'_b) - M (x_a - x_b)|^2 and is stored as the triangle (a, b, b).
+/// part_couplings() join near parts, cracks, and vertices at one position. A coupling of a and b with
+/// strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. It is stored as triangle (a, b, b).
 ///
-/// Results do not depend on the scene's size or distance from the origin. Thin triangles count as in
-/// half_cotangents(). Every vertex is determined. In parts without a pin, vertices are pulled to their
+/// Results do not depend on the scene's size or its distance from the origin. For thin triangles, see
+/// half_cotangents(). Every vertex is determined: in parts without a pin, vertices are pulled to their
 /// blended positions with weight 1e-4. Vertices with only thin or no triangles are pulled with weight 1.
 struct Stitching {
   struct Pin {
@@ -46,7 +46,7 @@ struct Stitching {
 
   Holding holding;
   std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
-  std::vector<mesh::Triangle> triangles;  ///< all but thin triangles, sorted as the vertices; then couplings
+  std::vector<mesh::Triangle> triangles;  ///< all proper triangles, ordered as the vertices; then couplings
   /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
   /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
@@ -54,25 +54,25 @@ struct Stitching {
   std::vector<Vec3> cotangents;
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
-  mesh::Adjacency around;  ///< for each vertex in `order`: 3 t + corner of its triangles t
+  mesh::Adjacency around;  ///< for each vertex in `order`: 3 * t + corner, for its corners of triangles t
   std::vector<Pin> pins;
-  Binding pinned;  ///< of the pins: rest, rest_origin, and offsets from the handle's centre; no weights
+  Binding pinned;  ///< binding of the pins without weights: rest, rest_origin, offsets from handles' centres
   std::vector<Hold> holds;
   SparseCholesky factors;
 
   std::size_t vertices() const { return factors.size(); }
 };
 
-/// Returns g of the first two corners of a triangle with these cotangents and corners.
+/// Returns g of the corners a and b. `cotangents` are half cotangents.
 std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Vertices within holding.radius of a handle are also pinned to this
-/// handle, with weight pin_strength ((radius - distance) / radius)^2. holding.weight pulls every vertex to
-/// its blended position. Throws base::Error if the model has no vertices, or if the model's size is above
-/// 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
+/// Stitches the model to the cage's faces. Each handle also pins the vertices at distances d < r from its
+/// centre, with weight pin_strength * ((r - d) / r)^2 and r = holding.radius * cage.size. holding.weight
+/// pulls every vertex to its blended position. Throws base::Error if the model has no vertices, or if its
+/// size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 

@@ -20,13 +20,14 @@ namespace {
 using mesh::none;
 
 constexpr int most_halvings = 5;
-// Enough for all clusters within reach of any vertex of a cluster, so that neighbours use the same ones.
+// Number of rings to search around a cluster. With it, each vertex finds all clusters within its reach, so
+// weights are continuous between clusters.
 constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
-constexpr double fit_reach = 1.9;    // in mean distances to the neighbours
-// Ridges, relative to the sum of factors, limit extrapolation where all clusters are on one side, as at tips.
+constexpr double fit_reach = 1.9;    // radius of influence, in mean distances to the neighbours
+// Ridges limit extrapolation if all clusters are on one side, as at tips. Relative to the sum of factors.
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
-constexpr double least_facing = 0.1;  // at tips even the nearest clusters may face away
+constexpr double least_facing = 0.1;  // lower limit of a cosine; at tips, even near clusters may face away
 
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -34,7 +35,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// On a closed surface each edge occurs once in each direction, so the sums at a vertex cancel.
+// A closed edge occurs once in each direction, so its terms cancel. The terms of an open edge remain.
 std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
   for (const auto& t : triangles) {
@@ -61,7 +62,7 @@ void sort_unique(std::vector<T>& all) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
 }
 
-/// The vertices that handles own in the model or in one of its parts.
+/// Returns the vertices that handles own in the model or in one of its parts.
 std::vector<std::uint32_t> owned_by_handles(const mesh::Surface& model,
                                             std::span<const mesh::Triangle> triangles,
                                             std::span<const std::uint32_t> place, const Cage& cage,
@@ -98,7 +99,7 @@ public:
 
   double total_area() const { return area_; }
 
-  /// Returns the number of clusters with vertices of triangles.
+  /// Makes clusters for this cell size, and returns their number. Counts only clusters with area.
   std::size_t divide(double cell) {
     cell_ = cell;
     sets_.reset(level_.size());
@@ -113,8 +114,8 @@ public:
     return join_small();
   }
 
-  /// Halves the cells of clusters that share an edge but no corner with a neighbour, have no triangle or hold
-  /// several of the vertices `apart`. Returns false if there are no such clusters.
+  /// Halves the cells of clusters that have no proxy triangle, that meet a cluster without a common proxy
+  /// triangle, or that contain several of the vertices `apart`. Returns false if there are no such clusters.
   bool refine(std::span<const std::uint32_t> apart) {
     std::vector<std::uint64_t> met, cornered;
     std::vector<bool> has_triangle(level_.size(), false);
@@ -298,7 +299,7 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// The plate's springs must be at the same points as without a proxy.
+// Moves clusters to owned vertices, so that the plate's springs are where they are without a proxy.
 void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   std::vector<bool> used(surface_.positions.size(), false);
   for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;
@@ -310,7 +311,7 @@ void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   sort_unique(owned_);
 }
 
-// Vertices without a triangle belong to the nearest cluster.
+// Assigns vertices without a triangle to the nearest cluster.
 void SurfaceProxy::adopt_loose_vertices() {
   if (std::ranges::find(of_vertex_, none) == of_vertex_.end()) return;
   std::vector<std::uint32_t> all(surface_.positions.size());
@@ -336,7 +337,7 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
   }
   const auto take_own = [&] { terms.assign(1, {own, 1}); };
   if (terms.size() < 3) return take_own();
-  // Axes of the tangent plane, scaled by the reach of the vertex's cluster.
+  // u and v are axes of the tangent plane, divided by the radius of the vertex's cluster.
   const std::size_t least = static_cast<std::size_t>(
       std::ranges::min_element(normal, {}, [](double x) { return std::abs(x); }) - normal.begin());
   Vec3 axis{0, 0, 0};

@@ -21,9 +21,9 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// Bodies with less area, in shares per element, only follow their couplings.
+// A body owns no vertices if (its share of the area) * (number of handles) is less.
 constexpr double least_body = 0.1;
-// An element is near a body if its distance there is at most this many times that of the nearest element.
+// Limit of (distance from a handle to a vertex) / (distance from the nearest handle to this vertex).
 constexpr double as_near = 1.5;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
@@ -39,7 +39,7 @@ std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
   return used;
 }
 
-// The vertex whose weights each vertex takes: its own if its part has owned vertices.
+// Returns for each vertex the vertex whose weights it copies: itself, if its part has owned vertices.
 std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatrix& stiffness,
                                    const HeldParts& held) {
   const auto n = static_cast<std::uint32_t>(stiffness.size());
@@ -162,7 +162,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// Springs per area are the same in each body as in a model of one body.
+// Couples parts. No body gets more springs per area than a model of only one body has.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::span<const std::uint32_t> candidates, std::vector<double>& springs,
                                  base::WorkerPool& pool) {
@@ -229,7 +229,7 @@ void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base:
 }
 
 double surface_system_bytes(std::size_t vertices) {
-  // Measured: 800 to 1500 for each vertex that is solved for; and for clustering.
+  // Bytes per vertex that is solved for (measured: 800 to 1500), and per vertex that is clustered.
   constexpr double solved = 1600, clustered = 150;
   return solved * static_cast<double>(std::min(vertices, most_solved_vertices)) +
          (vertices > most_solved_vertices ? clustered * static_cast<double>(vertices) : 0);

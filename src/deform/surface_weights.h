@@ -22,61 +22,61 @@ namespace viete::deform {
 
 /// Approximate number of vertices of a proxy.
 inline constexpr std::size_t proxy_vertices = 40'000;
-/// Weights along the surface of models with more vertices are solved on a proxy. For smaller models a proxy
-/// saves little time.
+/// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// The vertex that each handle owns: the nearest corner of the model's triangles; ties: the lowest index.
-/// Handles without weight (see handle_shape()) own none.
+/// The vertex that each handle owns: the nearest corner of the model's triangles, or the one with the lowest
+/// index of several nearest corners. Handles that do not weigh (see HandleShape) own none.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> of_handle;  ///< or none
+  std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
   std::vector<std::uint32_t> owners;     ///< number of owning handles per vertex
-  /// Additional vertices of a handle, one in each near body; empty if there is one body.
+  /// For each handle: additional vertices, one in each near body. Empty if there is only one body.
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Distances are exact: to the triangle or the vertex. Throws base::Error if the model has no triangles. O(k
-/// log n). candidates: the vertices to choose from, corners of triangles; empty: all of these.
+/// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles. If
+/// `candidates` is empty, chooses from all corners. Throws base::Error if the model has no triangles.
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
-/// Adds the vertex nearest to each handle in every body near the handle: bodies where no other handle is less
-/// than two thirds as far away. Layers and their contents thus follow the cage alike, and adding a body takes
-/// no vertices from others. Bodies of less than a tenth of a handle's share of the area get none. In bodies
-/// without candidates all vertices are candidates.
+/// For each handle and each body, adds the body's vertex v nearest to the handle, if the handle is near v.
+/// Near means: at most 1.5 times as far from v as the handle that is nearest to v. So layers and their
+/// contents follow the cage alike, and a new body takes no vertices from other bodies. Skips bodies with less
+/// than a tenth of the mean area per handle. In a body without candidates, all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
-/// Solves for the weights of sixteen handles at a time; the caller decides which of them to store, and how.
+/// Solves for the weights of sixteen handles at a time. The caller stores the weights.
 ///
-/// With L of intrinsic_laplacian(), `harmonic` weights of handle k are 1 / m at the vertex that it owns, m
-/// being the number of handles that own it, 0 at vertices of other handles, and L w = 0 elsewhere. They are
-/// in [0, 1] up to the rounding of 1 (the maximum principle: L has no negative weights).
+/// The `harmonic` weights w of a handle have fixed values t at owned vertices: at the vertices that the
+/// handle owns, t = 1 / (number of owners); at other owned vertices, t = 0. At all vertices that are not
+/// owned, L * w = 0, with L of intrinsic_laplacian(). L has no negative weights. By the maximum principle, w
+/// is therefore in [0, 1] up to rounding.
 ///
 /// `biharmonic` weights minimise
 ///
-///     w^T L M^-1 L w + s sum over owned vertices v of (w_v - its value above)^2,    s = K
+///     w^T * L * M^-1 * L * w + s * sum over owned vertices v of (w_v - t_v)^2,    s = number of handles.
 ///
-/// M being the masses (total area 1), K the number of handles: a thin plate on springs (ThinPlate). They are
-/// smoother, leave [0, 1], and interpolate their values only approximately. Published tools do the same, but
-/// omit M, so that their weights depend on the triangulation, and use the springs' strength also as the
-/// value.
+/// M are the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights are
+/// smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
+/// Published tools omit M, so their weights depend on the triangulation.
 ///
-/// Vertices at the same place count as one: texture seams, sharp edges, and triangles without shared vertices
-/// do not tear. part_couplings() join near parts and cracks in L, and handles own a vertex in each of several
-/// bodies (own_in_bodies(), s by the area): weights across bodies depend on distance in space, and no pose
-/// tears the model.
+/// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
+/// tear. part_couplings() join near parts and cracks in L. Handles own vertices in several bodies, see
+/// own_in_bodies(); s then depends on each body's area. Weights across bodies therefore depend on distances
+/// in space, and no pose tears the model.
 ///
-/// A part without an owned vertex, or a vertex of no triangle, copies the weights of the vertex nearest to
-/// its middle among parts with owned vertices: such a part moves as a whole.
+/// A part without owned vertices moves as a whole. All its vertices copy the weights of one vertex: the
+/// vertex nearest to the part's middle, among parts with owned vertices. A vertex without triangles is such a
+/// part.
 ///
-/// Rows sum to 1 up to rounding and the condition of the equations: callers divide by the sum.
+/// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {
 public:
-  /// Factors the matrix. Reports progress up to `done`. Throws base::Cancelled; base::Error if the model has
-  /// no triangles, memory is short, or the system has no solution in double precision. Handles own vertices
-  /// among the candidates, as in owned_vertices().
+  /// Factors the matrix. Reports progress up to `done`. For `candidates`, see owned_vertices(). Throws
+  /// base::Cancelled. Throws base::Error if the model has no triangles, memory is insufficient, or the system
+  /// has no solution in double precision.
   SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                 base::WorkerPool& pool, base::Progress* progress = nullptr, double done = 1,
                 std::span<const std::uint32_t> candidates = {});
@@ -91,8 +91,8 @@ public:
     std::span<const std::size_t> offsets;
     const double* of(std::size_t vertex) const { return block.data() + offsets[vertex]; }
   };
-  /// Calls store() for all handles, from any thread of the pool; weights are invalid after it returns.
-  /// Reports progress from `from` to `to`. Throws base::Cancelled. The same bits for any number of threads.
+  /// Calls store() for all handles, from any thread of the pool. Weights are invalid after store() returns.
+  /// Reports progress from `from` to `to`. Throws base::Cancelled. Results do not depend on the thread count.
   void solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
              base::Progress* progress, double from = 0, double to = 1) const;
 
@@ -115,10 +115,10 @@ private:
   std::vector<std::size_t> offsets_;   // offset of each vertex in a block
 };
 
-/// Approximate upper bound of the bytes of a SurfaceSystem and one block per thread.
+/// Returns an approximate upper bound of the bytes of a SurfaceSystem and one block per thread.
 double surface_system_bytes(std::size_t vertices);
 
-/// Scales weights to sum 1; with clamp, negative weights become 0 first.
+/// Scales weights to sum 1. If `clamp` is true, first sets negative weights to 0.
 void normalise(std::span<double> weights, bool clamp = false);
 
 }  // namespace viete::deform

@@ -14,11 +14,11 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double factored = 0.4;  // share of the time until the springs' forces are known
+constexpr double factored = 0.4;  // fraction of the time that factoring takes
 
 using Columns = std::array<double, solved_columns>;
 
-// All vertices of parts with springs, except the grounds.
+// Returns true for vertices of parts with springs, except the grounds.
 std::vector<bool> free_vertices(const HeldParts& parts) {
   std::vector<bool> free(parts.of_vertex.size());
   for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = parts.holds(v);
@@ -80,8 +80,8 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
   }
 }
 
-// Replaces forces that sum to 0 over each part, including its ground, by the plate's displacement, which is 0
-// at the grounds; with a part, only there.
+// Replaces forces by the plate's displacement, which is 0 at the grounds. The forces of each part, with its
+// ground, must sum to 0. If `part` is not null, computes only this part of the displacement.
 void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
@@ -101,7 +101,7 @@ void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part
   solver_.solve(block, kernel, part);
 }
 
-// K, column-major.
+// Returns K by columns.
 std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
                                                     double from, double to) const {
   const std::size_t count = springs_.size();

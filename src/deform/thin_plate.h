@@ -1,4 +1,4 @@
-// A surface as a thin plate on springs, and the shapes that the springs pull it to.
+// A surface as a thin plate on springs, which pull the plate to shapes.
 #pragma once
 
 #include <cstddef>
@@ -17,46 +17,46 @@ namespace viete::deform {
 /// The parts of a surface that have springs.
 struct HeldParts {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
-  std::vector<std::uint32_t> of_vertex;  ///< or none
+  std::vector<std::uint32_t> of_vertex;  ///< the part of each vertex, or none
   std::vector<std::uint32_t> grounds;    ///< for each part, its lowest vertex that has a spring
 
   bool holds(std::uint32_t vertex) const { return of_vertex[vertex] != none; }
 };
 
-/// Parts connected by entries of the stiffness.
+/// Finds the parts with springs. Entries of the stiffness connect the vertices of a part.
 HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has_spring);
 
-/// For each of many loads t (values at the vertices with springs), the w that minimises
+/// For each of many loads t (values at the vertices with springs), computes the w that minimises
 ///
-///     w^T L M^-1 L w + sum over springs v of s_v (w_v - t_v)^2
+///     w^T * L * M^-1 * L * w + sum over springs v of s_v * (w_v - t_v)^2.
 ///
-/// The matrix L M^-1 L + E S E^T is not factored: its factor would have four times the entries of that of L
-/// and take ten times as long. Instead it solves for the springs' forces f = S (t - w), one per spring, and
-/// then L y = E f, L w = M y with a factor of L in which one vertex of each part, its ground, is fixed at 0.
-/// The forces of a part sum to 0, so they are sums of pairs phi: a force at a spring and its opposite at the
-/// ground. With w = w' + b, w' being 0 at the ground, subtracting the equations f = S (t - w) of spring and
-/// ground gives
+/// The matrix of this problem is L * M^-1 * L + E * S * E^T. (S contains the strengths s; E maps springs to
+/// vertices.) Its factor would have four times as many entries as a factor of L and take ten times as long.
+/// Instead, solves for the springs' forces f = S * (t - w), one per spring, and then L * y = E * f and
+/// L * w = M * y. The factor of L has one fixed vertex per part, the ground, with value 0. The forces of a
+/// part sum to 0. They are sums of pairs: a force phi at a spring and -phi at the ground. Let w = w' + b,
+/// where w' is 0 at the ground. The difference of the equations f = S * (t - w) at spring and ground is
 ///
-///     (K + S^-1 + D) phi = t - t_ground,   K_uv = w'_u of the pair v,   D = 1 / s_ground within a part
+///     (K + S^-1 + D) * phi = t - t_ground,   K_uv = w'_u of the pair v,   D = 1 / s_ground within a part.
 ///
-/// which is symmetric and positive definite; b = t - f / s at the ground. Constant; thread-safe.
+/// This system is symmetric and positive definite. At the ground, b = t - f / s. Thread-safe.
 class ThinPlate {
 public:
   struct Target {
     std::uint32_t vertex;  ///< must have a spring
-    double value;          ///< t there
+    double value;          ///< t of this vertex
   };
-  /// Each vertex at most once; t is 0 at all others.
+  /// A vertex must not occur twice. At all other vertices, t is 0.
   using Load = std::vector<Target>;
-  /// Reports progress up to `done`. Throws base::Cancelled; base::Error if memory is short or there is no
-  /// solution in double precision. Also needs memory for springs x springs and springs x loads numbers.
+  /// Reports progress up to `done`. Throws base::Cancelled. Throws base::Error if memory is insufficient or
+  /// no solution exists in double precision. Needs memory for springs^2 + springs * loads numbers.
   ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts, const std::vector<bool>& has_spring,
             std::vector<double> springs, std::vector<Load> loads, base::WorkerPool& pool,
             base::Progress* progress = nullptr, double done = 1);
 
   const BlockSolver& solver() const { return solver_; }
-  /// Writes the shapes of loads [begin, end), at most solved_columns, into a zeroed block of the solver.
-  /// Vertices of other parts get 0.
+  /// Writes the shapes of loads [begin, end), at most solved_columns, to `block`, which must be 0 before.
+  /// Vertices of parts without springs get 0.
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
 
 private:

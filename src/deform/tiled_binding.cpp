@@ -17,7 +17,7 @@ namespace viete::deform {
 namespace {
 
 constexpr std::size_t fewest_handles = 32;  // with fewer handles, weights are not compressed
-constexpr double worth_factoring = 0.7;     // factors must reduce the multiply-adds to less than this part
+constexpr double worth_factoring = 0.7;  // factors must reduce the multiply-adds to less than this fraction
 
 std::vector<std::uint32_t> triangle_counts(const mesh::Surface& model) {
   std::vector<std::uint32_t> counts(model.positions.size());
@@ -33,7 +33,7 @@ void set_slot(base::AlignedVector<float>& array, std::size_t slot, const Vec3& v
   for (int i = 0; i < 3; ++i) out[i * lanes] = static_cast<float>(vector[i] / unit);
 }
 
-// Does normalise() with clamp for weights [handle][lane].
+// Sets negative weights [handle][lane] to 0, and scales the weights of each lane to sum 1.
 void normalise_lanes(std::span<double> weights) {
   std::array<double, bind_lanes> sums{};
   for (std::size_t j = 0; j < weights.size(); j += bind_lanes) {
@@ -47,7 +47,7 @@ void normalise_lanes(std::span<double> weights) {
 /// Scratch of one thread for one leaf at a time.
 struct LeafWeights {
   base::AlignedVector<float> rows, left;  // [tile][handle][lane]
-  std::vector<Vec3> sums;                 // sums of weight times handle position, per slot
+  std::vector<Vec3> sums;                 // per slot: sum of weight * handle position
   std::vector<float> shares;              // per slot
 };
 
@@ -56,7 +56,7 @@ struct LeafResult {
   std::vector<float> pivot_rows;  // [pivot][handle]
 };
 
-/// The lists of one leaf.
+/// The handles with weight in one leaf, and their weights.
 struct LeafList {
   std::vector<std::uint32_t> handles;
   base::AlignedVector<float> rows;  // [tile][place in the list][lane]
@@ -158,7 +158,7 @@ private:
                   std::span(b_.sample).subspan(s * b_.handles, b_.handles));
   }
 
-  // Does Weigher::weigh_tiles() for the vertices of a leaf, from weights that are already solved.
+  // Does the same as Weigher::weigh_tiles() for the vertices of a leaf, with weights that are already solved.
   void gather(std::size_t leaf, float* rows, std::span<Vec3> sums) const {
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
@@ -264,7 +264,6 @@ private:
     return {static_cast<double>(factors) / all, static_cast<double>(lists) / all};
   }
 
-  // Returns the handles with weight in the leaf.
   std::vector<std::uint32_t> handles_in(std::size_t leaf, const base::AlignedVector<float>& rows) const {
     std::vector<std::uint32_t> handles;
     for (std::uint32_t j = 0; j < b_.handles; ++j) {
@@ -363,7 +362,7 @@ private:
   TiledBinding b_;
   base::AlignedVector<float> surface_weights_;  // for weights along the surface: all vertices
   std::optional<ProxyWeights> proxy_;           // replaces surface_weights_ for large models
-  double solved_ = 0;                           // fraction of the work that solves these weights
+  double solved_ = 0;                           // progress after solving weights along the surface
 };
 
 }  // namespace

@@ -14,24 +14,23 @@
 
 namespace viete::deform {
 
-/// The default error bound of compression. The error of a vertex is the Euclidean distance between its
-/// weights and their approximation. Positions change by 0.1 to 2 times this bound, in diagonals of the cage.
+/// The default error bound of compression: the Euclidean distance between the weights and the compressed
+/// weights of a vertex. Positions change by 0.1 to 2 times this bound, relative to the cage's diagonal.
 inline constexpr double usual_tolerance = 3e-5;
 
 /// The number of vertices whose exact weights are compared with the approximation.
 inline constexpr std::size_t error_sample = 512;
-/// Returns at most `limit` of this many vertices, evenly spread.
+/// Returns at most `limit` of the indices 0 to `vertices` - 1, evenly spread.
 std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit);
 
-/// How weights are stored.
 enum class Storage {
   dense,    ///< weights of every handle at every vertex
   factors,  ///< compressed, see LeafFactors
-  lists,    ///< only handles with weight in the leaf; lossless
+  lists,    ///< weights of the handles that have weight in the leaf; lossless
 };
 
-/// The weights of a leaf as factors times the weights of some of its vertices, the pivots. A frame first
-/// blends the pivots' logs, and then computes the other logs from these. (Row interpolative decomposition.)
+/// Compressed weights of a leaf: factors, times the weights of some vertices of the leaf, the pivots (row
+/// interpolative decomposition). A frame blends the pivots' logs, and then computes all logs from these.
 struct LeafFactors {
   std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
@@ -81,8 +80,8 @@ struct TiledBinding {
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
-  std::size_t bytes() const;        ///< size of weights or factors, read once per frame
-  std::size_t dense_bytes() const;  ///< size without compression
+  std::size_t bytes() const;  ///< size of weights (or factors) and offsets; a frame reads all of these once
+  std::size_t dense_bytes() const;  ///< bytes() without compression
   struct Sizes {
     std::size_t factors, skeleton;
   };
@@ -96,13 +95,12 @@ Shares shares_of(const TiledBinding& binding);
 /// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// Returns true if compression may be worth its cost for these sizes. For handles that only move, compression
-/// is never worth its cost.
+/// Returns true if compression may be worth its cost for these sizes, if the handles are triangles.
 bool compressible(std::size_t vertices, std::size_t handles);
 
-/// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine, the
-/// number is an upper bound. If weights can be compressed, the number assumes that the weights shrink to a
-/// quarter. For weights along the surface, the number includes the uncompressed weights of all vertices.
+/// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine,
+/// the number is an upper bound if compressible weights shrink to about a quarter. For weights along the
+/// surface, the number includes the uncompressed weights of all vertices.
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 

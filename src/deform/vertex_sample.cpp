@@ -17,7 +17,6 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
   const Binding part = BoundVertices(weigher, binding, mask).part(std::array{vertex});
   const double share = part.shares.empty() ? 1 : part.shares[0];
   VertexSum sum;
-  // Only rows of logs have rotation vectors.
   sum.has_logs = rows.form == RowForm::logs;
   for (std::uint32_t j = 0; j < part.handles; ++j) {
     if (part.weights[j] == 0) continue;
@@ -54,7 +53,6 @@ Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> poin
   return b;
 }
 
-// Adds the weights of the next vertex.
 void add_row(const Weigher& weigher, std::span<const double> weights, Binding& b) {
   b.weights.insert(b.weights.end(), weights.begin(), weights.end());
   b.offsets.push_back(rest_offset(weigher.cage(), weigher.handle_positions(),
@@ -115,7 +113,6 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
 
 namespace {
 
-// Moves positions by the probes, with the probes' places in the frame.
 void move_by(const ProbeLayer& layer, std::span<const std::size_t> vertices, const Vec3& origin,
              std::span<mesh::Point> positions) {
   for (mesh::Point& p : positions) p = p - origin;

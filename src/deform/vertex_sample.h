@@ -25,12 +25,12 @@ struct VertexSum {
     mesh::Point at{};
   };
   std::vector<Term> terms;       ///< terms with nonzero weight, largest first
-  sym3::Sym3<double> stretch{};  ///< the sum of weight times X, over terms in order
-  Vec3 turn{};                   ///< the sum of weight times Y
-  bool has_logs = false;         ///< false: rows have another form; only weights are valid
+  sym3::Sym3<double> stretch{};  ///< sum of weight * X, over terms in order
+  Vec3 turn{};                   ///< sum of weight * Y
+  bool has_logs = false;         ///< false: rows have another form, and all X and Y are 0
 };
 
-/// Computes the sum at a vertex. Recomputes weights in double, except along the surface. mask may be null.
+/// Computes the sum at a vertex. Reads weights along the surface, recomputes other weights. mask may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
@@ -42,7 +42,7 @@ struct BoundPart {
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
 
 /// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
-/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to its arguments.
+/// from the staged engine's data or, if these are missing, from the tiles. Keeps references to arguments.
 class BoundVertices {
 public:
   BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask);
@@ -52,14 +52,14 @@ private:
   const Weigher& weigher_;
   const Binding& binding_;
   const Mask& mask_;
-  std::vector<std::uint32_t> slots_;  // of the vertices, if weights are read from tiles
+  std::vector<std::uint32_t> slots_;  // the slot of each vertex; empty if weights are not read from tiles
 };
 
-/// Returns the error of a frame of these rows and, unless layer is null, of probes: the largest distance from
-/// positions computed in double with exact weights, in diagonals of the cage. Measures this distance at the
-/// vertices of spread_vertices(n, error_sample). ways: the displacements of the shape, see
-/// Engine::set_shape(). shown: the vertices' positions relative to the rows' origin. Weights along the
-/// surface must come from tiles.
+/// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
+/// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
+/// in double from exact weights, and moved by `layer` if it is not null. ways: the shape's displacements, see
+/// Engine::set_shape(). shown: the frame's positions of these vertices, relative to the rows' origin. Weights
+/// along the surface must come from tiles.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);

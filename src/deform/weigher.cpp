@@ -23,7 +23,6 @@ auto numbers(const Arrays& arrays) {
   return reinterpret_cast<const Number(*)[sizeof(Array) / sizeof(Number)]>(arrays.data());
 }
 
-// Returns true if the point is on one of these elements.
 bool touches(const Cage& cage, std::span<const std::uint32_t> elements, const mesh::Point& p) {
   const auto& x = cage.surface.positions;
   return std::any_of(elements.begin(), elements.end(), [&](std::uint32_t e) {
@@ -65,7 +64,7 @@ void Weigher::add_triangles() {
   }
 }
 
-// Skips elements without area, because the sides of such an element cancel. Points on it need scalar code.
+// Skips elements without area: the two sides of such an element cancel. Points on it need scalar code.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];

@@ -13,9 +13,9 @@
 
 namespace viete::deform {
 
-/// Computes the weights of Binding for any points. The error is 1e-13, or the error of
-/// inverse_distance_weights() and mean_value_weights() if that is larger. For weights along the surface,
-/// provides only the data that do not depend on the model. Keeps a reference to the cage. Thread-safe.
+/// Computes weights for any points, as in Binding. The error is 1e-13, or the error of
+/// inverse_distance_weights() and mean_value_weights() if that is larger. Weights along the surface exist
+/// only at vertices and are not computed here. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());
@@ -26,14 +26,15 @@ public:
   /// The size of the scratch that weigh() needs.
   std::size_t scratch_size() const;
   using LaneShares = std::array<double, bind_lanes>;
-  /// Writes the weights [handle][8] of eight points to the start of the scratch. The weights of a point sum
-  /// to 1, or to 0 if all are 0. Writes each point's share of the motion, see Binding::shares. Returns a bit
-  /// mask of points without mean value coordinates.
+  /// Writes the weights of eight points to the start of `scratch` as [handle][8]. The weights of a point sum
+  /// to 1, or to 0 if all are 0. Writes each point's share of the motion to `shares`, see Binding::shares.
+  /// Returns a bit mask of points without mean value coordinates.
   unsigned weigh(std::span<const mesh::Point, bind_lanes> points, std::span<double> scratch,
                  LaneShares& shares) const;
-  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. The number of points must
-  /// be a multiple of 16. Writes rows [tile][handle][16], and for each point the sum of these weights times
-  /// handle positions, and the point's share. Returns true for each point without mean value coordinates.
+  /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. Their number must be a
+  /// multiple of 16. Writes weights to `rows` as [tile][handle][16], each point's sum of weight * handle
+  /// position to `sums`, and each point's share to `shares`. Returns true for each point without mean value
+  /// coordinates.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().
@@ -58,7 +59,7 @@ private:
   Vec3 origin_;
   double scale_;  // a power of two; scale_ times the cage's diagonal is near 1
   std::vector<Vec3> handles_;
-  std::vector<Vec3> corners_;  // these and all members below are relative to origin_ and scaled
+  std::vector<Vec3> corners_;  // corners_ and all members below are relative to origin_ and scaled by scale_
   // For distances: the handles as triangles, and the origins of their axes.
   std::vector<DistanceTriangle<double>> triangles_;
   std::vector<DistanceTriangle<float>> float_triangles_;

@@ -40,7 +40,7 @@ mesh::Surface points_about(const mesh::Surface& cage, Random& random) {
   return points;
 }
 
-// The largest allowed error, in diagonals of the posed cage: at least three times the error of these poses.
+// Returns the largest allowed error, in diagonals of the posed cage: at least three times the measured error.
 double staged_bound(const Scheme& scheme) {
   if (scheme.weighting.weights == Weights::mean_value) return 1e-13;
   return entry(scheme.weighting.weights).on_surface ? 3e-14 : 1e-14;

@@ -75,7 +75,7 @@ TEST_CASE("binding_reports_progress_and_can_be_cancelled_and_models_without_vert
 }
 
 TEST_CASE("a_binding_that_cannot_fit_is_refused_with_numbers") {
-  // 3 million vertices and 2 million triangles would need 48 TB.
+  // 3 million vertices and a cage of 2 million triangles would need 48 TB.
   Cage cage = make_cage(box());
   cage.centers.resize(2'000'000);
   viete::mesh::Surface model;

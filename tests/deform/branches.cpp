@@ -119,7 +119,7 @@ TEST_CASE("reference_turns_select_the_number_of_whole_turns") {
 
 namespace {
 
-// Returns rotations of a tube bent about x, by angles linear along the tube, and then rotated about z.
+// Returns rotations about x by angles that grow along the tube, each followed by a rotation about z.
 Rotations bent(const Cage& cage, double degrees, double about_z) {
   Rotations rotations;
   for (const Vec3& center : cage.centers)

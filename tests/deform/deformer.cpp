@@ -155,7 +155,7 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
     CHECK(f.staged.deformer.sampled_error() == 0);
     const auto matrices = f.fused.sample_matrices(100), same = f.staged.deformer.sample_matrices(100);
     CHECK(matrices.size() == (exponential ? 100 : 0));
-    // The deformer does not compute weights along the surface again.
+    // The fused deformer reads weights along the surface from its tiles, which store floats.
     const double bound = entry(scheme.weighting.weights).on_surface ? 1e-5 : 1e-13;
     for (std::size_t i = 0; i < matrices.size(); ++i) {
       const auto &a = matrices[i], &b = same[i];

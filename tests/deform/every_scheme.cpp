@@ -26,7 +26,7 @@ double difference(Frames& f, const Pose& pose) {
 }  // namespace
 
 TEST_CASE("every_scheme_keeps_rest_and_follows_similarities" * doctest::test_suite(longer)) {
-  const int every = rounds(3, 1);  // tests every third pair of an angle and a scale
+  const int every = rounds(3, 1);  // the short run tests every third pair of an angle and a scale
   const double angles[] = {0, 1e-9, 90, 179.999, 180, 270}, scales[] = {1e-3, 1, 1e3};
   for (const Scheme& scheme : whole_schemes()) {
     CAPTURE(text(scheme));
@@ -88,7 +88,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
     if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // One end of the tube is 180 degrees ahead of the other, or both ends pass 360 and 540 degrees.
+    // The ends of the cage differ by 30 degrees, or they rotate together beyond 360 and 540 degrees.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
       std::vector<Vec3> turns;
@@ -142,7 +142,7 @@ TEST_CASE("amounts_scale_rotation_and_stretch_and_zero_moves_by_centres_alone") 
     CHECK(norm(b.staged.report().turns[0] - exported.report.turns[0]) < 1e-13);
     CHECK(norm(exported.report.turns[0]) == doctest::Approx(70 * degree));
     if (scheme.blend != Blend::srl) continue;
-    // About the blended center, a vertex rotates by half the angle. Its stretch is squared.
+    // A vertex rotates about the blended centre by half the angle. The stretch is squared.
     const auto centers = with(0, 0);  // c' + o
     for (std::size_t i = 0; i < other.size(); ++i) {
       const Vec3 o = b.staged.binding->offsets[i];

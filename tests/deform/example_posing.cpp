@@ -53,7 +53,7 @@ struct Posing {
   int steps = 0;
 };
 
-// Returns the tube after bending it about x. `degrees` is the angle between its ends. Its length stays equal.
+// Returns the tube bent about x without a change of its length. `degrees` is the angle between the ends.
 Points bent(const mesh::Surface& tube, double degrees) {
   const auto box = mesh::bounds(tube.positions);
   const double k = degrees * degree / (box.high[2] - box.low[2]);
@@ -162,7 +162,7 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
 
 TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
-  // Adds a seam: a triangle uses either the vertex or its copy.
+  // Adds a seam: triangles at vertex 40 use this vertex or its copy in turn.
   const auto copy = std::uint32_t(model.positions.size());
   model.positions.push_back(model.positions[40]);
   auto triangles = model.triangles;
@@ -188,7 +188,7 @@ TEST_CASE("vertices_without_triangles_cannot_be_pinned") {
                        doctest::Contains("1,001 pins exceed the limit of 1,000"), base::Error);
 }
 
-// Seven vertices and six frames determine the other frames of the published gallop, with these errors.
+// With seven pinned vertices and six example frames, the other frames of the gallop have these errors.
 TEST_CASE("a_gallop_is_posed_by_six_of_its_frames" * doctest::test_suite(if_present)) {
   const auto folder = shared_data("shapes/horse");
   if (folder.empty()) return;

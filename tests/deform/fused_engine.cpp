@@ -42,7 +42,7 @@ struct Fused {
 
 constexpr Weighting both[] = {faces, mean_values};
 
-// Returns a tube of 1,802 vertices. They fill three leaves and a part of a fourth leaf.
+// Returns a tube of 1,802 vertices, which fill three leaves and a part of a fourth leaf.
 viete::mesh::Surface fine_tube() {
   return tube(60, 30, 0.3, 1.5);
 }
@@ -173,7 +173,7 @@ TEST_CASE("a_drag_is_as_exact_as_full_frames_and_does_not_drift") {
 }
 
 TEST_CASE("a_drag_that_changes_logs_of_others_is_a_full_frame") {
-  // Rotates one element until its neighbours change branches, or get the minimum stretch.
+  // Moves one vertex until neighbouring elements change branches or get the minimum stretch.
   Bound staged(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
   Fused dragged(staged);
   dragged.frame.state.begin_drag(std::array{30u});

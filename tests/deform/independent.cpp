@@ -49,13 +49,13 @@ Vector centroid(const Corners& t) {
   return plus({0, 0, 0}, plus(t[0], plus(t[1], t[2])), Quad(1) / 3);
 }
 
-// Returns the frame of a triangle: u, v and N / sqrt|N|.
+// Returns u, v and N / sqrt|N| of a triangle.
 Corners frame(const Corners& t) {
   const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = cross(u, v);
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
 }
 
-// Returns the affine map [u' v' n'] [u v n]^-1.
+// Returns the affine map [u' v' n'] * [u v n]^-1.
 Matrix affine_map(const Corners& rest, const Corners& posed) {
   const auto columns = [](const Corners& c) {
     return Matrix{c[0][0], c[1][0], c[2][0], c[0][1], c[1][1], c[2][1], c[0][2], c[1][2], c[2][2]};
@@ -63,13 +63,13 @@ Matrix affine_map(const Corners& rest, const Corners& posed) {
   return quad_product(columns(posed), quad_inverse(columns(rest)));
 }
 
-// Returns M^T M. It is the square of the stretch.
+// Returns M^T * M, the square of the stretch.
 QuadSym squared_stretch(const Matrix& m) {
   const auto entry = [&](int i, int j) { return m[i] * m[j] + m[3 + i] * m[3 + j] + m[6 + i] * m[6 + j]; };
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-// Uses the unit quaternion. Computes its largest component by a root, and the others from it.
+// Computes the unit quaternion: the largest component is a root and gives the other components.
 Vector log_of_rotation(const Matrix& r) {
   const Quad trace = r[0] + r[4] + r[8];
   const std::array<Quad, 4> squares = {1 + trace, 1 + 2 * r[0] - trace, 1 + 2 * r[4] - trace,
@@ -181,7 +181,7 @@ Quad size_of(const mesh::Surface& cage) {
   return 2 * farthest;
 }
 
-// Computes logs breadth-first from the first element. Also sums the squared distances to `reference`.
+// Computes logs breadth-first from the first element. Also sums the squares of (log - `reference`).
 std::pair<std::vector<Vector>, Quad> follow(const std::vector<Element>& elements, const Lists& around,
                                             const Vector& first, const Vector& reference) {
   std::vector<Vector> turns(elements.size());
@@ -264,7 +264,7 @@ std::vector<Quad> inverse_distance(const std::vector<Quad>& squares) {
   return weights;
 }
 
-// Returns cut-off weights. Their sum is the fraction of the motion.
+// Returns cut-off weights. The sum of the weights is the fraction of the motion that the point follows.
 std::vector<Quad> cut_off(const std::vector<Quad>& squares, Quad radius) {
   std::vector<Quad> weights;
   Quad sum = 0;
@@ -342,8 +342,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// Solves sum v (p' - m')(p - m)^T = M sum v (p - m)(p - m)^T for M. v are the positive weights; m and m' are
-// the means. Each point has a cloud that its map moves. If B does not mirror, its rotation is B (B^T B)^-1/2.
+// Solves B = M * K for M, with B = sum v * (p' - m') * (p - m)^T and K = sum v * (p - m) * (p - m)^T. v are
+// the positive weights; m and m' are the means. Each point has a cloud that the map of its patch moves. If B
+// does not mirror, its rotation is B * (B^T * B)^-1/2.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
@@ -389,7 +390,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   return inverse_distance(squares);
 }
 
-// If the weights have a sum below 1, the identity about x gets the rest.
+// If the weights sum to less than 1, the identity about x gets the rest.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
   elements.push_back({x, x});

@@ -124,7 +124,7 @@ TEST_CASE("the_stiffness_matrix_gives_the_dirichlet_energy_of_linear_functions")
   CHECK(f.dot(k * f) == doctest::Approx(13).epsilon(1e-13));  // |grad|^2 = 9 + 4, area 1
   const mesh::Surface cuboid = box({1, 2, 3});
   const Eigen::VectorXd z = sampled(cuboid, [](const auto& p) { return p[2]; });
-  CHECK(z.dot(stiffness(cuboid) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // the four sides
+  CHECK(z.dot(stiffness(cuboid) * z) == doctest::Approx(2 * 24 + 2 * 12).epsilon(1e-14));  // the sides' area
 }
 
 TEST_CASE("stiffness_is_symmetric_sums_to_zero_and_has_every_diagonal_entry") {

@@ -46,7 +46,7 @@ TEST_CASE("patches_are_least_squares_fits_weighted_by_distance") {
   const VertexPatches patches(cage, cage.size);
   const auto maps = patch_maps_of(cage, posed);
   for (std::uint32_t v = 0; v < maps.size(); ++v) {
-    sym3::Mat3<double> slope{};  // sum w (p' - c' - M (p - c)) (p - c)^T
+    sym3::Mat3<double> slope{};  // sum w * (p' - c' - M * (p - c)) * (p - c)^T
     for (const auto& member : patches.members(v)) {
       const Vec3 x = rest[member.vertex] - rest[v];
       const Vec3 off = posed[member.vertex] - posed[v] - times(maps[v].linear, x);

@@ -24,7 +24,7 @@ long double long_dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Returns the squared distance to the plane or, if its nearest point is outside the triangle, to an edge.
+// Returns the squared distance to the plane. If the plane's nearest point is outside, uses the nearest edge.
 long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point) {
   const auto difference = [](const auto& a, const auto& b) {
     return Long3{(long double)a[0] - b[0], (long double)a[1] - b[1], (long double)a[2] - b[2]};
@@ -274,7 +274,7 @@ TEST_CASE("far_away_and_for_open_cages_weights_are_finite_and_sum_to_one") {
 }
 
 TEST_CASE("a_vanishing_sum_uses_the_closest_cage_point_and_reports_it") {
-  // The cage is a single triangle. In its plane but outside the triangle, all weights are 0.
+  // The cage is a single triangle. At points in the triangle's plane but outside of it, all weights are 0.
   const Cage cage = make_cage(viete::mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}));
   const Answer a = at(cage, {0.25, -1, 0});
   CHECK_FALSE(a.exists);

@@ -21,7 +21,7 @@ struct Posed {
 
   const std::vector<mesh::Point>& rest() const { return cage->surface.positions; }
   Pose by(const Affine& map) const { return {mapped(rest(), map), {}}; }
-  // Returns a fraction of a pose. between() interpolates two poses.
+  // Returns a pose between rest and `pose`.
   Pose share(const Pose& pose, double factor) const {
     const LogVector v = space.vector(pose);
     const std::array terms{LogTerm{&v, factor}};
@@ -114,7 +114,7 @@ TEST_CASE("resting_parts_stay_and_a_limb_rotates_about_its_joint") {
     tip = norm(part.positions.back());
     least = std::min(least, tip);
   }
-  // Linear interpolation would shrink it to 1.41.
+  // Linear interpolation would reduce the tip's distance to 1.41.
   CHECK(least > 1.9);
   const std::array half{LogTerm{&rest, 0.5}, LogTerm{&posed, 0.5}};
   CHECK(norm(p.space.straight(half).positions.back()) == doctest::Approx(std::sqrt(2.0)));
@@ -154,7 +154,7 @@ TEST_CASE("a_posed_cage_makes_its_whole_turns_about_any_axis") {
         auto expected = posed;
         const Affine turn = similarity(axis, share * count * 360 * degree);
         for (Vec3& x : expected) x = middle + turn(x - middle);
-        // Logs do not represent 2 % of a shaken cage. This part does not rotate between the keys.
+        // About 2 % of the shape is not represented by logs. This part does not rotate between the keys.
         const bool is_key = share == 0 || share == 1;
         CHECK(p.error(p.between(from, to, share), expected) < (is_key ? 1e-12 : 0.04));
       }

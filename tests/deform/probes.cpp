@@ -38,7 +38,7 @@ Vec3 moved_by_map(const Probe& p, const Vec3& x) {
   return p.place + times(linear_part(p.pose), x - p.place) + p.pose.move;
 }
 
-// Returns the positions after only the probes moved them.
+// Returns the positions, moved only by the probes.
 std::vector<Vec3> moved_by(const Probes& probes, std::vector<Vec3> positions, const Mask& mask = nullptr,
                            int threads = 2) {
   viete::base::WorkerPool pool(threads);
@@ -130,7 +130,7 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
   for (const auto& falloff : all_falloffs())
-    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // the radius is almost 0
+    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // distance / radius, if the radius is almost 0
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 
@@ -158,7 +158,7 @@ TEST_CASE("probes_share_a_vertex_by_their_mix") {
       CHECK(sum(w, &ProbeWeights::pivot) == doctest::Approx(1).epsilon(1e-14));
       if (mix != ProbeMix::partial) CHECK(sum(w, &ProbeWeights::turn) == doctest::Approx(1).epsilon(1e-14));
     }
-    // Softmax gives the nearer probe a part that is at least as large as division by the sum.
+    // Softmax gives the nearer probe at least as much weight as division by the sum.
     const double even = a / (a + b), sharp = w[0].turn;
     CHECK((even > 0.5 ? sharp >= even : even < 0.5 ? sharp <= even : sharp == doctest::Approx(0.5)));
   }
@@ -264,7 +264,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     Frames f(probed_tube(), box(), scheme);
     const Pose pose = f.staged.pose(twist);
     const auto without = f.deform(pose);
-    // The result equals that of applying the layer to the cage's result.
+    // The probes move the positions that a frame without probes has.
     auto carried = without;
     ProbeLayer layer(probed_tube().positions, f.staged.pool);
     layer.set(some_probes(), nullptr);

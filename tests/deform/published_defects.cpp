@@ -1,4 +1,4 @@
-// Defects of published cage deformers with their numbers, and a test that finds each of them:
+// Numbered defects of published cage deformers, each with a test that finds it:
 //
 //  2 Translations blended about the world's origin: rotating_model_cage_and_pose_rotates_the_result
 //  3 Distances depend on units: weights_are_the_same_at_every_length_scale_and_finite_everywhere
@@ -7,7 +7,7 @@
 //  6 NaN weights: vertices_on_faces_edges_and_corners_of_the_cage_have_weights_in_every_scheme
 //  7 Rotations about the world's origin: maps_fitted_to_points_are_exact_far_from_the_origin
 //  8 Whole turns: nearest_branch_is_among_all_turns_about_the_axis_of_the_rotation_or_else_of_the_reference
-//  9 Branches depend on earlier frames only: neighbours_turned_by_179_and_181_degrees_blend_to_180
+//  9 Branches depend only on earlier frames: neighbours_turned_by_179_and_181_degrees_blend_to_180
 // 10 Mirroring maps have no rotation: singular_and_mirroring_matrices_have_a_proper_rotation
 // 11 Uniform scaling stretches two directions: every_scheme_keeps_rest_and_follows_similarities
 // 12 Sums below 1 are ignored: frames_of_every_scheme_agree_with_an_evaluation_in_quad_precision
@@ -16,7 +16,7 @@
 // 17 Stitched surfaces have undetermined vertices, races, and thresholds with units: stitching.cpp
 // 18 Harmonic weights leave [0, 1]: harmonic_weights_are_between_0_and_1_for_any_triangles
 // 19 Masks: shares_scale_rotation_stretch_and_translation_about_the_centre_of_the_handles
-// 20 Memory: a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double
+// 20 Too much memory: a_binding_for_frames_takes_at_most_a_quarter_of_distances_and_weights_in_double
 #include <doctest/doctest.h>
 
 #include "deform/bound.h"

@@ -75,12 +75,12 @@ TEST_CASE("twists_of_200_degrees_of_real_models_do_not_tear" * doctest::test_sui
     std::vector<std::string> warnings;
     const Pose pose = read_pose(data / name / "pose_twist200.obj", *b.cage, warnings);
     CHECK(warnings.empty());
-    // The twist is like those of the data set: linear from end to end of the cage, about its middle.
+    // As in the data set, the angle grows linearly along the cage, about an axis through the cage's middle.
     const auto ends = mesh::bounds(b.cage->surface.positions);
     const Twist twist{axis, ends.center(), ends.low[axis], ends.high[axis], -100 * degree, 100 * degree};
     const auto positions = b.deform(pose);
     CHECK(b.report().torn.empty());
-    // A wrong branch on cactus gave 4.2 and 0.083. Correct poses stay below 1.6 and 0.08.
+    // With a wrong branch, cactus gives 4.2 and 0.083. Correct poses give at most 1.6 and 0.08.
     CHECK(largest_edge_stretch(b.model, positions) <
           1.8 * largest_edge_stretch(b.cage->surface, pose.positions));
     CHECK(largest_distance(positions, mapped(b.model.positions, twist)) < 0.08 * b.cage->diagonal);

@@ -12,7 +12,7 @@ namespace {
 
 using Points = std::vector<mesh::Point>;
 
-// A model, and shapes halfway between rest and other shapes.
+// A model with its log space, for shapes between rest and other shapes.
 struct Shapes {
   mesh::Surface rest;
   base::WorkerPool pool;
@@ -124,7 +124,7 @@ TEST_CASE("a_flipped_triangle_rotates_no_others") {
   Shapes s(tube(60, 12, 0.3, 6));
   Points shape = twisted(s.rest, 285);
   const Points sound = s.share(shape, 0.5);
-  // Moves a vertex through its neighbours to the other side.
+  // Moves a vertex across the edge between two of its neighbours, so that triangles fold.
   const auto& t = s.rest.triangles[s.rest.triangles.size() / 2];
   const std::uint32_t moved = t[0];
   shape[moved] = shape[t[1]] + shape[t[2]] - shape[moved];

@@ -89,7 +89,7 @@ inline mesh::Surface together(const mesh::Surface& a, const mesh::Surface& b) {
   return mesh::from_triangles(p, t);
 }
 
-/// The map x -> linear x + shift.
+/// The map x -> linear * x + shift.
 struct Affine {
   sym3::Mat3<double> linear{1, 0, 0, 0, 1, 0, 0, 0, 1};
   Vec3 shift{0, 0, 0};
@@ -127,7 +127,6 @@ mesh::Surface mapped(mesh::Surface surface, const Map& map) {
   return surface;
 }
 
-/// Returns a map that scales and then moves.
 inline Affine scaling(double scale, const Vec3& shift = {0, 0, 0}) {
   return {{scale, 0, 0, 0, scale, 0, 0, 0, scale}, shift};
 }
@@ -144,7 +143,7 @@ inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   return mesh::from_triangles(p, t);
 }
 
-/// A twist about an axis through `center`. The angle, in radians, grows linearly from `low` to `high`.
+/// A twist about an axis through `center`: from `from` to `to`, the angle goes from `low` to `high` radians.
 struct Twist {
   int axis;
   Vec3 center;

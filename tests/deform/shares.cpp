@@ -117,7 +117,7 @@ TEST_CASE("vertices_follow_within_the_cut_off_radius_without_a_jump_and_keep_eve
     }
     CHECK(staying > 20);
     CHECK(partly > 20);
-    // If the radius is beyond the whole cage, every vertex follows completely. A mask multiplies this.
+    // A mask scales the shares. With a radius larger than the cage, all shares are 1 and are not stored.
     f.set_mask(everywhere(0.5f));
     f.deform(f.staged.pose(shared_twist));
     scheme.weighting.radius = number("radius").largest;

@@ -190,7 +190,7 @@ TEST_CASE("empty_single_row_and_disconnected_systems_are_solved") {
   const std::vector<Vec3> b(k.size(), Vec3{1, 2, 3});
   std::vector<Vec3> all(k.size());
   SparseCholesky(k, pool).solve(b, all, work);
-  for (const Vec3& row : all) CHECK(norm(row - Vec3{4, 8, 12}) < 1e-13);  // K 1 = 0
+  for (const Vec3& row : all) CHECK(norm(row - Vec3{4, 8, 12}) < 1e-13);  // K * 1 = 0
 }
 
 TEST_CASE("an_indefinite_matrix_is_rejected_with_the_undetermined_row") {
@@ -244,7 +244,7 @@ TEST_CASE("only_the_lower_triangle_of_a_system_is_read") {
   const BlockSolver solver(
       sparse_matrix(2, std::vector<MatrixEntry>{{0, 0, 2}, {1, 0, 1}, {1, 1, 3}, {0, 1, 77}}), pool);
   base::AlignedVector<double> block(2 * solved_columns, 0.0);
-  block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // the entry (1, 3)
+  block[solver.place(0)] = 5, block[solver.place(1)] = 10;  // for the solution (1, 3)
   solver.solve(block, sparse_kernel(sym3::kernel()));
   CHECK(block[solver.place(0)] == doctest::Approx(1));
   CHECK(block[solver.place(1)] == doctest::Approx(3));

@@ -85,7 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// Returns x^T K x. If x minimizes the energy, the energy is c - x^T K x. c does not depend on the rotations.
+// Returns x^T * K * x, where K includes the pins. At the minimum, the energy is a constant - x^T * K * x.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;
@@ -210,7 +210,7 @@ TEST_CASE("every_vertex_is_determined_in_parts_holes_needles_and_without_triangl
     CHECK(all_finite(posed));
     CHECK(largest_distance(posed, mapped(s.model.positions, pipe_twist)) < 1.5);
   }
-  // Constraints are needed for the inner part, and for vertices without a triangle that has enough area.
+  // Holds are needed in the inner part, and at vertices without a triangle that has enough area.
   base::WorkerPool pool(2);
   const Stitching stitching = stitch(s.model, *s.cage, pool);
   Scheme blended = stitched();

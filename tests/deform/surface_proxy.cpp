@@ -18,7 +18,7 @@ using namespace viete;
 
 namespace {
 
-// Returns a torus of about `count` vertices, tilted so that each side of its box touches one point.
+// Returns a torus of about `count` vertices, tilted so that each side of its box touches only one vertex.
 mesh::Surface ring(std::size_t count) {
   const auto across = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(count) / 3));
   mesh::Surface torus = test::torus(3 * across, across);

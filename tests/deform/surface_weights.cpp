@@ -154,7 +154,7 @@ TEST_CASE("harmonic_weights_are_between_0_and_1_for_any_triangles") {
   for (auto& p : bad.positions) p = p + random.vector(0.1);  // makes folds and needles
   auto open = bad;
   open.triangles.resize(open.triangles.size() * 2 / 3);
-  auto sewn = bad;  // edges of three triangles
+  auto sewn = bad;  // has edges with three triangles
   for (std::uint32_t i = 0; i < 50; ++i) sewn.triangles.push_back({i, i + 31, i + 200});
   auto flat = bad;
   for (auto& p : flat.positions)
@@ -192,7 +192,7 @@ TEST_CASE("biharmonic_weights_are_the_least_of_bending_and_springs") {
   const auto weights = solved_weights(model, cage, biharmonics);
   CHECK((weights - expected).cwiseAbs().maxCoeff() < 1e-9);
   CHECK(off_one(weights) < 1e-9);
-  CHECK(weights.minCoeff() < -1e-3);  // as documented
+  CHECK(weights.minCoeff() < -1e-3);  // biharmonic weights may be negative
 }
 
 TEST_CASE("biharmonic_weights_hardly_depend_on_how_fine_the_model_is") {

@@ -18,7 +18,7 @@ Eigen::MatrixXd dense(const SparseMatrix& m) {
   return full;
 }
 
-// Computes the minimum with one dense system, for the vertices of parts that have springs.
+// Computes the minimum with one dense system. Includes only the vertices of parts with springs.
 Eigen::MatrixXd expected_shapes(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
                                 const std::vector<bool>& has_spring, const std::vector<double>& strengths,
                                 const std::vector<ThinPlate::Load>& loads) {

@@ -7,7 +7,7 @@ using namespace viete::test;
 
 namespace {
 
-// A tear separates neighbours by the model's size: edges stretch far more than the cage's edges.
+// Limit of (stretch of the model's edges) / (stretch of the cage's edges). A tear gives far more.
 constexpr double tear = 1.5;
 
 }  // namespace

@@ -19,7 +19,7 @@ using FrontTag = hn::CappedTag<double, front_lanes>;
 using FrontV = hn::Vec<FrontTag>;
 inline constexpr std::size_t most_eliminated = 64;  // columns per call
 
-// Eliminates column c by the columns [begin, c). Keeps the rows of column c in registers.
+// Subtracts the updates by columns [begin, c) from column c, and divides column c by its pivot.
 static HWY_INLINE void eliminate_column(const Front& front, std::size_t begin, std::size_t c,
                                         double* pivots) {
   const FrontTag d;
@@ -47,7 +47,7 @@ static void eliminate(const Front& front, std::size_t begin, std::size_t end, do
   for (std::size_t c = begin; c < end; ++c) eliminate_column(front, begin, c, pivots);
 }
 
-// Subtracts the product for a tile of Vectors x column_group entries at `into`, with the tile in registers.
+// Runs the job for one tile at `into` (`Vectors` registers by column_group columns), in registers.
 template <std::size_t Vectors>
 static HWY_INLINE void subtract_tile(const ProductJob& job, const double* right, std::size_t row,
                                      double* into) {

@@ -89,7 +89,7 @@ static HWY_INLINE void subtract_row(const double* values, const double* row, Sol
   for (std::size_t k = 0; k < K; ++k) sums[k].subtract(values[k], known);
 }
 
-// Does the backward step of the columns [c, c + K), whose values end at `end`. Returns the begin of these
+// Does the backward step of the columns [c, c + K), whose values end at `end`. Returns the start of these
 // values. Goes from the last row to the first, which suits prefetching. Several sums per column hide latency.
 template <std::size_t N, std::size_t K>
 static HWY_INLINE const double* solve_backward(const Supernode& node, const std::uint32_t* rows,

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
 constexpr double step = 4e6;    // approximate multiplications between two reports
-constexpr double small = 2e7;   // factorisations with fewer multiplications run on one thread
+constexpr double small = 2e7;   // products with fewer multiplications run on one thread
 constexpr double tasks = 64;    // a task has at most 1 / tasks of the work
 constexpr double before = 0.2;  // part of the time that finding the order takes
 
@@ -179,7 +179,7 @@ private:
     }
   }
 
-  // Computes into -= left D left^T for the first `columns` columns.
+  // Computes into -= left * D * left^T for the first `columns` columns.
   void subtract(const Front& left, std::size_t rows, std::size_t columns, std::size_t depth,
                 const double* pivots, const Front& into, Scratch& scratch) {
     const std::size_t count = groups(columns);
@@ -231,7 +231,7 @@ private:
   base::WorkerPool& pool_;
   const FactorReport& report_;
   const SparseKernel& kernel_;
-  // The update matrix that each supernode passes to its parent: a lower triangle of the rows below the node.
+  // The update that each supernode passes to its parent: a lower triangle, for rows below the supernode.
   std::vector<base::AlignedVector<double>> updates_;
   std::vector<double> work_;  // work of each subtree
   double total_ = 0;
@@ -282,8 +282,8 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
 
 namespace {
 
-// If a pivot divided by the original diagonal entry is smaller, the matrix is not positive definite. A plain
-// test for positive pivots is not enough, because rounding can make a zero pivot positive.
+// Limit of pivot / (original diagonal entry). Below it, the matrix counts as not positive definite. A test
+// for positive pivots is not enough, because rounding can make a zero pivot positive.
 constexpr double least_pivot = 1e-14;
 
 [[noreturn]] void refuse_row(std::size_t row) {
@@ -332,7 +332,7 @@ void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> 
   write(work, x);
 }
 
-// Uses L^-1 (b + c) = L^-1 b + L^-1 c, where L^-1 c is 0 outside the part.
+// Uses L^-1 * (b + c) = L^-1 * b + L^-1 * c, where L^-1 * c is 0 outside the part.
 void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x,
                                      std::span<const std::uint32_t> some,
                                      const std::function<void()>& correct, Workspace& work) const {

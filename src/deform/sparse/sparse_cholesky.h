@@ -18,7 +18,7 @@
 
 namespace viete::deform {
 
-/// The factors of P A P^T = L D L^T. L has a unit diagonal. The i-th eliminated unknown is order[i].
+/// The factors of P * A * P^T = L * D * L^T. L has a unit diagonal. The i-th eliminated unknown is order[i].
 struct SparseFactor : SymbolicFactor {
   base::AlignedVector<double> values;   // entries of L
   std::vector<double> pivots, inverse;  // D, and 1 / D
@@ -29,7 +29,7 @@ struct SparseFactor : SymbolicFactor {
   TriangularFactor view(std::span<const Supernode> part) const {
     return {part.data(), part.size(), rows.data(), values.data(), inverse.data()};
   }
-  /// Returns the supernodes of these unknowns, and all ancestors. places is the inverse of `order`.
+  /// Returns the supernodes of these unknowns, and all ancestors. `places` is the inverse of `order`.
   std::vector<Supernode> part_above(std::span<const std::uint32_t> unknowns,
                                     std::span<const std::uint32_t> places) const;
 };
@@ -47,7 +47,7 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},
                     const SparseKernel& kernel = sparse_kernel(sym3::kernel()));
 
-/// Solves A x = b for three columns at once. Constant; thread-safe with one workspace per thread.
+/// Solves A * x = b for three columns at once. Thread-safe with one workspace per thread.
 class SparseCholesky {
 public:
   struct Workspace {
@@ -61,11 +61,11 @@ public:
 
   std::size_t size() const { return factor_.size(); }
 
-  /// Solves A x = b. b and x have size() entries and may be one array.
+  /// Solves A * x = b. b and x have size() entries and may be one array.
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// Solves A x = b + c, where c is nonzero only at the unknowns in `some` and depends on the solution of A x
-  /// = b. Writes the solution of A x = b to x and 0 to b at `some`, and calls correct(), which must write c
-  /// to b. The forward solve of the unknowns that are eliminated before `some` runs only once.
+  /// Solves A * x = b + c. c is nonzero only at the unknowns in `some`, and depends on the solution of
+  /// A * x = b. First writes the solution of A * x = b at `some` to x, and sets b at `some` to 0. Then calls
+  /// correct(), which must write c to b. The forward solve of unknowns before `some` runs only once.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 
@@ -80,7 +80,7 @@ private:
 /// Throws base::Error, which says that the equations have no solution in double precision.
 [[noreturn]] void refuse_system();
 
-/// Solves A x = b for sixteen columns at once.
+/// Solves A * x = b for sixteen columns at once.
 class BlockSolver {
 public:
   /// Reads only the lower triangle. Throws base::Error if the matrix is not positive definite in double
@@ -92,7 +92,7 @@ public:
   /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
   /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, from place()
-  /// on, aligned to a cache line. If `part` is given, solves only for the unknowns of part_with().
+  /// on, aligned to a cache line. If `part` is not null, solves only for the unknowns of part_with().
   /// Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel,
              const std::vector<Supernode>* part = nullptr) const;

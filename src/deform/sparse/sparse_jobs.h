@@ -6,7 +6,7 @@
 
 #include "sym3/highway_targets.h"
 
-// Null if each computer that the build supports has a better instruction set.
+// The scalar version, or null if each computer that the build supports has a better instruction set.
 #if HWY_TARGETS & HWY_SCALAR
 #define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
 #else
@@ -25,7 +25,7 @@ inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that ar
 
 inline constexpr std::size_t column_group = 4;  ///< columns of L that are stored and processed together
 
-/// The columns [first, first + columns) of L. Below the supernode, all of these columns have entries in equal
+/// The columns [first, first + columns) of L. Below the supernode, these columns have entries in the same
 /// rows. Values are stored by column group, and within a group row by row. The rows of the group's own
 /// columns come first and have 0 entries, 1 entry and so on (the unit diagonal is not stored). Then come the
 /// rows of the supernode's later columns, and then the rows below the supernode.
@@ -38,7 +38,7 @@ struct Supernode {
   }
 };
 
-/// L and D of a matrix L D L^T.
+/// L and D of a matrix L * D * L^T.
 struct TriangularFactor {
   const Supernode* supernodes;
   std::size_t count;
@@ -56,9 +56,9 @@ struct Front {
   std::size_t stride;  ///< number of rows, padded to a multiple of front_lanes
 };
 
-/// The computation into[i, j] -= sum over p of left[i, p] right[j, p], for i >= j.
+/// The computation into[i, j] -= sum over p of left[i, p] * right[j, p], for i >= j.
 struct ProductJob {
-  Front into, left;     ///< with all rows; the first row is the row of column 0
+  Front into, left;     ///< both start at the row of column 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
   std::size_t depth;    ///< number of terms of the sum over p

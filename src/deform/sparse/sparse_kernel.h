@@ -10,9 +10,9 @@
 namespace viete::deform {
 
 struct SparseKernel {
-  /// Run the two halves of a solve on an aligned block [row][solved_columns] or [row][4]: the forward half
-  /// with L, then the backward half with D and L^T. If the factor has only some supernodes, it must have all
-  /// parents of these. Only the rows of these supernodes are solved.
+  /// The two halves of a solve on an aligned block [row][solved_columns] or [row][4]: first forward with L,
+  /// then backward with D and L^T. If the factor has only some supernodes, it must have all ancestors of
+  /// these. Only the rows of these supernodes are solved.
   void (*forward_columns)(const TriangularFactor& factor, double* block);
   void (*backward_columns)(const TriangularFactor& factor, double* block);
   void (*forward_four)(const TriangularFactor& factor, double* block);

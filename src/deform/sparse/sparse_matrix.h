@@ -9,8 +9,8 @@
 
 namespace viete::deform {
 
-/// A square matrix in compressed columns. Column j has values[i] in row rows[i] for starts[j] <= i < starts[j
-/// + 1], with ascending rows. (Eigen::Map<const Eigen::SparseMatrix<double>> can view these arrays.)
+/// A square matrix in compressed columns. For starts[j] <= i < starts[j + 1], column j has values[i] in row
+/// rows[i]. The rows ascend. (Eigen::Map<const Eigen::SparseMatrix<double>> can view these arrays.)
 struct SparseMatrix {
   std::vector<std::int32_t> starts{0}, rows;
   std::vector<double> values;

@@ -9,8 +9,8 @@ namespace viete::deform {
 
 namespace {
 
-/// The number of entries in each column of the factor, and the column's parent in the elimination tree, which
-/// is the first row below the diagonal with an entry.
+/// The elimination tree, and the number of entries in each column of the factor. A column's parent is the
+/// first row below the diagonal with an entry.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
@@ -25,14 +25,14 @@ public:
   /// Returns the number of entries of a column below the diagonal.
   std::uint32_t count(std::size_t column) const { return counts_[column]; }
 
-  /// Calls visit(place) for the neighbours of the unknown at this place.
+  /// Calls visit(place) for each neighbour of the unknown at place `at`.
   template <class Visit>
   void for_neighbours(std::uint32_t at, const Visit& visit) const {
     for (const auto u : neighbours_.of(order_[at])) visit(place_[u]);
   }
 
 private:
-  // The entries of a row of L are the tree paths from the row's neighbours to the row.
+  // In row r of L, entries are at the neighbours of r, and at all ancestors of these neighbours before r.
   void grow_tree(const FactorReport& report) {
     parents_.assign(size(), no_parent), counts_.assign(size(), 0);
     std::vector<std::uint32_t> seen(size());
@@ -48,8 +48,8 @@ private:
     }
   }
 
-  // Returns positions in which each subtree is contiguous and ends with its root. The last child is directly
-  // before its parent; the rest of the child's subtree is directly before the child.
+  // Returns places in which each subtree is contiguous and ends with its root. Directly before the root comes
+  // the root's last child.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
     std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
