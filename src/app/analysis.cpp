@@ -29,8 +29,7 @@ constexpr double probe_seconds = 0.3;      // shortest interval between samples,
 constexpr double pose_rest_seconds = 0.5;  // after this time without motion, all methods are timed
 
 bool is_in_motion(const workspace::Workspace& w) {
-  return w.interaction.drag || w.playback.playing || w.making_cage.running || w.loading.running ||
-         w.binding.running;
+  return w.view.interaction.drag || w.playback.playing || w.jobs.working();
 }
 
 }  // namespace
@@ -38,11 +37,11 @@ bool is_in_motion(const workspace::Workspace& w) {
 void Analysis::follow_document(workspace::Workspace& w) {
   shows_news_ = false;
   const document::Document& document = w.document;
-  if (std::exchange(w.requests.show_report, false))
+  if (std::exchange(w.jobs.requests.show_report, false))
     report_.start([program = program_, state = state_](base::Progress& progress) {
       return create_and_show_report(program, state, progress);
     });
-  if (std::exchange(w.requests.stop_report, false)) report_.cancel();
+  if (std::exchange(w.jobs.requests.stop_report, false)) report_.cancel();
   follow_report(w);
   if (checked_model_ != document.model.surface || checked_cage_ != document.cage_file.surface)
     start_checks(document);
@@ -72,13 +71,13 @@ void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
   path.scheme.amounts = {};
   const bool another = path_ != path;
   if (!another && engine_ == engine) return;
-  w.split.views[0].fused_error = 0;
+  w.view.split.views[0].fused_error = 0;
   probed_ = 0;
   if (another) {
     probe_.cancel();
-    w.methods = {};
+    w.frame.methods = {};
     timer_.cancel();
-    w.method_times = {};
+    w.frame.method_times = {};
     timed_ = 0;
   }
   path_ = path;
@@ -92,7 +91,7 @@ void Analysis::follow_report(workspace::Workspace& w) {
     if (!result->problem.empty()) w.messages.error("Report failed: " + result->problem, {"report"});
     shows_news_ = true;
   }
-  w.reporting = report_.state();
+  w.jobs.reporting = report_.state();
 }
 
 void Analysis::start_checks(const document::Document& document) {
@@ -122,7 +121,7 @@ void Analysis::finish_checks(workspace::Workspace& w) {
 
 bool Analysis::probe_is_due(const workspace::Workspace& w, const LiveModel& model) const {
   if (!probe_wanted_ || !model.ran()) return false;
-  const bool missing = model.takes_exponentials() && w.methods.matrices == 0;
+  const bool missing = model.takes_exponentials() && w.frame.methods.matrices == 0;
   const bool fresh = missing || probed_ != model.frames();
   return fresh && !probe_.running() && base::wall_seconds() - probed_at_ > probe_seconds;
 }
@@ -130,7 +129,7 @@ bool Analysis::probe_is_due(const workspace::Workspace& w, const LiveModel& mode
 void Analysis::take_probe(workspace::Workspace& w, bool wait) {
   const auto result = probe_.poll(wait);
   if (!result || !result->value) return;
-  w.methods = *result->value;
+  w.frame.methods = *result->value;
   probed_at_ = base::wall_seconds();
   shows_news_ = true;
 }
@@ -138,7 +137,7 @@ void Analysis::take_probe(workspace::Workspace& w, bool wait) {
 void Analysis::start_probe(workspace::Workspace& w, const LiveModel& model) {
   probed_ = model.frames();
   probed_at_ = base::wall_seconds();
-  w.split.views[0].fused_error = model.deformer()->sampled_error();
+  w.view.split.views[0].fused_error = model.deformer()->sampled_error();
   if (model.takes_exponentials())
     probe_.start([matrices = model.deformer()->sample_matrices(probed_matrices)](base::Progress&) {
       return measure_methods(matrices);
@@ -161,7 +160,7 @@ void Analysis::start_timer(const workspace::Workspace& w, const LiveModel& model
 void Analysis::take_times(workspace::Workspace& w, LiveModel& model, bool wait) {
   const auto result = timer_.poll(wait);
   if (!result || !result->value) return;  // after an error, no times are shown
-  w.method_times = result->value->times;
+  w.frame.method_times = result->value->times;
   model.share(result->value->binding);
   shows_news_ = true;
 }
@@ -174,12 +173,12 @@ void Analysis::follow_times(workspace::Workspace& w, LiveModel& model, bool move
   }
   take_times(w, model, false);
   if (timer_is_due(w, model)) start_timer(w, model);
-  const auto frame = w.split.views[0].stats.deforming_median();
-  if (!frame || (w.method_times.measured && timed_ == model.frames())) return;
+  const auto frame = w.view.split.views[0].stats.deforming_median();
+  if (!frame || (w.frame.method_times.measured && timed_ == model.frames())) return;
   const auto& methods = analysis::compared_methods;
   const auto running = std::ranges::find(methods, frame->method);
   if (running != methods.end())
-    w.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
+    w.frame.method_times.links[static_cast<std::size_t>(running - methods.begin())] = frame->links;
 }
 
 void Analysis::finish_measuring(workspace::Workspace& w, LiveModel& model) {
@@ -269,9 +268,8 @@ workspace::MethodStats measure_methods(std::span<const Matrix> matrices) {
       if (round == 0) stats.samples[m] = errors_of(out, matrices);
     }
   }
-  for (std::size_t m = 0; m < method_count; ++m) {
+  for (std::size_t m = 0; m < method_count; ++m)
     stats.samples[m].ns_per_matrix = 1e9 * base::median(seconds[m]) / static_cast<double>(matrices.size());
-  }
   stats.matrices = matrices.size();
   return stats;
 }
@@ -331,25 +329,25 @@ workspace::VertexView view_of(std::uint32_t vertex, const deform::VertexSum& sum
 }  // namespace
 
 bool Analysis::vertex_is_due(const workspace::Workspace& w, const LiveModel& model) const {
-  return (w.vertex.vertex || inspected_.vertex) &&
-         inspected_ != Inspected{w.vertex.vertex, model.frames(), model.deformer()};
+  return (w.view.vertex.vertex || inspected_.vertex) &&
+         inspected_ != Inspected{w.view.vertex.vertex, model.frames(), model.deformer()};
 }
 
 bool Analysis::follow_vertex(workspace::Workspace& w, const LiveModel& model) {
   if (!vertex_is_due(w, model)) return false;
-  inspected_ = {w.vertex.vertex, model.frames(), model.deformer()};
-  const auto vertex = w.vertex.vertex;
-  w.vertex = {};
+  inspected_ = {w.view.vertex.vertex, model.frames(), model.deformer()};
+  const auto vertex = w.view.vertex.vertex;
+  w.view.vertex = {};
   const deform::Deformer* deformer = model.deformer();
   const mesh::Surface& surface = *w.document.model.surface;
   if (!vertex || *vertex >= surface.positions.size()) return true;
-  w.vertex.vertex = vertex;
+  w.view.vertex.vertex = vertex;
   if (!model.ran() || !w.document.has_cage()) return true;
   const Bound& bound = model.bound();
   const deform::Weigher weigher(*bound.cage, bound.binding->weighting);
   const deform::VertexSum sum =
       deform::vertex_sum(weigher, *bound.binding, deformer->mask(), deformer->state().rows(), *vertex);
-  w.vertex = view_of(*vertex, sum);
+  w.view.vertex = view_of(*vertex, sum);
   return true;
 }
 

@@ -20,16 +20,6 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-}  // namespace
-
-fs::path state_folder() {
-  if (const fs::path folder = absolute_path_in("XDG_STATE_HOME"); !folder.empty()) return folder / "viete";
-  const fs::path home = absolute_path_in("HOME");
-  return home.empty() ? home : home / ".local/state/viete";
-}
-
-namespace {
-
 constexpr double longest_wait = 1e-3;  // seconds per frame
 constexpr double backup_timeout = 10;  // seconds before asking whether to continue without a backup
 
@@ -43,6 +33,12 @@ void make_folder(const fs::path& folder) {
 
 }  // namespace
 
+fs::path state_folder() {
+  if (const fs::path folder = absolute_path_in("XDG_STATE_HOME"); !folder.empty()) return folder / "viete";
+  const fs::path home = absolute_path_in("HOME");
+  return home.empty() ? home : home / ".local/state/viete";
+}
+
 Autosave::Autosave(fs::path folder, base::BackgroundQueue& queue)
     : folder_(std::move(folder)), queue_(queue) {
   if (!folder_.empty()) file_ = files::recovery_file(folder_);
@@ -52,12 +48,10 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (folder_.empty()) return;
   take_result(workspace, 0);
   const document::Document& document = workspace.document;
-  const Moment now{workspace.opened,
-                   document.history.revision(),
-                   workspace.saved.revision(),
-                   document.revisions().method,
-                   workspace.view,
-                   no_drag ? workspace::has_unsaved_edits(workspace) : seen_.unsaved};
+  const Moment now{
+      workspace.files.opened,           document.history.revision(),
+      workspace.files.saved.revision(), document.revisions().method,
+      workspace.view.options,           no_drag ? workspace::has_unsaved_edits(workspace) : seen_.unsaved};
   if (now == seen_) return;
   const bool other = now.opened != seen_.opened;
   if (other && has_file_) {
@@ -66,7 +60,7 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   }
   if (other) {
     close_recovered(workspace);
-    untouched_ = workspace.recovered_from;
+    untouched_ = workspace.recovery.from;
   } else if (now.edits != seen_.edits || !now.unsaved) {
     untouched_.clear();
   }
@@ -77,7 +71,7 @@ void Autosave::follow(workspace::Workspace& workspace, bool no_drag) {
   if (now.unsaved) {
     write(workspace);
   } else if (!other) {
-    remove(std::exchange(workspace.recovered_from, {}));
+    remove(std::exchange(workspace.recovery.from, {}));
   }
   take_result(workspace, longest_wait);
 }
@@ -113,7 +107,7 @@ std::string Autosave::problem() const {
 void Autosave::write(workspace::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
-  replaced_ = workspace.recovered_from;
+  replaced_ = workspace.recovery.from;
   writing_ = queue_.add(
       [session = workspace::session_of(workspace), folder = folder_, file = file_, old = replaced_] {
         make_folder(folder);
@@ -129,7 +123,7 @@ void Autosave::take_result(workspace::Workspace& workspace, double wait_seconds)
     writing_.get();
     kept_ = true;
     workspace.messages.succeeded("keep edits");
-    if (workspace.recovered_from == replaced_) workspace.recovered_from.clear();
+    if (workspace.recovery.from == replaced_) workspace.recovery.from.clear();
   } catch (const std::exception& error) {
     problem_ = error.what();
     workspace.messages.error(problem_, {"keep edits"});
@@ -147,8 +141,8 @@ bool Autosave::move_aside(workspace::Workspace& workspace) {
     problem_ = file_.string() + ": unsaved edits could not be saved for recovery: " + code.message();
     return false;
   }
-  workspace.recovery_files.insert(workspace.recovery_files.begin(), files::describe_recovery_file(aside));
-  workspace.messages.info("Unsaved edits of " + workspace.recovery_files.front().name +
+  workspace.recovery.files.insert(workspace.recovery.files.begin(), files::describe_recovery_file(aside));
+  workspace.messages.info("Unsaved edits of " + workspace.recovery.files.front().name +
                           " were saved; File > Restore recovered edits restores them.");
   return true;
 }
@@ -158,7 +152,7 @@ void Autosave::close_recovered(workspace::Workspace& workspace) {
   const fs::path file = files::mark_restored(std::exchange(untouched_, {}));
   std::error_code ignored;
   if (!fs::exists(file, ignored)) return;
-  workspace.recovery_files.insert(workspace.recovery_files.begin(), files::describe_recovery_file(file));
+  workspace.recovery.files.insert(workspace.recovery.files.begin(), files::describe_recovery_file(file));
 }
 
 // Deletes the recovery file and the file `leftover`.

@@ -71,7 +71,7 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
     if (is_due(w) && wants_full_) start(w, cages::Effort::full);
     if (w.making.closing && is_wished(w) && !job_.running() && !wants_full_) close(w);
   }
-  w.making_cage = job_.state();
+  w.jobs.making_cage = job_.state();
 }
 
 void CageMaker::start(const workspace::Workspace& w, cages::Effort effort) {

@@ -30,20 +30,20 @@ FileDesk::FileDesk(const fs::path& state, workspace::Workspace& workspace, fs::p
     : state_(state), program_(std::move(program)), autosave_(recovery_folder(state), queue_) {
   if (state_.empty()) return;
   base::remove_stale_parts(recovery_folder(state_));
-  workspace.recovery_files = files::find_recovery_files(recovery_folder(state_));
-  workspace.offers_recovery = !std::ranges::all_of(workspace.recovery_files, &files::RecoveryFile::restored);
+  workspace.recovery.files = files::find_recovery_files(recovery_folder(state_));
+  workspace.recovery.offered = !std::ranges::all_of(workspace.recovery.files, &files::RecoveryFile::restored);
   try {
     workspace.preferences = workspace::read_preferences(preferences_file(state_));
   } catch (const base::Error& error) {
     workspace.messages.warn(std::string(error.what()) + "; using the default preferences");
   }
-  workspace.view.hints = workspace.preferences.hints;
-  workspace.view.dark = workspace.preferences.dark;
+  workspace.view.options.hints = workspace.preferences.hints;
+  workspace.view.options.dark = workspace.preferences.dark;
   written_ = workspace.preferences;
 }
 
 void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
-  auto& r = w.requests;
+  auto& r = w.jobs.requests;
   if (const auto answer = std::exchange(r.answer, std::nullopt)) take_answer(w, *answer);
   if (const auto request = std::exchange(r.open, std::nullopt)) {
     reading_ = request->files.empty() ? fs::path() : request->files.front();
@@ -61,10 +61,10 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   if (std::exchange(r.stop_export, false)) exporter_.stop();
   follow_exports(w, false);
   proceed_after_saving(w);
-  if (std::exchange(r.quit, false) && !w.question) close(w);
+  if (std::exchange(r.quit, false) && !w.files.question) close(w);
   show_exports(w);
-  if (no_drag && !w.question) take_loaded(w, false);
-  follow_dialog(w.browser, w);
+  if (no_drag && !w.files.question) take_loaded(w, false);
+  follow_dialog(w.files.browser, w);
 }
 
 // A file browser stays open until its request is done. During long work, a progress bar replaces the browser.
@@ -72,8 +72,8 @@ void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::W
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
   const bool exports = exporter_.running(), reads = loader_.running();
-  if (exports || (reads && w.loading.age > short_time)) browser.open = false;
-  if (exports || reads || w.question) return;
+  if (exports || (reads && w.jobs.loading.age > short_time)) browser.open = false;
+  if (exports || reads || w.files.question) return;
   browser.open = false;
   browser.asked.clear();
 }
@@ -83,21 +83,21 @@ void FileDesk::export_to(workspace::Workspace& w, const fs::path& file, StartExp
     (this->*start)(w, file);
   } catch (const base::Error& error) {
     workspace::report_refusal(w, file, error.what(), "export");
-    closing_ = w.requests.quit = false;  // the error must be read first
+    closing_ = w.jobs.requests.quit = false;  // the error must be read first
   }
 }
 
 void FileDesk::start_export(const workspace::Workspace& w, const fs::path& file) {
   files::Export what = files::export_of(w.document, file);
-  what.up = w.camera.pose().up;
+  what.up = w.view.camera.pose().up;
   files::check_output(file, files::Content::surface, workspace::files_open(w), files::Force::none);
-  exporter_.add(std::move(what), w.pose_notes);
+  exporter_.add(std::move(what), w.frame.notes);
 }
 
 PictureExport FileDesk::picture_export_of(const workspace::Workspace& w, const fs::path& file) const {
   PictureExport what{file, program_, workspace::session_of(w)};
   what.session.view.cage = false;
-  if (const auto& choice = w.browser.pictures) {
+  if (const auto& choice = w.files.browser.pictures) {
     document::ViewOptions& view = what.session.view;
     view.cage = choice->cage, view.grid = choice->grid, view.dark = !choice->light;
     what.session.window = {choice->width, choice->height};
@@ -111,24 +111,24 @@ void FileDesk::start_animation_export(const workspace::Workspace& w, const fs::p
   files::check_output(file, {timeline.first, timeline.last}, workspace::files_open(w), files::Force::none);
   if (formats::extension_of(file) == "png") return exporter_.add(picture_export_of(w, file));
   files::AnimationExport what = files::animation_export_of(w.document, file);
-  what.model.up = w.camera.pose().up;
-  what.tolerance = w.browser.morphs.tolerance;
-  what.normals = w.browser.morphs.normals;
-  exporter_.add(std::move(what), w.pose_notes);
+  what.model.up = w.view.camera.pose().up;
+  what.tolerance = w.files.browser.morphs.tolerance;
+  what.normals = w.files.browser.morphs.normals;
+  exporter_.add(std::move(what), w.frame.notes);
 }
 
 void FileDesk::take_loaded(workspace::Workspace& w, bool wait) {
   auto result = loader_.poll(wait);
-  w.loading = loader_.state();
+  w.jobs.loading = loader_.state();
   if (!result) return;
   if (result->value && result->value->question) {
-    w.question = std::move(result->value->question);
-    w.unopened = std::move(result->value->request);
+    w.files.question = std::move(result->value->question);
+    w.files.unopened = std::move(result->value->request);
   } else if (result->value) {
     const bool replaces_edits = result->value->opened.document && workspace::has_unsaved_edits(w);
     if (!replaces_edits || autosave_.set_aside(w)) return take(w, *std::move(result->value));
     waiting_ = std::move(result->value);
-    w.question = workspace::ask_before_opening(workspace::name_of_work(w), autosave_.problem());
+    w.files.question = workspace::ask_before_opening(workspace::name_of_work(w), autosave_.problem());
   } else if (result->stopped) {
     w.messages.info("Cancelled opening; nothing was changed.", {"open"});
   } else {
@@ -146,55 +146,55 @@ void FileDesk::close(workspace::Workspace& w) {
   closing_ = exporter_.running();
   if (closing_) return;
   if (!workspace::has_unsaved_edits(w) || autosave_.keep_now(w)) return proceed(w, Kind::close);
-  w.question = workspace::ask_before_closing(workspace::name_of_work(w), autosave_.problem());
+  w.files.question = workspace::ask_before_closing(workspace::name_of_work(w), autosave_.problem());
 }
 
 void FileDesk::take_answer(workspace::Workspace& w, workspace::Answer answer) {
-  if (!w.question) return;
-  const Kind kind = std::exchange(w.question, std::nullopt)->kind;
+  if (!w.files.question) return;
+  const Kind kind = std::exchange(w.files.question, std::nullopt)->kind;
   if (answer == workspace::Answer::cancel) return give_up(w);
   if (kind == Kind::locate_model) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_model);
   if (kind == Kind::locate_cage) return browse_to_locate(w, workspace::FileBrowser::Purpose::locate_cage);
   if (kind == Kind::fins) {
-    w.requests.open = std::exchange(w.unopened, std::nullopt);
+    w.jobs.requests.open = std::exchange(w.files.unopened, std::nullopt);
     return;
   }
   if (kind == Kind::discard) return discard(w);
   if (kind == Kind::replace) {
     if (answer == workspace::Answer::save) return workspace::browse_to_save_session(w);
-    return save_session(w, w.saved.session, true);
+    return save_session(w, w.files.saved.session, true);
   }
   if (answer == workspace::Answer::proceed) return proceed(w, kind);
-  w.after_saving = kind;
+  w.files.after_saving = kind;
   workspace::save(w);
 }
 
 void FileDesk::proceed(workspace::Workspace& w, Kind kind) {
-  w.after_saving.reset();
+  w.files.after_saving.reset();
   if (kind == Kind::close) autosave_.close_recovered(w), closed_ = true;
   if (kind == Kind::open && waiting_) take(w, *std::exchange(waiting_, std::nullopt));
 }
 
 // After saving, continues with closing or opening. If saving was cancelled, cancels closing or opening too.
 void FileDesk::proceed_after_saving(workspace::Workspace& w) {
-  if (!w.after_saving || w.question) return;
-  if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.after_saving);
-  if (!w.browser.open) give_up(w);
+  if (!w.files.after_saving || w.files.question) return;
+  if (!workspace::has_unsaved_edits(w)) return proceed(w, *w.files.after_saving);
+  if (!w.files.browser.open) give_up(w);
 }
 
 void FileDesk::give_up(workspace::Workspace& w) {
-  w.after_saving.reset();
-  const bool unopened = std::exchange(w.unopened, std::nullopt).has_value();
+  w.files.after_saving.reset();
+  const bool unopened = std::exchange(w.files.unopened, std::nullopt).has_value();
   if (std::exchange(waiting_, std::nullopt) || unopened)
     w.messages.info("Cancelled opening; nothing was changed.");
 }
 
 void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool over_changes) {
   if (!over_changes && workspace::changed_on_disk(w, file)) {
-    w.question = workspace::ask_before_replacing(file);
-  } else if (!workspace::save_session(w, file) && w.after_saving && !w.browser.open) {
-    w.question = workspace::ask_after_failed_save(workspace::name_of_work(w), *w.after_saving,
-                                                  w.messages.all().back().text);
+    w.files.question = workspace::ask_before_replacing(file);
+  } else if (!workspace::save_session(w, file) && w.files.after_saving && !w.files.browser.open) {
+    w.files.question = workspace::ask_after_failed_save(workspace::name_of_work(w), *w.files.after_saving,
+                                                        w.messages.all().back().text);
   }
 }
 
@@ -202,14 +202,14 @@ void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool 
 void FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
     workspace::report_refusal(w, failure->file, failure->problem, "export");
-    closing_ = w.requests.quit = false;  // the error must be read first
+    closing_ = w.jobs.requests.quit = false;  // the error must be read first
   }
-  if (!exporter_.running() && std::exchange(closing_, false)) w.requests.quit = true;
+  if (!exporter_.running() && std::exchange(closing_, false)) w.jobs.requests.quit = true;
 }
 
 void FileDesk::show_exports(workspace::Workspace& w) {
-  w.exporting = exporter_.state();
-  if (closing_) w.exporting.what += ", then closing";
+  w.jobs.exporting = exporter_.state();
+  if (closing_) w.jobs.exporting.what += ", then closing";
 }
 
 void FileDesk::finish_exports(workspace::Workspace& w) {
@@ -218,14 +218,14 @@ void FileDesk::finish_exports(workspace::Workspace& w) {
 }
 
 void FileDesk::discard(workspace::Workspace& w) {
-  std::erase_if(w.recovery_files, [&](const files::RecoveryFile& leftover) {
+  std::erase_if(w.recovery.files, [&](const files::RecoveryFile& leftover) {
     std::error_code code;
     if (fs::remove(leftover.file, code) || !code) return true;
     w.messages.error(base::Error(leftover.file.string(), "cannot be deleted: " + code.message()).what(),
                      {"discard"});
     return false;
   });
-  if (w.recovery_files.empty()) w.messages.succeeded("discard");
+  if (w.recovery.files.empty()) w.messages.succeeded("discard");
 }
 
 void FileDesk::keep(workspace::Workspace& w, bool no_drag) {
@@ -235,7 +235,7 @@ void FileDesk::keep(workspace::Workspace& w, bool no_drag) {
 }
 
 void FileDesk::remember(workspace::Workspace& w) {
-  w.preferences.hints = w.preferences.hints && w.view.hints;
+  w.preferences.hints = w.preferences.hints && w.view.options.hints;
   if (state_.empty() || w.preferences == written_) return;
   written_ = w.preferences;
   writes_.push_back(queue_.add([state = state_, preferences = written_] {

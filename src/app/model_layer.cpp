@@ -200,7 +200,7 @@ void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const 
 bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field,
                             const workspace::FieldView& shown) {
   Colored wanted;
-  wanted.by_mask = workspace::shows_mask(w), wanted.dark = w.view.dark;
+  wanted.by_mask = workspace::shows_mask(w), wanted.dark = w.view.options.dark;
   wanted.symmetric = analysis::entry(field).symmetric;
   if (wanted.by_mask) wanted.mask = w.document.mask;
   if (field != analysis::Field::none && shown.stats.field == field) wanted.field = shown.values;
@@ -211,7 +211,7 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
     surface_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
     return true;
   }
-  const render::Theme theme = render::theme(w.view.dark);
+  const render::Theme theme = render::theme(w.view.options.dark);
   surface_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
   surface_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f));
   return true;

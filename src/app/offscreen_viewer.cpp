@@ -31,10 +31,10 @@ void OffscreenViewer::settle() {
   viewer_.finish_exports();
   viewer_.frame(frame_seconds);
   viewer_.finish_binding();
-  if (viewer_.workspace().view.panels) viewer_.finish_checks();
+  if (viewer_.workspace().view.options.panels) viewer_.finish_checks();
   for (int i = 0; i < 200 && viewer_.wants_frame(); ++i) viewer_.frame(frame_seconds);
   viewer_.finish_views();
-  if (viewer_.workspace().view.panels) viewer_.finish_measuring();
+  if (viewer_.workspace().view.options.panels) viewer_.finish_measuring();
   viewer_.frame(frame_seconds);
 }
 
@@ -67,7 +67,7 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<document::SideWay> views;
   for (const std::string& word : words) {
-    document::SideWay view{w.document.scheme, w.document.method, w.view.field};
+    document::SideWay view{w.document.scheme, w.document.method, w.view.options.field};
     if (const auto method = sym3::method_from_name(word)) view.method = *method;
     if (word == "log" || word == "straight")
       view.other_blending = (word == "straight") != w.document.timeline.straight;
@@ -81,8 +81,8 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   }
   w.document.put_scheme(views[0].scheme);
   w.document.put_method(views[0].method);
-  workspace::put_ways(w.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
-  w.viewport = workspace::viewport_of(w.split, w.viewport, 0);
+  workspace::put_ways(w.view.split, {.sides = {views.begin() + 1, views.end()}, .cameras = {}});
+  w.view.viewport = workspace::viewport_of(w.view.split, w.view.viewport, 0);
 }
 
 // Uses the camera of --camera, --look or the session.
@@ -92,23 +92,23 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
     const auto camera = files::read_session(options.camera).camera;
     if (!camera)
       throw base::Error(options.camera.string(), "this session has no camera", "choose another session");
-    return viewer.workspace().camera.set_pose(*camera);
+    return viewer.workspace().view.camera.set_pose(*camera);
   }
   const bool keeps_look = has_camera && options.look.empty();
   if (keeps_look && options.compare.empty()) return;
   workspace::Workspace& w = viewer.workspace();
-  if (!keeps_look) w.camera.look(looks.at(options.look.empty() ? "home" : options.look));
-  w.camera.animate(1);
+  if (!keeps_look) w.view.camera.look(looks.at(options.look.empty() ? "home" : options.look));
+  w.view.camera.animate(1);
   workspace::frame_all(w, false);
 }
 
 // Prints a note if the requested map is missing in the picture, and throws the error of a view.
 void print_missing(const workspace::Workspace& w) {
-  if (workspace::shown_field(w) != w.view.field)
+  if (workspace::shown_field(w) != w.view.options.field)
     print_notes(
-        {"the map " + std::string(base::entry_of(w.view.field).word) +
+        {"the map " + std::string(base::entry_of(w.view.options.field).word) +
          " is not available: some maps need a cage and a blend in log space, others a cage or probes"});
-  for (const workspace::View& view : w.split.views)
+  for (const workspace::SplitView& view : w.view.split.views)
     for (const std::string& problem : {view.problem, view.shown.problem})
       if (!problem.empty()) throw base::Error("", problem);
 }
@@ -126,8 +126,8 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
   auto offscreen = std::make_unique<OffscreenViewer>(viewer);
   workspace::Workspace& w = offscreen->viewer().workspace();
   workspace::apply_opened(w, std::move(opened));
-  w.view = view_of(options, session);
-  w.has_user = w.tools = false;
+  w.view.options = view_of(options, session);
+  w.panels.has_user = w.view.tools = false;
   split(w, options.compare);
   aim(offscreen->viewer(), session && session->camera, options);
   return offscreen;
@@ -140,7 +140,7 @@ void print_messages(const workspace::Workspace& w) {
     if (message.severity == workspace::Severity::error) throw base::Error("", message.text);
     print_notes({message.text});
   }
-  print_notes(w.pose_notes);
+  print_notes(w.frame.notes);
 }
 
 void add_picture_options(CLI::App& command, PictureOptions& options) {
@@ -216,19 +216,19 @@ std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const Pictur
   offscreen.settle();
   Viewer& viewer = offscreen.viewer();
   workspace::Workspace& w = viewer.workspace();
-  const document::CameraPose start = w.camera.pose();
+  const document::CameraPose start = w.view.camera.pose();
   for (std::size_t i = 0; i < run.frames.size(); ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(run.frames.size());
     progress.report(share);
-    w.camera.set_pose(start);
+    w.view.camera.set_pose(start);
     if (!w.document.timeline.empty()) workspace::go_to_frame(w, run.frames[i]);
     if (run.turntable) {
-      document::CameraPose camera = w.camera.pose();
+      document::CameraPose camera = w.view.camera.pose();
       camera.yaw += static_cast<float>(2 * std::numbers::pi * share);
-      w.camera.set_pose(camera);
+      w.view.camera.set_pose(camera);
     }
     // Panels and maps need several frames to be up to date.
-    if (w.view.panels || w.view.field != analysis::Field::none)
+    if (w.view.options.panels || w.view.options.field != analysis::Field::none)
       offscreen.settle();
     else
       viewer.frame(0);

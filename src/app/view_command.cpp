@@ -63,7 +63,7 @@ public:
     };
     window_.listen(std::move(events));
     workspace::Preferences& preferences = viewer_.workspace().preferences;
-    viewer_.workspace().ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
+    viewer_.workspace().panels.ask_keys = std::exchange(preferences.ask_keys, false) && preferences.hints;
     window_.share_clipboard();
   }
 
@@ -83,11 +83,11 @@ private:
 // Full screen has no title bar, so a message shows how to leave it.
 void WindowViewer::follow_full_screen() {
   workspace::Workspace& w = viewer_.workspace();
-  if (w.full_screen == window_.full_screen()) return;
-  window_.set_full_screen(w.full_screen);
-  w.full_screen = window_.full_screen();  // full screen may not be available
+  if (w.view.full_screen == window_.full_screen()) return;
+  window_.set_full_screen(w.view.full_screen);
+  w.view.full_screen = window_.full_screen();  // full screen may not be available
   exposed_ = true;
-  if (!w.full_screen) return;
+  if (!w.view.full_screen) return;
   const workspace::Command& command = *workspace::find_command("toggle_full_screen");
   const std::string key = workspace::text(w.preferences.keymap.of(command).first);
   w.messages.info(key.empty() ? "View > Full screen leaves full screen." : key + " leaves full screen.");
@@ -106,7 +106,7 @@ void WindowViewer::run(int frames) {
     window_.poll_events();
     const bool needed = exposed_ || viewer_.wants_frame();
     if (!needed) window_.wait_for_events(viewer_.working() ? 0.02 : 0.1);
-    if (window_.asked_to_close()) viewer_.workspace().requests.quit = exposed_ = true;
+    if (window_.asked_to_close()) viewer_.workspace().jobs.requests.quit = exposed_ = true;
     if (!exposed_ && !viewer_.wants_frame() && frames == 0) continue;
     const double now = base::wall_seconds();
     draw(static_cast<float>(std::min(now - last, 0.1)), std::exchange(exposed_, false));
@@ -138,7 +138,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
     workspace.messages.warn("There is no home folder, so unsaved edits cannot be recovered. Save often.");
   // If the document cannot be opened, its settings apply to the next document.
   if (!options.inputs.session()) document::put_settings(workspace.document, options.inputs.settings);
-  workspace.requests.open = options.inputs.request();
+  workspace.jobs.requests.open = options.inputs.request();
   shown.run(options.frames);
   if (!viewer.closed()) viewer.finish_keeping();
   if (viewer.keeping()) {

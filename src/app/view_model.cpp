@@ -48,13 +48,13 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
   }
   // Binds as soon as a cage, probe or shape can move the model. Waits while a cage is being generated.
-  if (!deformer_ && !binder_.running() && !w.making_cage.running && given_up_ != now.pose &&
+  if (!deformer_ && !binder_.running() && !w.jobs.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
   // If only the blend has changed, the weights stay valid.
   const deform::Scheme scheme = scheme_of(document);
   if (deformer_ && deformer_->scheme().weighting == scheme.weighting) follow_blend(scheme);
-  same_path_ = w.view.same_path;
+  same_path_ = w.view.options.same_path;
   if (deformer_ && deformer_->all_staged() != same_path_) {
     deformer_->set_all_staged(same_path_);
     derived_.reset();
@@ -64,7 +64,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
   // `fast` without stitching.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(w, false);
-  w.binding = binder_.state();
+  w.jobs.binding = binder_.state();
   return {new_surfaces, new_cage};
 }
 
@@ -96,8 +96,8 @@ void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
   no_cage_.reset();
   around_ = {};
   given_up_.reset();
-  w.pose_notes.clear();
-  w.pose_report = {};
+  w.frame.notes.clear();
+  w.frame.report = {};
   if (bound.binds(w.document)) install(w, std::move(bound));
 }
 
@@ -144,7 +144,7 @@ void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, wo
     document::revert_scheme(document, served);
     weights_ = document.revisions().weights;  // prevents another binding
     if (!deformer_->engine(document.method)) {
-      w.view.same_path = false;
+      w.view.options.same_path = false;
       document.put_method(sym3::Method::fast);
     }
   }
@@ -169,7 +169,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   prepared_ = false;
   if (!deformer_) return false;
   document::Document& document = w.document;
-  const auto& drag = w.interaction.drag;
+  const auto& drag = w.view.interaction.drag;
   if (drag_.before(*deformer_, drag)) derived_.reset();  // deforms once more, without rounding of the drag
   const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
@@ -247,8 +247,9 @@ document::SharedPose other_pose(workspace::Workspace& w) {
 
 }  // namespace
 
-SideModel::Made SideModel::made_of(const workspace::View& side, const workspace::Workspace& w) {
-  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method, w.view.same_path};
+SideModel::Made SideModel::made_of(const workspace::SplitView& side, const workspace::Workspace& w) {
+  const Need need{w.document.has_cage() ? side.scheme : deform::no_motion(), side.method,
+                  w.view.options.same_path};
   return {need, w.document.revisions().pose, w.document.mask, side.other_blending};
 }
 
@@ -265,7 +266,7 @@ void SideModel::forget() {
   drag_ = {};
 }
 
-bool SideModel::is_due(const workspace::View& side, const workspace::Workspace& w,
+bool SideModel::is_due(const workspace::SplitView& side, const workspace::Workspace& w,
                        const LiveModel& first) const {
   if (!first.bound().binding || changes_rest(w)) return false;
   const Made wanted = made_of(side, w);
@@ -273,7 +274,7 @@ bool SideModel::is_due(const workspace::View& side, const workspace::Workspace& 
          (made_ != wanted && refused_ != wanted.need && !binder_.running() && first.ran());
 }
 
-bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const LiveModel& first,
+bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, const LiveModel& first,
                        base::WorkerPool& pool, bool wait) {
   const Bound& known = first.bound();
   if (!known.binding) return false;
@@ -304,7 +305,7 @@ bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const Liv
     side.binding = true;
     return false;
   }
-  const auto& drag = w.interaction.drag;
+  const auto& drag = w.view.interaction.drag;
   drag_.before(*deformer_, drag);
   const document::SharedPose other = side.other_blending ? other_pose(w) : nullptr;
   const deform::Pose& pose = other ? other->cage : w.document.pose;
@@ -317,7 +318,7 @@ bool SideModel::follow(workspace::View& side, workspace::Workspace& w, const Liv
 }
 
 bool SideViews::follow(workspace::Workspace& w, const LiveModel& first, bool wait) {
-  const auto sides = w.split.sides();
+  const auto sides = w.view.split.sides();
   if (sides.empty()) {
     if (pool_) forget();
     return false;
@@ -340,13 +341,13 @@ void SideViews::finish(workspace::Workspace& w, const LiveModel& first) {
 bool SideViews::measure(workspace::Workspace& w) {
   constexpr double rest_seconds = 0.3;
   constexpr std::size_t sample = 256;
-  if (!w.split.on() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
+  if (!w.view.split.on() || base::wall_seconds() - measured_at_ < rest_seconds) return false;
   bool any = false;
-  for (std::size_t i = 0; i < w.split.sides().size(); ++i) {
+  for (std::size_t i = 0; i < w.view.split.sides().size(); ++i) {
     const deform::Deformer* deformer = models_[i].deformer();
     if (!models_[i].ran() || measured_[i] == models_[i].frames()) continue;
     measured_[i] = models_[i].frames();
-    workspace::View& side = w.split.sides()[i];
+    workspace::SplitView& side = w.view.split.sides()[i];
     side.fused_error = deformer->sampled_error();
     side.exp_error.reset();
     for (const auto& matrix : deformer->sample_matrices(sample))
@@ -365,13 +366,13 @@ void SideViews::forget() {
 }
 
 bool SideViews::is_due(const workspace::Workspace& w, const LiveModel& first) const {
-  for (std::size_t i = 0; i < w.split.sides().size(); ++i)
-    if (models_[i].is_due(w.split.sides()[i], w, first)) return true;
-  return !w.split.on() && pool_;
+  for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
+    if (models_[i].is_due(w.view.split.sides()[i], w, first)) return true;
+  return !w.view.split.on() && pool_;
 }
 
 bool SideViews::binding(const workspace::Workspace& w) const {
-  for (std::size_t i = 0; i < w.split.sides().size(); ++i)
+  for (std::size_t i = 0; i < w.view.split.sides().size(); ++i)
     if (models_[i].binding()) return true;
   return false;
 }

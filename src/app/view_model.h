@@ -22,7 +22,7 @@ namespace viete::app {
 
 /// True if a drag changes the cage's rest shape. During such a drag, the model stays at rest.
 inline bool changes_rest(const workspace::Workspace& w) {
-  const auto& drag = w.interaction.drag;
+  const auto& drag = w.view.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
 }
 
@@ -208,10 +208,10 @@ private:
 class SideModel : public ViewModel {
 public:
   /// Call after a frame of the first view. Returns true if this view has a new frame too.
-  bool follow(workspace::View& view, workspace::Workspace& workspace, const LiveModel& first,
+  bool follow(workspace::SplitView& view, workspace::Workspace& workspace, const LiveModel& first,
               base::WorkerPool& pool, bool wait = false);
   /// True if follow() would do something now.
-  bool is_due(const workspace::View& view, const workspace::Workspace& workspace,
+  bool is_due(const workspace::SplitView& view, const workspace::Workspace& workspace,
               const LiveModel& first) const;
   void forget();
 
@@ -224,7 +224,7 @@ private:
     bool other_blending = false;
     friend bool operator==(const Made&, const Made&) = default;
   };
-  static Made made_of(const workspace::View& view, const workspace::Workspace& workspace);
+  static Made made_of(const workspace::SplitView& view, const workspace::Workspace& workspace);
   bool serves(const Need& need) const;
 
   std::optional<Made> made_;     // input of the last frame

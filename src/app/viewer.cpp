@@ -57,7 +57,7 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
   if (gl.software && options.may_be_coarse) workspace_.about.moving_triangles = options.moving_triangles;
   try {
-    workspace_.example = bundled_model().loop;
+    workspace_.files.example = bundled_model().loop;
   } catch (const std::exception&) {  // without the bundled model, offers no example
   }
   place_viewport();
@@ -74,14 +74,15 @@ void Viewer::resize(glm::ivec2 logical_size) {
 }
 
 void Viewer::drop(std::vector<fs::path> files) {
-  workspace_.requests.open = files::OpenRequest{files::OpenRequest::What::dropped, std::move(files)};
+  workspace_.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::dropped, std::move(files)};
 }
 
 void Viewer::place_viewport() {
+  auto& view = workspace_.view;
   const document::Viewport whole =
-      workspace::view_between(workspace_.preferences.layout, glm::vec2(options_.size), workspace_.view.panels,
-                              workspace_.notice_height);
-  workspace_.viewport = workspace::viewport_of(workspace_.split, whole, workspace_.split.active);
+      workspace::view_between(workspace_.preferences.layout, glm::vec2(options_.size), view.options.panels,
+                              workspace_.panels.notice_height);
+  view.viewport = workspace::viewport_of(view.split, whole, view.split.active);
 }
 
 void Viewer::frame(float seconds) {
@@ -96,24 +97,24 @@ void Viewer::frame(float seconds) {
   follow_document();
   scope_messages();
   deform(times);
-  if (std::exchange(workspace_.requests.frame_finding, false)) workspace::frame_finding(workspace_);
+  if (std::exchange(workspace_.jobs.requests.frame_finding, false)) workspace::frame_finding(workspace_);
   const bool new_fields = follow_fields(), inspected = analysis_.follow_vertex(workspace_, model_);
   if (new_fields || inspected) settle(2);
   const bool cage_moved =
       workspace_.document.has_cage() && cage_drawn_ != workspace_.document.revisions().pose;
-  const std::pair shown(workspace_.has_user, workspace_.tools);
+  auto& view = workspace_.view;
+  const std::pair shown(workspace_.panels.has_user, view.tools);
   // A screenshot without panels shows no notices and no tools.
-  if (take_screenshot_ && !workspace_.view.panels) workspace_.has_user = workspace_.tools = false;
+  if (take_screenshot_ && !view.options.panels) workspace_.panels.has_user = view.tools = false;
   upload(times);
   panels(times);
-  const bool camera_moved = std::exchange(camera_seen_, workspace_.camera.pose()) != workspace_.camera.pose();
+  const bool camera_moved = std::exchange(camera_seen_, view.camera.pose()) != view.camera.pose();
   moves_ = camera_moved || deformed_ || cage_moved;
   draw(times);
-  std::tie(workspace_.has_user, workspace_.tools) = shown;
+  std::tie(workspace_.panels.has_user, view.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_))
-    workspace_.split.views[0].stats.add(times);
+  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_)) view.split.views[0].stats.add(times);
   files_.keep(workspace_, !pointer_.active());
   follow_notices();
   analysis_.follow_frame(workspace_, model_, moves_);
@@ -125,8 +126,8 @@ void Viewer::frame(float seconds) {
 
 void Viewer::take_input(float seconds) {
   place_viewport();
-  if (theme_seen_ != workspace_.view.dark) ui::apply_style(workspace_.view.dark);
-  theme_seen_ = workspace_.view.dark;
+  if (theme_seen_ != workspace_.view.options.dark) ui::apply_style(workspace_.view.options.dark);
+  theme_seen_ = workspace_.view.options.dark;
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {static_cast<float>(options_.size.x), static_cast<float>(options_.size.y)};
   io.DisplayFramebufferScale = {options_.scale, options_.scale};
@@ -136,7 +137,7 @@ void Viewer::take_input(float seconds) {
   ImGui::NewFrame();
   enter_view_under_cursor();
   ui::handle_input(workspace_, pointer_);
-  workspace_.camera.animate(seconds);
+  workspace_.view.camera.animate(seconds);
   place_viewport();
 }
 
@@ -155,8 +156,8 @@ bool Viewer::finish_keeping() {
 
 // Messages and questions need a few frames to compute their sizes.
 void Viewer::follow_notices() {
-  const std::tuple now(workspace_.question.has_value(), workspace_.messages.revision(),
-                       workspace_.notice_height);
+  const std::tuple now(workspace_.files.question.has_value(), workspace_.messages.revision(),
+                       workspace_.panels.notice_height);
   if (std::exchange(notices_, now) != now) settle(3);
 }
 
@@ -180,7 +181,7 @@ bool Viewer::wants_frame() const {
                        sides_.binding(workspace_) || cages_.running() || analysis_.reports();
   const double passed = base::wall_seconds() - last_frame_;
   if (reports && passed > progress_seconds) return true;
-  if (workspace_.browser.open && passed > 1) return true;  // files on disk may have changed
+  if (workspace_.files.browser.open && passed > 1) return true;  // files on disk may have changed
   return changing() || files_.has_news() || model_.has_result() ||
          (!pointer_.active() && cages_.is_due(workspace_)) || wants_refinement() ||
          analysis_.has_news(workspace_, model_) || workspace_.messages.due(base::wall_seconds());
@@ -189,8 +190,8 @@ bool Viewer::wants_frame() const {
 bool Viewer::changing() const {
   const document::Document& document = workspace_.document;
   const bool cage_moved = document.has_cage() && cage_drawn_ != document.revisions().pose;
-  return settle_frames_ > 0 || !input_.empty() || workspace_.camera.moving() || cage_moved ||
-         workspace_.playback.playing || workspace_.pins.is_due() || model_.is_due(document) ||
+  return settle_frames_ > 0 || !input_.empty() || workspace_.view.camera.moving() || cage_moved ||
+         workspace_.playback.playing || workspace_.frame.pins.is_due() || model_.is_due(document) ||
          sides_.is_due(workspace_, model_) || field_is_due() || analysis_.vertex_is_due(workspace_, model_);
 }
 
@@ -204,15 +205,16 @@ void Viewer::show_manual(const std::string& chapter) {
 }
 
 void Viewer::take_requests() {
-  if (const auto chapter = std::exchange(workspace_.requests.manual, std::nullopt)) show_manual(*chapter);
+  auto& requests = workspace_.jobs.requests;
+  if (const auto chapter = std::exchange(requests.manual, std::nullopt)) show_manual(*chapter);
   files_.take_requests(workspace_, !pointer_.active());
-  take_screenshot_ = std::exchange(workspace_.requests.screenshot, false);
-  if (workspace_.requests.stop_work && cages_.running()) {
+  take_screenshot_ = std::exchange(requests.screenshot, false);
+  if (requests.stop_work && cages_.running()) {
     cages_.stop(workspace_);
     settle(3);
   }
   cages_.follow(workspace_, !pointer_.active());
-  if (std::exchange(workspace_.requests.stop_work, false) && model_.binding()) {
+  if (std::exchange(requests.stop_work, false) && model_.binding()) {
     model_.stop_binding(workspace_, "Cancelled binding; nothing was changed.", workspace::Severity::info);
     settle(3);
   }
@@ -226,8 +228,8 @@ void Viewer::follow_document() {
   if (changed.document || changed.cage) {
     fields_.forget();
     sides_.forget();
-    for (workspace::View& side : workspace_.split.sides()) side.shown = {}, side.stats.clear();
-    workspace_.interaction.hovered.reset();
+    for (workspace::SplitView& side : workspace_.view.split.sides()) side.shown = {}, side.stats.clear();
+    workspace_.view.interaction.hovered.reset();
     if (files_.shading().surface != document.model.surface)
       files_.shading() = shading_of(document.model, workspace_.about.moving_triangles);
     for (const std::string& warning : std::exchange(files_.shading().looks.warnings, {}))
@@ -244,7 +246,7 @@ void Viewer::follow_document() {
 }
 
 void Viewer::commit_cage_edit() {
-  if (workspace_.interaction.drag) return;
+  if (workspace_.view.interaction.drag) return;
   try {
     if (!document::commit_cage_edit(workspace_.document)) return;
     workspace_.messages.succeeded("change the cage");
@@ -267,13 +269,13 @@ void Viewer::finish_checks() {
 void Viewer::deform(workspace::FrameTimes& times) {
   deformed_ = model_.deform(workspace_, times);
   deformed_ |= sides_.follow(workspace_, model_);
-  workspace_.posed = posed_in(workspace_.split.active);
+  workspace_.frame.posed = posed_in(workspace_.view.split.active);
 }
 
 // The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.
 document::PosedModel Viewer::posed_in(std::size_t view) const {
   const ViewModel& model = model_of(view).ran() ? model_of(view) : model_;
-  if (!workspace_.view.deformed || !model.ran()) return {};
+  if (!workspace_.view.options.deformed || !model.ran()) return {};
   return {model.deformer()->vertices(), model.deformer()->origin(), model.frames()};
 }
 
@@ -288,28 +290,28 @@ FieldSubject Viewer::field_subject(std::size_t view) const {
 }
 
 bool Viewer::field_is_due() const {
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
-    if (fields_.is_due(view, field_subject(view), workspace_.split.views[view].shown)) return true;
+  for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
+    if (fields_.is_due(view, field_subject(view), workspace_.view.split.views[view].shown)) return true;
   return false;
 }
 
 bool Viewer::follow_fields() {
   bool news = false;
   if (!workspace_.document.model.surface) return news;
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
-    news |= fields_.follow(view, field_subject(view), workspace_.split.views[view].shown);
-  if (news && workspace_.split.on()) share_ranges();
+  for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
+    news |= fields_.follow(view, field_subject(view), workspace_.view.split.views[view].shown);
+  if (news && workspace_.view.split.on()) share_ranges();
   return news;
 }
 
 // If several views show the same field, gives them a common range of colours.
 void Viewer::share_ranges() {
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
-    workspace::FieldView& shown = workspace_.split.views[view].shown;
+  for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
+    workspace::FieldView& shown = workspace_.view.split.views[view].shown;
     analysis::FieldStats& stats = shown.stats;
     if (!shown.values) continue;
-    for (std::size_t other = 0; other < workspace_.split.count(); ++other) {
-      const workspace::FieldView& beside = workspace_.split.views[other].shown;
+    for (std::size_t other = 0; other < workspace_.view.split.count(); ++other) {
+      const workspace::FieldView& beside = workspace_.view.split.views[other].shown;
       if (!beside.values || beside.stats.field != stats.field || shown.holds_range) continue;
       stats.low = std::min(stats.low, beside.stats.low), stats.high = std::max(stats.high, beside.stats.high);
     }
@@ -321,19 +323,19 @@ void Viewer::finish_views() {
   if (!workspace_.document.model.surface) return;
   sides_.finish(workspace_, model_);
   frame(0);
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view)
-    fields_.finish(view, field_subject(view), workspace_.split.views[view].shown);
-  if (workspace_.split.on()) share_ranges();
+  for (std::size_t view = 0; view < workspace_.view.split.count(); ++view)
+    fields_.finish(view, field_subject(view), workspace_.view.split.views[view].shown);
+  if (workspace_.view.split.on()) share_ranges();
 }
 
 // Activates the view under the cursor, except during a drag.
 void Viewer::enter_view_under_cursor() {
-  if (workspace_.split.active >= workspace_.split.count()) workspace::enter_view(workspace_, 0);
-  if (!workspace_.split.on() || pointer_.active() || workspace_.camera.moving()) return;
+  auto& view = workspace_.view;
+  if (view.split.active >= view.split.count()) workspace::enter_view(workspace_, 0);
+  if (!view.split.on() || pointer_.active() || view.camera.moving()) return;
   const ImVec2 at = ImGui::GetIO().MousePos;
   if (ImGui::IsMousePosValid(&at))
-    workspace::enter_view(workspace_,
-                          workspace::view_at(workspace_.split, workspace_.viewport, {at.x, at.y}));
+    workspace::enter_view(workspace_, workspace::view_at(view.split, view.viewport, {at.x, at.y}));
 }
 
 void Viewer::upload(workspace::FrameTimes& times) {
@@ -341,7 +343,8 @@ void Viewer::upload(workspace::FrameTimes& times) {
   if (!document.model.surface) return;
   base::Stopwatch watch;
   const bool cage_moved = cage_drawn_ != document.revisions().pose;
-  const bool at_rest = !workspace_.view.deformed, switched = std::exchange(at_rest_, at_rest) != at_rest;
+  const bool at_rest = !workspace_.view.options.deformed,
+             switched = std::exchange(at_rest_, at_rest) != at_rest;
   renderer_.set_findings(workspace_, posed_in(0), deformed_ || cage_moved || switched);
   if (document.has_cage()) {
     if (cage_moved) renderer_.set_cage(workspace_);
@@ -349,8 +352,8 @@ void Viewer::upload(workspace::FrameTimes& times) {
     cage_drawn_ = document.revisions().pose;
   }
   if (switched && at_rest) renderer_.set_rest(document, files_.shading());
-  renderer_.set_views(workspace_.split.count(), document, files_.shading());
-  for (std::size_t view = 0; view < workspace_.split.count(); ++view) {
+  renderer_.set_views(workspace_.view.split.count(), document, files_.shading());
+  for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
     const bool news = view == 0 ? model_.take_news() : sides_[view - 1].take_news();
     const document::PosedModel posed = posed_in(view);
     if ((news || switched) && !posed.vertices.empty())
@@ -363,7 +366,7 @@ void Viewer::upload(workspace::FrameTimes& times) {
 void Viewer::panels(workspace::FrameTimes& times) {
   base::Stopwatch watch;
   recorder_.begin_frame();
-  ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.dark), &recorder_, field_colors_});
+  ui::draw_panels({workspace_, fonts_, ui::palette(workspace_.view.options.dark), &recorder_, field_colors_});
   ImGui::Render();
   times.panels = watch.lap_ms();
 }

@@ -75,7 +75,8 @@ public:
   /// True while files are read and bound in the background.
   bool loading() const { return files_.loading(); }
   bool exporting() const {
-    return files_.exporting() || workspace_.requests.save_model || workspace_.requests.save_animation;
+    return files_.exporting() || workspace_.jobs.requests.save_model ||
+           workspace_.jobs.requests.save_animation;
   }
   /// True while work for which the user waits is running in the background.
   bool working() const {

@@ -37,9 +37,9 @@ render::Paint paint_of(document::Shading shading, bool file_has_looks) {
 
 // The fraction of the motion that each cage vertex makes; empty if soft selection is off.
 std::vector<float> soft_shares(const workspace::Workspace& w) {
-  if (!w.tools || !w.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
+  if (!w.view.tools || !w.view.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
-  const auto& drag = w.interaction.drag;
+  const auto& drag = w.view.interaction.drag;
   for (const auto& g : drag ? drag->grip().vertices : workspace::grip_of(w).vertices)
     shares[g.vertex] = static_cast<float>(g.share);
   return shares;
@@ -61,9 +61,8 @@ std::vector<glm::vec4> ramp_of_ends(const std::vector<float>& shares, const rend
                                     const std::vector<render::Segment>& segments) {
   std::vector<glm::vec4> colors;
   colors.reserve(2 * segments.size());
-  for (const auto& segment : segments) {
+  for (const auto& segment : segments)
     for (const auto v : segment) colors.push_back(ramp(theme, shares[v]));
-  }
   return colors;
 }
 
@@ -88,8 +87,8 @@ WorkspaceRenderer::WorkspaceRenderer(const render::Gl& gl)
 
 void WorkspaceRenderer::set_colors(const workspace::Workspace& w) {
   bool changed = false;
-  for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
-    changed |= models_[view]->set_colors(w, workspace::shown_field(w, view), w.split.views[view].shown);
+  for (std::size_t view = 0; view < std::min(models_.size(), w.view.split.count()); ++view)
+    changed |= models_[view]->set_colors(w, workspace::shown_field(w, view), w.view.split.views[view].shown);
   if (changed) ++content_;
 }
 
@@ -131,9 +130,8 @@ void WorkspaceRenderer::set_shown_edges(const document::Document& document) {
   hidden_ = document.groups.hidden;
   const auto hidden = document::hidden_elements(document, document::ElementKind::edge);
   shown_edges_.clear();
-  for (std::size_t e = 0; e < hidden.size(); ++e) {
+  for (std::size_t e = 0; e < hidden.size(); ++e)
     if (!hidden[e]) shown_edges_.push_back(document.cage->edges[e]);
-  }
   cage_lines_.set_segments(shown_edges_, document.pose.positions.size());
   cage_lines_.set_positions(document.pose.positions);
   hand_.reset();
@@ -159,13 +157,13 @@ void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
 }
 
 void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
-  const render::Theme theme = render::theme(w.view.dark);
+  const render::Theme theme = render::theme(w.view.options.dark);
   const auto& document = w.document;
   // If edges or faces can be selected, vertices are drawn smaller.
-  const bool vertices = !w.tools || document.selection.kind() == document::ElementKind::vertex;
-  const auto selected = w.tools ? document::selected_vertices(*document.cage, document.selection)
-                                : std::vector<std::uint32_t>{};
-  Hand hand{w.view.dark, {}, {}};
+  const bool vertices = !w.view.tools || document.selection.kind() == document::ElementKind::vertex;
+  const auto selected = w.view.tools ? document::selected_vertices(*document.cage, document.selection)
+                                     : std::vector<std::uint32_t>{};
+  Hand hand{w.view.options.dark, {}, {}};
   auto& discs = hand.discs;
   discs.assign(document.pose.positions.size(), {opaque(theme.cage), vertices ? 3.0f : 1.75f, false});
   for (const auto v : selected) discs[v] = {opaque(theme.selection), vertices ? 4.5f : 2.5f, false};
@@ -173,7 +171,7 @@ void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
   soften(shares, theme, discs);
   for (const auto v : document.groups.hidden) discs[v].radius = 0;
   if (hidden_ != document.groups.hidden) set_shown_edges(document);
-  const auto hovered = w.tools ? w.interaction.hovered : std::nullopt;
+  const auto hovered = w.view.tools ? w.view.interaction.hovered : std::nullopt;
   if (vertices && hovered && *hovered < discs.size()) discs[*hovered].ring = true;
   if (!shares.empty()) hand.ends = ramp_of_ends(shares, theme, shown_edges_);
   if (marks_.set(w, theme)) ++content_;
@@ -191,39 +189,39 @@ void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
 
 ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::size_t view) const {
   ViewDrawing::Part part;
-  const workspace::Pane pane = workspace::pane_of(w.split, view);
-  const document::Viewport& v = w.viewport;
+  const workspace::Pane pane = workspace::pane_of(w.view.split, view);
+  const document::Viewport& v = w.view.viewport;
   part.low = (v.origin + pane.at * v.size) / v.window;
   part.high = (v.origin + (pane.at + pane.size) * v.size) / v.window;
-  document::Camera camera = w.camera;
+  document::Camera camera = w.view.camera;
   if (const auto pose = workspace::camera_of(w, view); pose != camera.pose()) camera.set_pose(pose);
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
-  part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.split, v, view)));
-  part.surface.wireframe = w.view.wireframe ? 0.3f : 0.0f;
+  part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.view.split, v, view)));
+  part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
   // If a surface is closed, omits back faces. This halves the time of software rendering.
   const auto& summary = w.document.model.summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
-  part.surface.paint = paint_of(w.view.shading, file_has_looks_);
+  part.surface.paint = paint_of(w.view.options.shading, file_has_looks_);
   part.cage = !workspace::shown_way(w, view).other_blending;
-  models_[view]->span(part.surface, w.split.views[view].shown);
+  models_[view]->span(part.surface, w.view.split.views[view].shown);
   return part;
 }
 
 ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2 size, float scale) const {
   ViewDrawing d;
   d.size = size, d.scale = scale;
-  d.dark = w.view.dark;
+  d.dark = w.view.options.dark;
   const auto& document = w.document;
   if (!document.model.surface) return d;
   d.content = content_;
-  for (std::size_t view = 0; view < std::min(models_.size(), w.split.count()); ++view)
+  for (std::size_t view = 0; view < std::min(models_.size(), w.view.split.count()); ++view)
     d.parts.push_back(part(w, view));
-  d.model = w.view.model, d.grid = w.view.grid;
-  d.cage = document.has_cage() && w.view.cage, d.ghost = w.view.ghost;
+  d.model = w.view.options.model, d.grid = w.view.options.grid;
+  d.cage = document.has_cage() && w.view.options.cage, d.ghost = w.view.options.ghost;
   const double diagonal = document.space.diagonal();
   const auto& c = document.space.center;
-  const int up = w.camera.pose().up == document::UpAxis::z ? 2 : 1;
+  const int up = w.view.camera.pose().up == document::UpAxis::z ? 2 : 1;
   mesh::Point ground{c[0], c[1], c[2]};
   ground[static_cast<std::size_t>(up)] = document.model.bounds.low[static_cast<std::size_t>(up)];
   d.shadow = {ground, up, diagonal};
@@ -329,7 +327,7 @@ std::vector<std::uint8_t> marks_of(const deform::Cage& cage, const document::Sel
 bool CageMarks::set(const workspace::Workspace& w, const render::Theme& theme) {
   Marks marks;
   marks.positions = w.document.pose.positions;
-  if (w.tools) add_faces(w, marks), add_edges(w, theme, marks);
+  if (w.view.tools) add_faces(w, marks), add_edges(w, theme, marks);
   if (marks == marks_) return false;
   marks_ = std::move(marks);
   upload();
@@ -353,7 +351,7 @@ void CageMarks::add_faces(const workspace::Workspace& w, Marks& marks) {
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
     const auto face = surface.triangle_polygon[t];
     if (marked[face]) marks.selected.push_back(surface.triangles[t]);
-    if (w.interaction.hovered == face) marks.hovered.push_back(surface.triangles[t]);
+    if (w.view.interaction.hovered == face) marks.hovered.push_back(surface.triangles[t]);
   }
 }
 
@@ -365,11 +363,10 @@ void CageMarks::add_edges(const workspace::Workspace& w, const render::Theme& th
   const auto add = [&](std::uint32_t element) {
     add_outline(document::element_vertices(*document.cage, kind, element), segments);
   };
-  if (kind != ElementKind::probe) {
+  if (kind != ElementKind::probe)
     for (const auto i : document.selection.indices()) add(i);
-  }
   const std::size_t selected = segments.size();
-  const auto hovered = w.interaction.hovered;
+  const auto hovered = w.view.interaction.hovered;
   if (hovered && *hovered < document::element_count(*document.cage, kind)) add(*hovered);
   marks.colors.assign(segments.size(), glm::vec4(theme.hover, 0.85f));
   std::fill_n(marks.colors.begin(), selected, glm::vec4(theme.selection, 1));
@@ -414,17 +411,17 @@ void FindingMarks::collect(const workspace::Workspace& w) {
   }
   faces_.set_triangles(triangles, used_.size());
   edges_.set_segments(segments, used_.size());
-  const glm::vec4 color(render::theme(w.view.dark).finding, 1);
+  const glm::vec4 color(render::theme(w.view.options.dark).finding, 1);
   edges_.set_color(color);
   vertices_.set_discs(std::vector<render::Disc>(used_.size(), {color, vertices ? 4.0F : 2.5F, false}));
 }
 
 bool FindingMarks::set(const workspace::Workspace& w, const document::PosedModel& posed, bool moved) {
-  const bool same = revision_ == w.checks.revision() && dark_ == w.view.dark;
+  const bool same = revision_ == w.checks.revision() && dark_ == w.view.options.dark;
   if (same && (!moved || used_.empty())) return false;
   if (!same) collect(w);
   revision_ = w.checks.revision();
-  dark_ = w.view.dark;
+  dark_ = w.view.options.dark;
   if (used_.empty()) {
     vertices_.set_positions({});
     return true;

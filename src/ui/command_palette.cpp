@@ -15,14 +15,14 @@ constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
 
 // Returns true if the row was clicked.
 bool row(const Context& ui, const workspace::Command& command, std::size_t index, bool follow) {
-  const bool highlighted = index == ui.workspace.palette.highlighted;
+  const bool highlighted = index == ui.workspace.panels.palette.highlighted;
   const bool enabled = command.enabled(ui.workspace);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
   const bool clicked = ImGui::InvisibleButton(std::string(command.name).c_str(), {width, palette_row});
   record(ui, "palette/" + std::string(command.name), enabled);
   const bool mouse_moves = ImGui::GetIO().MouseDelta.x != 0 || ImGui::GetIO().MouseDelta.y != 0;
-  if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.palette.highlighted = index;
+  if (ImGui::IsItemHovered() && mouse_moves) ui.workspace.panels.palette.highlighted = index;
   if (highlighted && follow) ImGui::SetScrollHereY();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   if (highlighted) draw.AddRectFilled(at, {at.x + width, at.y + palette_row}, ui.colors.card_active, 4);
@@ -48,7 +48,7 @@ void explanation(const Context& ui, const workspace::Command* command) {
 // Closes the palette first, because the command may open a window with keyboard input.
 void run(workspace::Workspace& w, const workspace::Command& command) {
   if (!command.enabled(w)) return;
-  w.palette.open = false;
+  w.panels.palette.open = false;
   command.run(w);
 }
 
@@ -56,9 +56,9 @@ void run(workspace::Workspace& w, const workspace::Command& command) {
 
 void command_palette(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  workspace::Palette& palette = w.palette;
+  workspace::Palette& palette = w.panels.palette;
   if (!palette.open) return;
-  const document::Viewport& v = w.viewport;
+  const document::Viewport& v = w.view.viewport;
   const Window window("Palette",
                       {.at = middle_at(ui, v.origin.y + 48),
                        .pivot = {0.5f, 0},
@@ -77,9 +77,8 @@ void command_palette(const Context& ui) {
   const workspace::Command* chosen = nullptr;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8, 0});
   ImGui::BeginChild("found", {0, std::max(3.0f, rows) * palette_row});
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  for (std::size_t i = 0; i < found.size(); ++i)
     if (row(ui, *found[i], i, steps != 0)) chosen = found[i], palette.highlighted = i;
-  }
   if (found.empty()) note(ui, "No command matches.");
   ImGui::EndChild();
   ImGui::PopStyleVar();

@@ -45,13 +45,13 @@ const Task& task_of(Purpose purpose) {
 }
 
 void request(workspace::Workspace& w, Purpose purpose, const std::filesystem::path& path) {
-  workspace::Requests& requests = w.requests;
+  workspace::Requests& requests = w.jobs.requests;
   const Task& task = task_of(purpose);
   if (task.open) {
     requests.open = files::OpenRequest{*task.open, {path}};
   } else if (task.save) {
     requests.*task.save = path;
-  } else if ((requests.open = std::exchange(w.unopened, std::nullopt))) {
+  } else if ((requests.open = std::exchange(w.files.unopened, std::nullopt))) {
     auto& located = requests.open->located;
     (purpose == Purpose::locate_model ? located.model : located.cage) = path;
   }
@@ -59,32 +59,33 @@ void request(workspace::Workspace& w, Purpose purpose, const std::filesystem::pa
 
 // The panel stays open until the file has been read or written.
 void ask(workspace::Workspace& w, const std::filesystem::path& path) {
-  if (!w.browser.asked.empty()) return;
-  request(w, w.browser.purpose, path);
-  w.browser.asked = path;
+  if (!w.files.browser.asked.empty()) return;
+  request(w, w.files.browser.purpose, path);
+  w.files.browser.asked = path;
 }
 
 // Shows a folder in the panel, or requests a file.
 void choose(workspace::Workspace& w, const std::filesystem::path& path) {
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) return workspace::enter(w.browser, path);
+  if (std::filesystem::is_directory(path, ignored)) return workspace::enter(w.files.browser, path);
   ask(w, path);
   w.preferences.folder = path.parent_path();
 }
 
 void choose_typed(workspace::Workspace& w) {
-  if (workspace::filters_by_path(w.browser)) w.browser.path = std::exchange(w.browser.filter, "");
-  const std::filesystem::path typed = workspace::typed_path(w.browser);
+  auto& browser = w.files.browser;
+  if (workspace::filters_by_path(browser)) browser.path = std::exchange(browser.filter, "");
+  const std::filesystem::path typed = workspace::typed_path(browser);
   std::error_code ignored;
   if (std::filesystem::is_directory(typed, ignored)) return choose(w, typed);
-  w.browser.problem = workspace::problem_of_name(w.browser);
-  if (w.browser.problem.empty()) choose(w, workspace::chosen_file(w.browser));
+  browser.problem = workspace::problem_of_name(browser);
+  if (browser.problem.empty()) choose(w, workspace::chosen_file(browser));
 }
 
 // The user must press Enter twice to overwrite a file.
 void confirm_typed(workspace::Workspace& w) {
-  if (w.browser.replaces() && w.browser.warned != w.browser.path) {
-    w.browser.warned = w.browser.path;
+  if (w.files.browser.replaces() && w.files.browser.warned != w.files.browser.path) {
+    w.files.browser.warned = w.files.browser.path;
   } else {
     choose_typed(w);
   }
@@ -107,7 +108,7 @@ bool text_field(const char* id, const char* empty, std::string& value, ImGuiInpu
 }
 
 void path_field(const Context& ui) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
   // Typing replaces a proposed name, but not a name to correct or to confirm.
@@ -129,7 +130,7 @@ void path_field(const Context& ui) {
 
 // Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   const std::string now = workspace::format_of(browser);
   for (const std::string_view format : formats) {
     std::string label(format);
@@ -146,7 +147,7 @@ void format_buttons(const Context& ui, const std::vector<std::string_view>& form
 }
 
 void filter_row(const Context& ui) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   if (button(ui, "Up", "file_up", "Go to the parent folder.  (Backspace)"))
     workspace::enter(browser, browser.folder.parent_path());
   ImGui::SameLine();
@@ -171,7 +172,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   std::optional<std::size_t> clicked;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const auto& entry = *entries[i];
-    const Browser& browser = ui.workspace.browser;
+    const Browser& browser = ui.workspace.files.browser;
     const bool highlighted = i == browser.highlighted;
     const float line = ImGui::GetCursorScreenPos().y;
     const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
@@ -188,33 +189,33 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
     }
   }
   if (!entries.empty()) return clicked;
-  const bool sessions = ui.workspace.browser.purpose == Purpose::save_session;
-  note(ui, workspace::filters_by_path(ui.workspace.browser) ? "Press Enter to go to this path."
-           : !ui.workspace.browser.filter.empty()           ? "No file matches."
-           : sessions                                       ? "No session in this folder."
-                      : "No " + workspace::format_list(ui.workspace.browser) + " file in this folder.");
+  const bool sessions = ui.workspace.files.browser.purpose == Purpose::save_session;
+  note(ui, workspace::filters_by_path(ui.workspace.files.browser) ? "Press Enter to go to this path."
+           : !ui.workspace.files.browser.filter.empty()           ? "No file matches."
+           : sessions                                             ? "No session in this folder."
+                      : "No " + workspace::format_list(ui.workspace.files.browser) + " file in this folder.");
   return clicked;
 }
 
 // Opens the folder or file. When saving, proposes to replace the file.
 void take(workspace::Workspace& w, const Browser::Entry& entry) {
-  const std::filesystem::path path = w.browser.folder / entry.name;
-  if (entry.folder || !w.browser.saves()) return choose(w, path);
-  if (w.browser.path == path.string()) return confirm_typed(w);
-  w.browser.path = path.string();
+  const std::filesystem::path path = w.files.browser.folder / entry.name;
+  if (entry.folder || !w.files.browser.saves()) return choose(w, path);
+  if (w.files.browser.path == path.string()) return confirm_typed(w);
+  w.files.browser.path = path.string();
 }
 
 // A click selects an entry. A double click confirms the entry, but never overwrites a file.
 void click_entry(workspace::Workspace& w, std::size_t index) {
-  workspace::highlight(w.browser, index);
-  const Browser::Entry& entry = *workspace::shown(w.browser)[index];
-  if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.browser.saves())) take(w, entry);
+  workspace::highlight(w.files.browser, index);
+  const Browser::Entry& entry = *workspace::shown(w.files.browser)[index];
+  if (ImGui::IsMouseDoubleClicked(0) && (entry.folder || !w.files.browser.saves())) take(w, entry);
 }
 
 // Up and Down move the highlight, Enter confirms, Esc closes. If the filter is empty, Backspace goes to the
 // parent folder. Returns true if the highlight moved.
 bool handle_keys(const Context& ui, bool typing_path) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   const int steps = arrow_steps();
   if (steps != 0) workspace::move_highlight(browser, steps);
   if (key_pressed(workspace::Key::escape)) browser.open = false;
@@ -241,7 +242,7 @@ bool shows_pictures(const Browser& browser) {
 }
 
 void morph_row(const Context& ui) {
-  workspace::MorphChoice& morphs = ui.workspace.browser.morphs;
+  workspace::MorphChoice& morphs = ui.workspace.files.browser.morphs;
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Tolerance");
   ImGui::SameLine();
@@ -256,7 +257,7 @@ void morph_row(const Context& ui) {
 }
 
 void picture_choices(const Context& ui) {
-  workspace::PictureChoice& choice = *ui.workspace.browser.pictures;
+  workspace::PictureChoice& choice = *ui.workspace.files.browser.pictures;
   const auto box = [&](const char* label, const char* name, bool& on, const char* what) {
     checkbox(ui, label, name, on, what);
     ImGui::SameLine(0, 18);
@@ -279,7 +280,7 @@ void picture_choices(const Context& ui) {
 
 // Two lines below the path: an error, or a warning that a file will be replaced.
 void path_note(const Context& ui) {
-  const Browser& browser = ui.workspace.browser;
+  const Browser& browser = ui.workspace.files.browser;
   const float line = ImGui::GetCursorPosY();
   if (!browser.problem.empty()) {
     note(ui, browser.problem, ui.colors.bad);
@@ -297,7 +298,7 @@ void path_note(const Context& ui) {
 }
 
 void button_row(const Context& ui) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   const bool replaces = browser.replaces();
   const char* label = !browser.saves() ? "Open###choose" : replaces ? "Replace###choose" : "Save###choose";
   const bool confirmed = button(ui, label, "file_choose", "");
@@ -320,7 +321,7 @@ void button_row(const Context& ui) {
 }  // namespace
 
 void file_panel(const Context& ui) {
-  Browser& browser = ui.workspace.browser;
+  Browser& browser = ui.workspace.files.browser;
   const ImVec2 display = ImGui::GetIO().DisplaySize;
   const ImVec2 size{std::min(640.0f, display.x), std::min(460.0f, display.y)}, middle = middle_of_view(ui);
   bool open = true;

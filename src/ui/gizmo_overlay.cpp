@@ -21,7 +21,7 @@ using Kind = Constraint::Kind;
 class GizmoDrawing {
 public:
   GizmoDrawing(const Context& ui, OverlayPainter& painter, const interact::Gizmo& gizmo)
-      : ui_(ui), painter_(painter), gizmo_(gizmo), interaction_(ui.workspace.interaction) {}
+      : ui_(ui), painter_(painter), gizmo_(gizmo), interaction_(ui.workspace.view.interaction) {}
 
   void draw() {
     if (gizmo_.tool == interact::Tool::rotate) return rings();
@@ -84,15 +84,13 @@ private:
   }
 
   void rings() {
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis)
       if (shown({Kind::axis, axis})) ring_side(axis, false);
-    }
     if (shown({}))
       painter_.circle(gizmo_.center, interact::gizmo_view_ring, color({}), lit({}) ? 2.5f : 1.25f,
                       lit({}) ? 1 : 0.6f);
-    for (const int axis : gizmo_.far_to_near) {
+    for (const int axis : gizmo_.far_to_near)
       if (shown({Kind::axis, axis})) ring_side(axis, true);
-    }
   }
 
   // Draws the part of a ring that faces the camera, or the part behind it.
@@ -139,7 +137,7 @@ void guides(const Context& ui, OverlayPainter& painter, const interact::DragGuid
 
 // Shows the amount of the drag next to the cursor, inside the view.
 void readout(const Context& ui, const std::string& text) {
-  const auto& v = ui.workspace.viewport;
+  const auto& v = ui.workspace.view.viewport;
   ImGui::PushFont(ui.fonts.numbers);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str()), cursor = ImGui::GetIO().MousePos;
   const float x = std::clamp(cursor.x + 22, v.origin.x + 12,
@@ -157,12 +155,13 @@ void readout(const Context& ui, const std::string& text) {
 
 void gizmo_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (w.interaction.box) return;
+  const auto& drag = w.view.interaction.drag;
+  if (w.view.interaction.box) return;
   OverlayPainter painter(ui);
-  if (w.interaction.drag)
-    guides(ui, painter, interact::drag_guides(*w.interaction.drag, w.document.space, w.camera, w.viewport));
+  if (drag)
+    guides(ui, painter, interact::drag_guides(*drag, w.document.space, w.view.camera, w.view.viewport));
   if (const auto gizmo = workspace::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
-  if (w.interaction.drag) readout(ui, w.interaction.drag->readout());
+  if (drag) readout(ui, drag->readout());
 }
 
 // Draws mirror partners, the radius of soft selection and the placed pivot.
@@ -179,13 +178,13 @@ void cross(const Context& ui, OverlayPainter& painter, const glm::vec2& at, ImU3
 
 void placed_pivot(const Context& ui, OverlayPainter& painter, const interact::Projector& project) {
   const workspace::Workspace& w = ui.workspace;
-  if (w.interaction.placing_pivot && w.interaction.cursor) {
-    if (const auto at = project(workspace::pivot_place(w, *w.interaction.cursor)))
+  if (w.view.interaction.placing_pivot && w.view.interaction.cursor) {
+    if (const auto at = project(workspace::pivot_place(w, *w.view.interaction.cursor)))
       cross(ui, painter, glm::vec2(*at), ui.colors.highlight);
     return;
   }
-  if (w.handling.pivot != document::Pivot::point || !w.handling.point) return;
-  if (const auto at = project(*w.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
+  if (w.view.handling.pivot != document::Pivot::point || !w.view.handling.point) return;
+  if (const auto at = project(*w.view.handling.point)) cross(ui, painter, glm::vec2(*at), ui.colors.neutral);
 }
 
 // Draws rings at the mirror partners of the selection, and warning rings at selected unpaired vertices.
@@ -215,11 +214,12 @@ void mirror_plane(const Context& ui, OverlayPainter& painter, const interact::Pr
 
 void soft_circle(const Context& ui, OverlayPainter& painter) {
   const workspace::Workspace& w = ui.workspace;
-  const glm::dvec3 center = w.interaction.drag->grip().anchor.center + w.interaction.drag->transform().shift;
+  const interact::TransformDrag& drag = *w.view.interaction.drag;
+  const glm::dvec3 center = drag.grip().anchor.center + drag.transform().shift;
   const glm::dvec3 at(w.document.space.to_view({center.x, center.y, center.z}));
-  if (!(w.camera.depth(glm::vec3(at)) > 0)) return;
-  const interact::CursorProjection seen(at, w.camera, w.viewport);
-  const auto pixels = static_cast<float>(w.handling.soft.radius * w.document.space.diagonal() *
+  if (!(w.view.camera.depth(glm::vec3(at)) > 0)) return;
+  const interact::CursorProjection seen(at, w.view.camera, w.view.viewport);
+  const auto pixels = static_cast<float>(w.view.handling.soft.radius * w.document.space.diagonal() *
                                          w.document.space.scale / seen.per_pixel());
   if (pixels < 4000) painter.circle(glm::vec2(seen.at()), pixels, ui.colors.highlight, 1.25f, 0.5f);
 }
@@ -230,16 +230,16 @@ void hand_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
   OverlayPainter painter(ui);
-  const interact::Projector project(w.document.space, w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
   const document::Mirror* const mirror = workspace::mirror_of(w);
-  if (w.view.cage && mirror && w.document.has_cage()) {
-    if (w.interaction.drag)
+  if (w.view.options.cage && mirror && w.document.has_cage()) {
+    if (w.view.interaction.drag)
       mirror_plane(ui, painter, project, *mirror);
     else
       partners_of_selection(ui, painter, project, *mirror);
   }
   placed_pivot(ui, painter, project);
-  if (w.interaction.drag && w.handling.soft.on && !w.interaction.drag->grip().vertices.empty())
+  if (w.view.interaction.drag && w.view.handling.soft.on && !w.view.interaction.drag->grip().vertices.empty())
     soft_circle(ui, painter);
 }
 

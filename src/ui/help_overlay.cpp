@@ -82,12 +82,12 @@ workspace::Keymap plain_preset(const workspace::Keymap& keymap) {
 void key_of_command(const Context& ui, const workspace::Command& command) {
   workspace::Workspace& w = ui.workspace;
   const std::string name(command.name), keys = workspace::text(w.preferences.keymap.of(command));
-  const bool waits = w.interaction.setting_key == name;
+  const bool waits = w.view.interaction.setting_key == name;
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
   if (button(ui, label.c_str(), "key/" + name,
              waits ? "" : "Click and press the new key. Delete removes it, Esc cancels.", {keys_width, 0}))
-    w.interaction.setting_key = waits ? "" : name;
+    w.view.interaction.setting_key = waits ? "" : name;
   if (waits) ImGui::PopStyleColor();
 }
 
@@ -133,14 +133,13 @@ void mouse_rows(const Context& ui) {
 
 // Lists all commands by menu, or the matches of the search with the best match first.
 void key_rows(const Context& ui) {
-  const std::string& typed = ui.workspace.key_list.typed;
+  const std::string& typed = ui.workspace.panels.key_list.typed;
   const workspace::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
   if (typed.empty()) {
     for (const workspace::Menu& menu : workspace::menus()) {
       heading(ui, std::string(menu.title).c_str());
-      for (const workspace::Command* command : menu.items) {
+      for (const workspace::Command* command : menu.items)
         if (!is_transient_answer(ui, *command)) key_row(ui, plain, *command);
-      }
     }
     return mouse_rows(ui);
   }
@@ -151,7 +150,7 @@ void key_rows(const Context& ui) {
 
 // Resets all keys. While the list is open, the same button restores the changes.
 void reset_all_button(const Context& ui) {
-  workspace::KeyList& list = ui.workspace.key_list;
+  workspace::KeyList& list = ui.workspace.panels.key_list;
   workspace::Keymap& keymap = ui.workspace.preferences.keymap;
   if (!keymap.changes().empty()) list.taken_back.reset();
   const bool brings = list.taken_back.has_value();
@@ -169,16 +168,16 @@ void reset_all_button(const Context& ui) {
 }
 
 void close_keys(workspace::Workspace& w) {
-  w.key_list = {};
-  w.interaction.setting_key.clear();
+  w.panels.key_list = {};
+  w.view.interaction.setting_key.clear();
 }
 
 }  // namespace
 
 void key_list(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.key_list.open) return;
-  const document::Viewport& v = w.viewport;
+  if (!w.panels.key_list.open) return;
+  const document::Viewport& v = w.view.viewport;
   bool open = true;
   const Window window("Keys and mouse",
                       {.at = {0.5f * v.window.x, v.origin.y + 0.5f * v.size.y},
@@ -186,25 +185,25 @@ void key_list(const Context& ui) {
                       dialog_flags, &open);
   command_choice(ui, {"keys_viete", "keys_blender", "keys_maya", "keys_viewer"},
                  static_cast<std::size_t>(w.preferences.keymap.preset()));
-  search_field(ui, "keys_text", w.key_list.typed, w.key_list.appearing);
+  search_field(ui, "keys_text", w.panels.key_list.typed, w.panels.key_list.appearing);
   ImGui::BeginChild("rows", {0, -(ImGui::GetFrameHeight() + 8)});
   key_rows(ui);
   ImGui::EndChild();
   reset_all_button(ui);
   ImGui::SameLine();
   if (button(ui, "Close", "close_keys", "")) open = false;
-  const bool waits = !w.interaction.setting_key.empty();
+  const bool waits = !w.view.interaction.setting_key.empty();
   // An Esc that cancels entering a key does not close the list.
-  if (key_pressed(workspace::Key::escape) && !waits && !w.key_list.waiting) open = false;
-  w.key_list.waiting = waits;
+  if (key_pressed(workspace::Key::escape) && !waits && !w.panels.key_list.waiting) open = false;
+  w.panels.key_list.waiting = waits;
   if (!open) close_keys(w);
 }
 
 float key_question(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.view.hints) w.ask_keys = false;  // the user is already working
-  if (!w.ask_keys || !w.view.panels || w.key_list.open || w.loading.running || w.browser.open || w.question ||
-      offers_next_step(w))
+  if (!w.view.options.hints) w.panels.ask_keys = false;  // the user is already working
+  if (!w.panels.ask_keys || !w.view.options.panels || w.panels.key_list.open || w.jobs.loading.running ||
+      w.files.browser.open || w.files.question || offers_next_step(w))
     return bottom;
   const Window window("Choose keymap",
                       {.at = middle_at(ui, bottom - 56), .pivot = {0.5f, 1}, .padding = {16, 12}},
@@ -216,11 +215,11 @@ float key_question(const Context& ui, float bottom) {
     if (button(ui, presets[i].label.data(), "ask_keys/" + std::string(presets[i].word),
                std::string(presets[i].hint) + " You can change it later in Help, Keymap.", {72, 0})) {
       w.preferences.keymap.set_preset(static_cast<workspace::KeyPreset>(i));
-      w.ask_keys = false;
+      w.panels.ask_keys = false;
     }
   }
   ImGui::SameLine();
-  if (button(ui, "x", "ask_keys/close", "Use the keymap Viete.")) w.ask_keys = false;
+  if (button(ui, "x", "ask_keys/close", "Use the keymap Viete.")) w.panels.ask_keys = false;
   return ImGui::GetWindowPos().y + 28;
 }
 

@@ -21,9 +21,8 @@ bool matches(const workspace::Shortcut& shortcut, const ImGuiIO& io) {
 
 std::optional<workspace::Shortcut> pressed_shortcut() {
   const ImGuiIO& io = ImGui::GetIO();
-  for (const auto& [key, name] : workspace::all_keys()) {
+  for (const auto& [key, name] : workspace::all_keys())
     if (key_pressed(key)) return workspace::Shortcut{key, io.KeyCtrl, io.KeyShift, io.KeyAlt};
-  }
   return std::nullopt;
 }
 
@@ -31,7 +30,7 @@ std::optional<workspace::Shortcut> pressed_shortcut() {
 void set_key(workspace::Workspace& workspace) {
   const auto pressed = pressed_shortcut();
   if (!pressed) return;
-  const std::string name = std::exchange(workspace.interaction.setting_key, "");
+  const std::string name = std::exchange(workspace.view.interaction.setting_key, "");
   const workspace::Command* const command = workspace::find_command(name);
   if (!command || *pressed == workspace::Shortcut{workspace::Key::escape}) return;
   const bool none = *pressed == workspace::Shortcut{workspace::Key::delete_key};
@@ -50,7 +49,7 @@ void set_key(workspace::Workspace& workspace) {
 void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& pointer) {
   const ImGuiIO& io = ImGui::GetIO();
   if (io.WantTextInput || ImGui::IsAnyItemActive() || types_into_slider(workspace) || pointer.active() ||
-      workspace.question)
+      workspace.files.question)
     return;
   for (const auto& command : workspace::commands()) {
     const workspace::Shortcuts keys = workspace.preferences.keymap.of(command);
@@ -76,17 +75,16 @@ workspace::PointerInput pointer_input(bool keys) {
   if (io.WantTextInput || !keys) return input;
   input.enter = enter_pressed();
   input.backspace = key_pressed(workspace::Key::backspace);
-  for (const ImWchar c : io.InputQueueCharacters) {
+  for (const ImWchar c : io.InputQueueCharacters)
     if (c > 0 && c < 128) input.typed += static_cast<char>(c);
-  }
   return input;
 }
 
 }  // namespace
 
 void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer) {
-  if (!workspace.interaction.setting_key.empty()) return set_key(workspace);
-  const bool escaped = take_escape(workspace), keys = !workspace.question && !escaped;
+  if (!workspace.view.interaction.setting_key.empty()) return set_key(workspace);
+  const bool escaped = take_escape(workspace), keys = !workspace.files.question && !escaped;
   pointer.frame(workspace, pointer_input(keys));
   if (!escaped) run_shortcuts(workspace, pointer);
 }

@@ -45,7 +45,7 @@ void history_menu(const Context& ui) {
   ImGui::EndMenu();
   if (wanted == position) return;
   document::go_to_edit(w.document, wanted);
-  w.interaction.hovered.reset();
+  w.view.interaction.hovered.reset();
 }
 
 void recent_menu(const Context& ui) {
@@ -132,15 +132,15 @@ void menu_bar(const Context& ui) {
     ImGui::EndMenu();
   }
   const float line = ImGui::GetWindowPos().y + height - 1;
-  ImGui::GetWindowDrawList()->AddLine({0, line}, {ui.workspace.viewport.window.x, line}, ui.colors.line);
+  ImGui::GetWindowDrawList()->AddLine({0, line}, {ui.workspace.view.viewport.window.x, line}, ui.colors.line);
   ImGui::EndMainMenuBar();
 }
 
 void context_menu(const Context& ui) {
-  auto& asked = ui.workspace.interaction.menu;
+  auto& asked = ui.workspace.view.interaction.menu;
   if (asked) {
     ImGui::OpenPopup("Context");  // at the mouse, within the window
-    ui.workspace.interaction.menu_at = *asked;
+    ui.workspace.view.interaction.menu_at = *asked;
     asked.reset();
   }
   if (!ImGui::BeginPopup("Context")) return;
@@ -148,7 +148,7 @@ void context_menu(const Context& ui) {
   bool line = false, any = false, chosen = false;
   auto& w = ui.workspace;
   const auto cursor =
-      std::exchange(w.interaction.cursor, w.interaction.menu_at);  // commands act at this place
+      std::exchange(w.view.interaction.cursor, w.view.interaction.menu_at);  // commands act at this place
   std::istringstream words(offers);
   for (std::string offer; words >> offer;) {
     const workspace::Command* command = workspace::find_command(offer);
@@ -158,7 +158,7 @@ void context_menu(const Context& ui) {
     line = false, any = true;
     if (menu_item(ui, *command)) chosen = true;
   }
-  if (!chosen) w.interaction.cursor = cursor;
+  if (!chosen) w.view.interaction.cursor = cursor;
   ImGui::PopStyleVar();
   ImGui::EndPopup();
 }

@@ -42,8 +42,8 @@ std::string message_text(const workspace::Message& message) {
 
 void message_log(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.show_messages) return;
-  const document::Viewport& v = w.viewport;
+  if (!w.panels.show_messages) return;
+  const document::Viewport& v = w.view.viewport;
   bool open = true;
   const ImVec2 size{std::min(560.0f, v.window.x - 32), std::min(360.0f, v.size.y - 32)};
   const Window window("Messages", {.at = middle_of_view(ui), .size = size}, dialog_flags, &open);
@@ -60,7 +60,7 @@ void message_log(const Context& ui) {
   if (button(ui, "Clear", "clear_messages", "Clear the list of messages.")) w.messages.clear();
   ImGui::SameLine();
   if (button(ui, "Close", "close_messages", "") || key_pressed(workspace::Key::escape)) open = false;
-  w.show_messages = open;
+  w.panels.show_messages = open;
 }
 
 namespace {
@@ -86,7 +86,7 @@ float width_of(const std::string& label) {
 
 // Shows the name of the newest recovery file, which Restore opens, and the number of other files.
 void recovery_text(const Context& ui) {
-  const auto& recovery_files = ui.workspace.recovery_files;
+  const auto& recovery_files = ui.workspace.recovery.files;
   const std::size_t more = recovery_files.size() - 1;
   const std::string text = "Recovered edits: " + name_of(recovery_files.front()) +
                            (more == 0 ? "" : " and " + std::to_string(more) + " more");
@@ -100,17 +100,17 @@ void recovery_text(const Context& ui) {
 float notice_room(const Context& ui) {
   constexpr float tools = 64,
                   least = 180;  // the tools are on the left; the right side is as wide, for centering
-  return std::max(least, ui.workspace.viewport.size.x - 2 * tools);
+  return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);
 }
 
 // A row below the menu bar, above the columns and the view.
 void notice_bar(const Context& ui) {
   auto& w = ui.workspace;
-  if (!w.has_user) return;
-  w.notice_height = 0;
-  if (!w.offers_recovery || w.recovery_files.empty()) return;
-  const float top = w.view.panels ? workspace::PanelLayout::menu_height : 0;
-  const ImVec2 size(w.viewport.window.x, 0);
+  if (!w.panels.has_user) return;
+  w.panels.notice_height = 0;
+  if (!w.recovery.offered || w.recovery.files.empty()) return;
+  const float top = w.view.options.panels ? workspace::PanelLayout::menu_height : 0;
+  const ImVec2 size(w.view.viewport.window.x, 0);
   ImGui::SetNextWindowSizeConstraints(size, {size.x, FLT_MAX});
   const Window window("Notice", {.at = {0, top}, .pivot = {0, 0}, .rounding = 0}, card_flags);
   recovery_text(ui);
@@ -118,7 +118,7 @@ void notice_bar(const Context& ui) {
     flow(width_of(workspace::find_command(command)->brief));
     command_button(ui, command);
   }
-  w.notice_height = ImGui::GetWindowSize().y;
+  w.panels.notice_height = ImGui::GetWindowSize().y;
 }
 
 namespace {
@@ -163,7 +163,7 @@ bool toast(const Context& ui, const std::string& name, const std::string& text, 
   text_in(ui.colors.text, shown);
   ImGui::PopTextWrapPos();
   record(ui, name);
-  if (ImGui::IsItemClicked()) ui.workspace.show_messages = true;
+  if (ImGui::IsItemClicked()) ui.workspace.panels.show_messages = true;
   hint("Click to see all messages.");
   if (!closes) return false;
   ImGui::SameLine(size.x - 30);
@@ -173,9 +173,8 @@ bool toast(const Context& ui, const std::string& name, const std::string& text, 
 // Indices of the visible messages, newest first.
 std::vector<std::size_t> visible_messages(const workspace::Messages& messages) {
   std::vector<std::size_t> newest;
-  for (std::size_t i = messages.all().size(); i-- > 0;) {
+  for (std::size_t i = messages.all().size(); i-- > 0;)
     if (messages.all()[i].visible) newest.push_back(i);
-  }
   return newest;
 }
 
@@ -183,7 +182,7 @@ std::vector<std::size_t> visible_messages(const workspace::Messages& messages) {
 
 void toasts(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.has_user) return;
+  if (!w.panels.has_user) return;
   const auto newest = visible_messages(w.messages);
   for (std::size_t i = 0; i < std::min(most_toasts, newest.size()); ++i) {
     const workspace::Message& message = w.messages.all()[newest[i]];
@@ -207,7 +206,7 @@ constexpr float question_width = 440;
 
 // The answer that Enter gives has the accent colour.
 bool answer_button(const Context& ui, std::size_t i) {
-  const workspace::Question& question = *ui.workspace.question;
+  const workspace::Question& question = *ui.workspace.files.question;
   const bool chosen = question.chosen == i;
   if (chosen) {
     for (const auto color : {ImGuiCol_Button, ImGuiCol_ButtonHovered, ImGuiCol_ButtonActive})
@@ -223,11 +222,11 @@ bool answer_button(const Context& ui, std::size_t i) {
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
-  for (std::size_t i = 0; i < answer_count(ui.workspace.question->kind); ++i) {
+  for (std::size_t i = 0; i < answer_count(ui.workspace.files.question->kind); ++i) {
     if (i > 0) ImGui::SameLine();
     if (answers[i] == Answer::proceed)
       ImGui::SetCursorPosX(left + question_width -
-                           width_of(workspace::label(ui.workspace.question->kind, answers[i])));
+                           width_of(workspace::label(ui.workspace.files.question->kind, answers[i])));
     if (answer_button(ui, i)) answer = answers[i];
   }
   return answer;
@@ -246,7 +245,7 @@ std::optional<Answer> answer_by_key(workspace::Question& question) {
 }
 
 void question_words(const Context& ui) {
-  const workspace::Question& question = *ui.workspace.question;
+  const workspace::Question& question = *ui.workspace.files.question;
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + question_width);
   ImGui::PushFont(ui.fonts.strong);
   ImGui::TextUnformatted(question.title.c_str());
@@ -261,7 +260,7 @@ void question_words(const Context& ui) {
 }  // namespace
 
 void question_panel(const Context& ui) {
-  auto& question = ui.workspace.question;
+  auto& question = ui.workspace.files.question;
   if (!question) return;
   ImGui::OpenPopup("Question");
   const ImVec2 display = ImGui::GetIO().DisplaySize;
@@ -273,8 +272,8 @@ void question_panel(const Context& ui) {
   if (ImGui::BeginPopupModal("Question", nullptr, flags)) {
     question_words(ui);
     const auto clicked = answer_row(ui), typed = answer_by_key(*question);
-    ui.workspace.requests.answer = clicked ? clicked : typed;
-    if (ui.workspace.requests.answer) ImGui::CloseCurrentPopup();
+    ui.workspace.jobs.requests.answer = clicked ? clicked : typed;
+    if (ui.workspace.jobs.requests.answer) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);
@@ -313,13 +312,13 @@ bool shows(const workspace::WorkState& work) {
 
 float work_bar(const Context& ui, float bottom) {
   auto& w = ui.workspace;
-  const workspace::WorkState& work = w.loading.running       ? w.loading
-                                     : w.making_cage.running ? w.making_cage
-                                                             : w.binding;
-  if (!shows(work) && !shows(w.exporting)) return bottom;
+  const workspace::WorkState& work = w.jobs.loading.running       ? w.jobs.loading
+                                     : w.jobs.making_cage.running ? w.jobs.making_cage
+                                                                  : w.jobs.binding;
+  if (!shows(work) && !shows(w.jobs.exporting)) return bottom;
   const Window window("Work", {.at = middle_at(ui, bottom - 16), .pivot = {0.5f, 1}}, card_flags);
-  if (shows(w.exporting)) row(ui, w.exporting, "stop_export");
-  if (shows(w.exporting) && shows(work)) ImGui::Spacing();
+  if (shows(w.jobs.exporting)) row(ui, w.jobs.exporting, "stop_export");
+  if (shows(w.jobs.exporting) && shows(work)) ImGui::Spacing();
   if (shows(work)) row(ui, work, "stop_work");
   return ImGui::GetWindowPos().y + 28;
 }

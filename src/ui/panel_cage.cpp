@@ -24,7 +24,7 @@ void panel_model(const Context& ui) {
   const bool open = section(ui, "Model");
   if (model.surface) section_note(ui, surface_text(model.summary));
   if (!open) return;
-  if (!model.surface && ui.workspace.loading.running) return note(ui, ui.workspace.loading.what);
+  if (!model.surface && ui.workspace.jobs.loading.running) return note(ui, ui.workspace.jobs.loading.what);
   if (!model.surface) {
     note(ui, "No model. Open a model or drop a file on the window.");
     command_button(ui, "open_model");
@@ -168,13 +168,13 @@ void panel_making(const Context& ui) {
 namespace {
 
 bool is_free(const workspace::Workspace& w) {
-  return w.offer_cage && w.document.model.surface && !w.making.open && !w.loading.running &&
-         !w.browser.open && !w.question && w.view.panels && !w.key_list.open;
+  return w.panels.offer_cage && w.document.model.surface && !w.making.open && !w.jobs.loading.running &&
+         !w.files.browser.open && !w.files.question && w.view.options.panels && !w.panels.key_list.open;
 }
 
 // The finding about vertices outside the cage; null after the first edit.
 const document::Finding* outside(const workspace::Workspace& w) {
-  const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.interaction.drag;
+  const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.view.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;
   const auto at = workspace::outside_finding(w.checks);
   return at ? &w.checks.findings[*at] : nullptr;

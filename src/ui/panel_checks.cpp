@@ -130,7 +130,7 @@ void panel_checks(const Context& ui) {
   if (checks.fresh) ui.workspace.preferences.layout.sections["Checks"] = matter > 0;
   checks.fresh = false;
   const bool open = section(ui, "Checks", false);
-  const auto& of_pose = ui.workspace.pose_notes;
+  const auto& of_pose = ui.workspace.frame.notes;
   section_note(ui, summary(checks, of_pose.size()), matter + of_pose.size() > 0 ? ui.colors.warn : 0);
   if (!open) return;
   for (std::size_t i = 0; i < of_pose.size(); ++i) {
@@ -138,11 +138,10 @@ void panel_checks(const Context& ui) {
     record(ui, "pose_note/" + std::to_string(i));
   }
   if (checks.running) return note(ui, "Checking model and cage.");
-  if (checks.findings.empty()) {
+  if (checks.findings.empty())
     note(ui, ui.workspace.document.has_cage() ? "Model and cage are closed, oriented manifolds. The cage "
                                                 "encloses the model without self-intersections."
                                               : "The model is a closed, oriented manifold.");
-  }
   fit_buttons(ui);
   group(ui, document::Subject::cage, "Cage");
   group(ui, document::Subject::model, "Model");

@@ -27,7 +27,7 @@ void panel_display(const Context& ui) {
     command_toggle(ui, other);
   }
   command_toggle(ui, "toggle_coarse_motion");
-  const auto shading = static_cast<std::size_t>(ui.workspace.view.shading);
+  const auto shading = static_cast<std::size_t>(ui.workspace.view.options.shading);
   command_choice(ui, {"shading_clay", "shading_porcelain", "shading_jade"}, shading);
   command_choice(ui, {"shading_file", "shading_checker"}, shading - 3);
   command_choice(ui, {"shading_normals", "shading_zebra"}, shading - 5);
@@ -36,7 +36,7 @@ void panel_display(const Context& ui) {
 void panel_map(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
   if (!w.document.model.surface) return;
-  const analysis::Field wanted = w.view.field;
+  const analysis::Field wanted = w.view.options.field;
   const bool open = section(ui, "Map", false);
   section_note(ui, wanted == analysis::Field::none ? "" : std::string(base::entry_of(wanted).label));
   if (!open) return;
@@ -121,9 +121,11 @@ void ticks(const Legend& l) {
 
 // The value of `shown` at the point of the model under the cursor. The cursor may be in any view.
 std::optional<double> pointed_value(const workspace::Workspace& w, const workspace::FieldView& shown) {
-  const auto& cursor = w.interaction.cursor;
-  if (!cursor || !shown.values || w.interaction.drag || ImGui::GetIO().WantCaptureMouse) return std::nullopt;
-  const auto hit = document::pick_triangle(w.document, w.posed, w.camera.ray(*cursor, w.viewport));
+  const auto& cursor = w.view.interaction.cursor;
+  if (!cursor || !shown.values || w.view.interaction.drag || ImGui::GetIO().WantCaptureMouse)
+    return std::nullopt;
+  const auto hit =
+      document::pick_triangle(w.document, w.frame.posed, w.view.camera.ray(*cursor, w.view.viewport));
   if (!hit) return std::nullopt;
   const auto& corners = w.document.model.surface->triangles[hit->triangle];
   double value = 0;
@@ -190,14 +192,15 @@ float map_legend(const Context& ui, float bottom) {
   const auto& w = ui.workspace;
   if (ui.field_colors.even.empty()) return bottom;
   float top = bottom;
-  for (std::size_t view = 0; view < w.split.count(); ++view) {
+  auto& split = w.view.split;
+  for (std::size_t view = 0; view < split.count(); ++view) {
     const analysis::Field field = workspace::shown_field(w, view);
     if (field == analysis::Field::none) continue;
-    const workspace::Pane pane = workspace::pane_of(w.split, view);
-    const glm::vec2 corner = w.viewport.origin + (pane.at + pane.size) * w.viewport.size;
-    const Size& size = w.split.on() ? small : whole;
-    if (pane.size.x * w.viewport.size.x < size.width + 32) continue;
-    legend(ui, vec(corner), w.split.views[view].shown, field, workspace::shown_way(w, view).method, size);
+    const workspace::Pane pane = workspace::pane_of(split, view);
+    const glm::vec2 corner = w.view.viewport.origin + (pane.at + pane.size) * w.view.viewport.size;
+    const Size& size = split.on() ? small : whole;
+    if (pane.size.x * w.view.viewport.size.x < size.width + 32) continue;
+    legend(ui, vec(corner), split.views[view].shown, field, workspace::shown_way(w, view).method, size);
     if (corner.y > bottom - 1) top = bottom - size.height - 32;
   }
   return top;

@@ -61,7 +61,7 @@ void draw_pose(const Context& ui, const document::NamedPose& named, ImVec2 low, 
   list.AddRectFilled(low, high, hovered ? ui.colors.card_hover : ui.colors.card, 4);
   list.PushClipRect(low, high, true);
   list._FringeScale = 1 / ImGui::GetIO().DisplayFramebufferScale.x;
-  for (const auto& shape : w.pose_pictures.of(w.document, named.pose, w.camera.pose().up))
+  for (const auto& shape : w.panels.pose_pictures.of(w.document, named.pose, w.view.camera.pose().up))
     draw_shape(ui, low, shape);
   list._FringeScale = 1;
   list.PopClipRect();
@@ -92,7 +92,7 @@ void picture(const Context& ui, std::size_t row, const document::NamedPose& name
   if (hovered && ImGui::IsMouseDoubleClicked(0)) wish.applied = row;
   hint("Click to choose, double click to apply, drag to reorder.");
   drag_row(row, wish);
-  draw_pose(ui, named, low, ui.workspace.chosen_pose == row, hovered);
+  draw_pose(ui, named, low, ui.workspace.view.chosen_pose == row, hovered);
 }
 
 void weight(const Context& ui, std::size_t row, double shown, PoseWish& wish) {
@@ -132,7 +132,7 @@ void row(const Context& ui, std::size_t index, double shown, PoseWish& wish) {
 }
 
 void grant(workspace::Workspace& w, const PoseWish& wish) {
-  if (wish.chosen) w.chosen_pose = wish.chosen;
+  if (wish.chosen) w.view.chosen_pose = wish.chosen;
   if (wish.weight) {
     const auto [pose, weight] = *wish.weight;
     workspace::change_mix(w, [&] {
@@ -144,7 +144,7 @@ void grant(workspace::Workspace& w, const PoseWish& wish) {
   if (wish.moved) {
     const auto [from, to] = *wish.moved;
     document::move_pose(w.document, from, to);
-    w.chosen_pose = to > from ? to - 1 : to;
+    w.view.chosen_pose = to > from ? to - 1 : to;
   }
 }
 
@@ -165,7 +165,7 @@ void panel_poses(const Context& ui) {
   if (poses == 0) return no_poses(ui);
   const bool free = !workspace::is_dragging(w) && !document::is_editing_cage(w.document);
   PoseWish wish;
-  w.pose_pictures.tidy();
+  w.panels.pose_pictures.tidy();
   // The buttons are above the list, so that they do not move if the list grows.
   command_row(ui, {"keep_pose", "apply_pose", "update_pose"});
   ImGui::BeginDisabled(!free);

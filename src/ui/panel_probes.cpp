@@ -48,7 +48,7 @@ void influence(const Context& ui, const char* label, const char* name, document:
 
 // The slider for the deviation from the listed shapes that pins allow.
 void freedom(const Context& ui) {
-  double& value = ui.workspace.handling.freedom;
+  double& value = ui.workspace.view.handling.freedom;
   const auto percent = slider_row(ui, "Freedom", probe_label, "pin_freedom", 100 * value,
                                   std::to_string(std::lround(100 * value)) + " %",
                                   {.least = 0,
@@ -121,7 +121,7 @@ void axes(const Context& ui, OverlayPainter& painter, const interact::CursorProj
     const double length = glm::length(column);
     const glm::dvec3 along =
         double(axis_length) * at.per_pixel() * std::clamp(length, 0.4, 2.0) / length * column;
-    const interact::CursorProjection end(center + along, w.camera, w.viewport);
+    const interact::CursorProjection end(center + along, w.view.camera, w.view.viewport);
     painter.line(glm::vec2(at.at()), glm::vec2(end.at()), ui.colors.axis[axis], 2.25f, opacity);
   }
 }
@@ -131,8 +131,8 @@ void pin(const Context& ui, OverlayPainter& painter, std::size_t i, glm::vec2 mi
   const auto& w = ui.workspace;
   const document::Probe& probe = w.document.probes.all[i];
   const ImU32 color = shown.selected ? ui.colors.highlight : ui.colors.accent;
-  const auto vertex = document::pinned_vertex(w.document, i);
-  const interact::CursorProjection at(glm::dvec3(w.document.space.to_view(vertex)), w.camera, w.viewport);
+  const glm::dvec3 vertex(w.document.space.to_view(document::pinned_vertex(w.document, i)));
+  const interact::CursorProjection at(vertex, w.view.camera, w.view.viewport);
   painter.line(glm::vec2(at.at()), middle, color, 1.5f, 0.8f);
   if (!probe.pin->pulls) painter.disc(middle, dot - 1, color, 1);
   painter.circle(middle, dot + 2, color, 2);
@@ -143,8 +143,8 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
   const auto& w = ui.workspace;
   const document::Probe& probe = w.document.probes.all[i];
   const glm::dvec3 center(w.document.space.to_view(document::probe_center(w.document, i)));
-  if (!(w.camera.depth(glm::vec3(center)) > 0)) return;
-  const interact::CursorProjection at(center, w.camera, w.viewport);
+  if (!(w.view.camera.depth(glm::vec3(center)) > 0)) return;
+  const interact::CursorProjection at(center, w.view.camera, w.view.viewport);
   const glm::vec2 middle(at.at());
   const float opacity = shown.selected || shown.hovered ? 1.0f : 0.75f;
   if (probe.pin) return pin(ui, painter, i, middle, shown);
@@ -167,13 +167,13 @@ void frame(const Context& ui, OverlayPainter& painter, std::size_t i, const Show
 
 void probe_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (!w.view.cage || w.document.probes.empty()) return;
+  if (!w.view.options.cage || w.document.probes.empty()) return;
   OverlayPainter painter(ui);
   const bool chosen = w.document.selection.kind() == document::ElementKind::probe;
   for (std::size_t i = 0; i < w.document.probes.all.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     frame(ui, painter, i,
-          {chosen && w.document.selection.contains(index), chosen && w.interaction.hovered == index,
+          {chosen && w.document.selection.contains(index), chosen && w.view.interaction.hovered == index,
            w.document.probes.all[i].locked});
   }
 }

@@ -63,9 +63,9 @@ void method_card(const Context& ui, std::size_t index, float width, bool used) {
   record(ui, command_names[index], used);
   card(ui, at, {at.x + size.x, at.y + size.y}, active && used);
   const bool measured = running_sample(w) != nullptr;
-  card_text(ui, at, width, command.brief.data(), measured ? &w.methods.samples[index] : nullptr, used,
-            is_best(w.methods, index, &workspace::MethodSample::ns_per_matrix),
-            is_best(w.methods, index, &workspace::MethodSample::worst_error), active);
+  card_text(ui, at, width, command.brief.data(), measured ? &w.frame.methods.samples[index] : nullptr, used,
+            is_best(w.frame.methods, index, &workspace::MethodSample::ns_per_matrix),
+            is_best(w.frame.methods, index, &workspace::MethodSample::worst_error), active);
   hint(std::string(command.hint) + "  (" + workspace::text(w.preferences.keymap.of(command).first) + ")");
 }
 
@@ -88,7 +88,7 @@ void panel_method(const Context& ui) {
   note(ui, !used                                     ? "This deformer uses no exponential."
            : document::differs_from_rest(w.document) ? "Time per matrix and largest error"
                                                      : "At rest every method is exact.");
-  hint("Median time over " + count(w.methods.matrices) +
+  hint("Median time over " + count(w.frame.methods.matrices) +
        " matrices of this frame; errors are relative to 106-bit results. Colours mark the best values and "
        "errors above 1e-10.");
 }
@@ -121,7 +121,7 @@ const char* stage_hint(workspace::Link stage) {
 
 // The colour of the stage, fainter if another stage is hovered.
 ImU32 lit_stage_color(const Context& ui, workspace::Link stage) {
-  const auto& lit = ui.workspace.interaction.stage;
+  const auto& lit = ui.workspace.view.interaction.stage;
   return faded(stage_color(stage), lit && *lit != stage ? 0.3f : 1.0f);
 }
 
@@ -146,7 +146,7 @@ Stage segments(const Context& ui, const workspace::LinkTimes& times, double long
 
 Stage bar(const Context& ui, std::size_t index, double longest) {
   constexpr float label_width = 88, value_width = 68;
-  const workspace::MethodTimes& all = ui.workspace.method_times;
+  const workspace::MethodTimes& all = ui.workspace.frame.method_times;
   const workspace::LinkTimes& times = all.links[index];
   const bool runs = compared_methods[index] == ui.workspace.document.method;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -178,12 +178,12 @@ Stage legend(const Context& ui) {
   std::size_t count = 0;
   for (std::size_t i = 0; i < workspace::link_count; ++i) {
     const Link stage = static_cast<Link>(i);
-    if (!is_measured(w.method_times, stage)) continue;
+    if (!is_measured(w.frame.method_times, stage)) continue;
     const ImVec2 low{at.x + static_cast<float>(count % columns) * width,
                      at.y + static_cast<float>(count / columns) * line};
     const float middle = low.y + 0.5f * line;
     draw.AddRectFilled({low.x, middle - 4}, {low.x + 8, middle + 4}, lit_stage_color(ui, stage), 2);
-    const bool lit = w.interaction.stage == stage;
+    const bool lit = w.view.interaction.stage == stage;
     draw.AddText({low.x + 13, low.y}, lit ? ui.colors.text : ui.colors.faint,
                  std::string(name(stage)).c_str());
     if (is_under_cursor(low, {low.x + width, low.y + line})) under_cursor = stage;
@@ -197,7 +197,7 @@ Stage legend(const Context& ui) {
 void stage_tooltip(const Context& ui, Link stage) {
   std::string text = std::string(name(stage)) + ": " + stage_hint(stage);
   for (std::size_t i = 0; i < all_methods; ++i) {
-    const double ms = ui.workspace.method_times.links[i][stage];
+    const double ms = ui.workspace.frame.method_times.links[i][stage];
     if (ms > 0) text += "\n" + method_label(compared_methods[i]) + ": " + milliseconds(ms);
   }
   ImGui::BeginTooltip();
@@ -214,7 +214,7 @@ void rest_of_frame(const Context& ui) {
   };
   std::array<Column, 5> columns{
       {{"upload", 0.17f}, {"panels", 0.36f}, {"draw", 0.53f}, {"total", 0.75f}, {"frames/s", 1}}};
-  if (const auto& frame = ui.workspace.split.views[0].stats.median()) {
+  if (const auto& frame = ui.workspace.view.split.views[0].stats.median()) {
     columns[0].value = base::few_digits(frame->upload);
     columns[1].value = base::few_digits(frame->panels);
     columns[2].value = base::few_digits(frame->draw);
@@ -241,7 +241,7 @@ void errors(const Context& ui) {
   const bool fits = ImGui::GetContentRegionAvail().x >
                     ImGui::CalcTextSize("exp 4e-16 \u00b7 frame 4e-6, single precision").x;
   std::string text = sample ? "exp " + rough_error(sample->worst_error) : "", frame;
-  if (const double fused = w.split.views[0].fused_error; fused > 0)
+  if (const double fused = w.view.split.views[0].fused_error; fused > 0)
     frame = "frame " + rough_error(fused) + (fits ? ", single precision" : ", single");
   else if (workspace::shows_links(w))
     frame = "frame in double precision";
@@ -260,16 +260,16 @@ void panel_timings(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   heading(ui, "Timings of the deformation");
   double longest = 1e-9;
-  for (const auto& times : w.method_times.links) longest = std::max(longest, times.total());
+  for (const auto& times : w.frame.method_times.links) longest = std::max(longest, times.total());
   Stage stage;
   for (std::size_t i = 0; i < all_methods; ++i)
     if (const Stage hit = bar(ui, i, longest)) stage = hit;
   if (const Stage hit = legend(ui)) stage = hit;
-  w.interaction.stage = stage;
+  w.view.interaction.stage = stage;
   if (stage) stage_tooltip(ui, *stage);
   rest_of_frame(ui);
   ImGui::BeginDisabled(!w.document.scheme.exponential());
-  command_toggle(ui, "toggle_same_path", w.view.same_path);
+  command_toggle(ui, "toggle_same_path", w.view.options.same_path);
   ImGui::EndDisabled();
   errors(ui);
 }

@@ -44,7 +44,7 @@ void sets(const Context& ui) {
   if (renamed) document::rename_set(document, *renamed, name);
   if (selected) document::select_set(document, *selected, select_mode());
   if (removed) document::remove_set(document, *removed);
-  if (selected || removed) ui.workspace.interaction.hovered.reset();
+  if (selected || removed) ui.workspace.view.interaction.hovered.reset();
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ float half_of_rest() {
 }
 
 void pivot_row(const Context& ui) {
-  const document::Handling& handling = ui.workspace.handling;
+  const document::Handling& handling = ui.workspace.view.handling;
   label_row(ui, "Pivot");
   const float width = half_of_rest();
   choice_list(ui, "pivot", std::optional(handling.pivot), width);
@@ -96,18 +96,18 @@ void mirror_row(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   label_row(ui, "Mirror");
   const float width = half_of_rest();
-  choice_list(ui, "mirror", std::optional(w.handling.mirror), width);
+  choice_list(ui, "mirror", std::optional(w.view.handling.mirror), width);
   ImGui::SameLine();
   const float right = ImGui::GetCursorScreenPos().x + width;
-  const bool lacks = w.mirror.mirror && w.mirror.mirror->unpaired() > 0;
-  text_right(ui, right, pairs_text(w.mirror), lacks ? ui.colors.warn : ui.colors.faint,
+  const bool lacks = w.view.mirror.mirror && w.view.mirror.mirror->unpaired() > 0;
+  text_right(ui, right, pairs_text(w.view.mirror), lacks ? ui.colors.warn : ui.colors.faint,
              ImGui::GetCursorScreenPos().y + ImGui::GetStyle().FramePadding.y);
   ImGui::NewLine();
   if (lacks) command_row(ui, {"make_symmetric_cage"});
 }
 
 void soft_radius(const Context& ui) {
-  document::SoftSelection& soft = ui.workspace.handling.soft;
+  document::SoftSelection& soft = ui.workspace.view.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
   constexpr double least = document::SoftSelection::least_radius;
   const auto chosen = slider(ui, "soft_radius", soft.radius * diagonal,
@@ -121,7 +121,7 @@ void soft_radius(const Context& ui) {
 }
 
 void soft_rows(const Context& ui) {
-  const document::SoftSelection& soft = ui.workspace.handling.soft;
+  const document::SoftSelection& soft = ui.workspace.view.handling.soft;
   const float left = ImGui::GetCursorPosX(), column = left + transform_label;
   command_toggle(ui, "toggle_soft", soft.on);
   ImGui::BeginDisabled(!soft.on);
@@ -137,9 +137,9 @@ void soft_rows(const Context& ui) {
 
 // A summary in the header of the section.
 std::string transform_text(const workspace::Workspace& w) {
-  std::string text(document::entry_of(w.handling.pivot).label);
+  std::string text(document::entry_of(w.view.handling.pivot).label);
   if (workspace::mirror_of(w)) text += ", mirrored";
-  if (w.handling.soft.on) text += ", soft selection";
+  if (w.view.handling.soft.on) text += ", soft selection";
   return text;
 }
 
@@ -177,7 +177,7 @@ glm::dvec3 along(const glm::dmat3& axes, const glm::dvec3& place) {
 }
 
 Fields fields(const workspace::Workspace& w) {
-  const interact::Tool tool = w.tool;
+  const interact::Tool tool = w.view.tool;
   if (tool == interact::Tool::rotate)
     return {"Rotate by (degrees)", "Rotate about this axis. Type an angle and press Enter.", {0, 0, 0}};
   if (tool == interact::Tool::scale)
@@ -187,13 +187,13 @@ Fields fields(const workspace::Workspace& w) {
     const interact::Anchor anchor = workspace::grip_of(w).anchor;
     place = along(anchor.axes, anchor.center);
   }
-  return {w.handling.pivot == document::Pivot::median ? "Centre" : "Pivot",
+  return {w.view.handling.pivot == document::Pivot::median ? "Centre" : "Pivot",
           "Position of the selection along the chosen axes. Type a coordinate and press Enter.", place};
 }
 
 void apply(workspace::Workspace& workspace, int axis, double value) {
   document::Document& document = workspace.document;
-  interact::Tool tool = workspace.tool;
+  interact::Tool tool = workspace.view.tool;
   interact::Transform transform;
   const interact::Grip grip = workspace::grip_of(workspace);
   transform.pivot = grip.anchor.center;
@@ -226,7 +226,7 @@ void field(const Context& ui, const Fields& fields, int axis, float width) {
 
 // The fields of the brush have the same height as the fields of other tools.
 void brush_fields(const Context& ui) {
-  document::Brush& brush = ui.workspace.brush;
+  document::Brush& brush = ui.workspace.view.brush;
   command_row(ui, {"mask_clear", "mask_invert"});
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - spacing) / 2;
@@ -256,10 +256,10 @@ void transform_fields(const Context& ui) {
   const auto kind = static_cast<std::size_t>(w.document.selection.kind());
   if (w.document.has_cage())
     command_choice(ui, {"select_vertices", "select_edges", "select_faces", "select_probes"}, kind);
-  if (w.tool == interact::Tool::paint) return brush_fields(ui);
+  if (w.view.tool == interact::Tool::paint) return brush_fields(ui);
   const Fields shown = fields(w);
   note(ui, shown.label);
-  ImGui::BeginDisabled(w.document.selection.empty() || w.interaction.drag);
+  ImGui::BeginDisabled(w.document.selection.empty() || w.view.interaction.drag);
   const float letter = ImGui::CalcTextSize("X").x + ImGui::GetStyle().ItemInnerSpacing.x;
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const float width = (ImGui::GetContentRegionAvail().x - 3 * letter - 2 * spacing) / 3;

@@ -107,8 +107,8 @@ void ways(const Context& ui, const VertexView& view) {
 void panel_vertex(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
   if (!w.document.has_cage() || !section(ui, "Vertex inspector", false)) return;
-  if (std::exchange(w.vertex.appearing, false)) ImGui::SetScrollHereY(0);
-  const VertexView& view = w.vertex;
+  if (std::exchange(w.view.vertex.appearing, false)) ImGui::SetScrollHereY(0);
+  const VertexView& view = w.view.vertex;
   if (!view.vertex)
     return note(ui,
                 "Point at the model and press " +
@@ -132,10 +132,10 @@ void panel_vertex(const Context& ui) {
 void vertex_overlay(const Context& ui) {
   constexpr std::size_t most_elements = 16;
   const workspace::Workspace& w = ui.workspace;
-  const workspace::VertexView& view = w.vertex;
+  const workspace::VertexView& view = w.view.vertex;
   if (!view.vertex || !w.document.model.surface) return;
-  const interact::Projector project(w.document.space, w.camera, w.viewport);
-  const auto at = project(w.posed.at(*w.document.model.surface, *view.vertex));
+  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const auto at = project(w.frame.posed.at(*w.document.model.surface, *view.vertex));
   if (!at) return;
   OverlayPainter painter(ui);
   const double largest = view.terms.empty() ? 1 : std::abs(view.terms.front().weight);

@@ -10,7 +10,7 @@ namespace viete::ui {
 
 namespace {
 
-void way_list(const Context& ui, const std::string& name, workspace::View& side) {
+void way_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
   const auto now = document::way_of(side.scheme);
   if (!begin_list(ui, name, now ? document::entry(*now).label.data() : "Custom", "")) return;
   for (const auto& entry : document::all_ways())
@@ -19,7 +19,7 @@ void way_list(const Context& ui, const std::string& name, workspace::View& side)
   ImGui::EndCombo();
 }
 
-void method_list(const Context& ui, const std::string& name, workspace::View& side) {
+void method_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
   if (!begin_list(ui, name, method_label(side.method).c_str(), "")) return;
   for (const workspace::Method method : analysis::compared_methods) {
     const std::string label = method_label(method);
@@ -28,7 +28,7 @@ void method_list(const Context& ui, const std::string& name, workspace::View& si
   ImGui::EndCombo();
 }
 
-void map_list(const Context& ui, const std::string& name, workspace::View& side) {
+void map_list(const Context& ui, const std::string& name, workspace::SplitView& side) {
   if (!begin_list(ui, name, base::entry_of(side.field).label.data(), "")) return;
   for (const base::Choice& choice : choices(side.field)) {
     const auto field = *base::value_of_word<analysis::Field>(choice.word);
@@ -38,7 +38,7 @@ void map_list(const Context& ui, const std::string& name, workspace::View& side)
   ImGui::EndCombo();
 }
 
-void side_rows(const Context& ui, std::size_t number, workspace::View& side) {
+void side_rows(const Context& ui, std::size_t number, workspace::SplitView& side) {
   constexpr float label = 74;
   const std::string name = "side/" + std::to_string(number);
   const auto row = [&](const char* words, auto list, const char* what) {
@@ -65,7 +65,7 @@ void side_rows(const Context& ui, std::size_t number, workspace::View& side) {
 }  // namespace
 
 void panel_views(const Context& ui) {
-  workspace::Split& split = ui.workspace.split;
+  workspace::Split& split = ui.workspace.view.split;
   if (!ui.workspace.document.model.surface || !section(ui, "Views", false)) return;
   command_choice(ui, {"views_1", "views_2", "views_3", "views_4"}, split.count() - 1);
   if (!split.on()) return note(ui, "Split the view to compare deformers, methods and maps of one pose.");

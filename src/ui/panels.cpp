@@ -13,7 +13,7 @@ namespace {
 
 // The place of a column beside the view, over the full height.
 Window::Place column(const Context& ui, float x, float width) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   return {
       .at = {x, v.origin.y}, .pivot = {0, 0}, .size = {width, workspace::column_height(v)}, .rounding = 0};
 }
@@ -23,7 +23,7 @@ constexpr auto column_flags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoR
                               ImGuiWindowFlags_NoNavFocus | ImGuiWindowFlags_NoNavInputs;
 
 void tools(const Context& ui) {
-  const float width = ui.workspace.viewport.origin.x;
+  const float width = ui.workspace.view.viewport.origin.x;
   if (width <= 0) return;
   const Window window("Tools", column(ui, 0, width), column_flags);
   panel_model(ui);
@@ -42,13 +42,13 @@ void analysis(const Context& ui) {
   panel_views(ui);
   panel_vertex(ui);
   panel_custom(ui);
-  if (ui.workspace.reporting.running)
-    progress_bar(ui, ImGui::GetContentRegionAvail().x, ui.workspace.reporting.done);
-  command_row(ui, {ui.workspace.reporting.running ? "stop_report" : "show_report"});
+  if (ui.workspace.jobs.reporting.running)
+    progress_bar(ui, ImGui::GetContentRegionAvail().x, ui.workspace.jobs.reporting.done);
+  command_row(ui, {ui.workspace.jobs.reporting.running ? "stop_report" : "show_report"});
 }
 
 void methods(const Context& ui) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   const float x = v.origin.x + v.size.x;
   if (v.window.x <= x) return;
   const Window window("Methods", column(ui, x, v.window.x - x), column_flags);
@@ -62,12 +62,12 @@ void methods(const Context& ui) {
 }  // namespace
 
 void draw_panels(const Context& ui) {
-  if (ui.workspace.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
+  if (ui.workspace.view.tools) torn_overlay(ui), probe_overlay(ui), hand_overlay(ui), gizmo_overlay(ui);
   vertex_overlay(ui);
   axis_overlay(ui);
   split_overlay(ui);
-  if (ui.workspace.tools) view_overlay(ui);
-  if (ui.workspace.view.panels) {
+  if (ui.workspace.view.tools) view_overlay(ui);
+  if (ui.workspace.view.options.panels) {
     menu_bar(ui);
     tool_strip(ui);
     tools(ui);
@@ -77,14 +77,14 @@ void draw_panels(const Context& ui) {
     status_bar(ui);
   }
   context_menu(ui);
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   const float bottom = v.origin.y + v.size.y;
   notice_bar(ui);
   const float free = std::min({cage_offer(ui, bottom), work_bar(ui, bottom), map_legend(ui, bottom),
                                key_question(ui, bottom)}) -
                      44;
   toasts(ui, free);
-  if (ui.workspace.browser.open && !ui.workspace.question) file_panel(ui);
+  if (ui.workspace.files.browser.open && !ui.workspace.files.question) file_panel(ui);
   message_log(ui);
   command_palette(ui);
   key_list(ui);
@@ -123,7 +123,7 @@ constexpr auto strip_flags = passive_flags | ImGuiWindowFlags_NoBackground;
 
 void edge(const Context& ui, const Side& side) {
   workspace::Workspace& w = ui.workspace;
-  const document::Viewport& v = w.viewport;
+  const document::Viewport& v = w.view.viewport;
   const float x = edge_x(v, side);
   const std::string name = std::string("edge/") + side.name;
   const ImVec2 size{edge_thickness, workspace::column_height(v)};
@@ -153,7 +153,7 @@ void chevron(ImDrawList& draw, ImVec2 middle, float direction, ImU32 color) {
 }
 
 void tab(const Context& ui, const Side& side, bool shown) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   const workspace::Command& command = *workspace::find_command(side.command);
   const ImVec2 at{edge_x(v, side), v.origin.y + 0.5f * (v.size.y - tab_height)};
   const std::string name = std::string("tab/") + side.name;
@@ -178,7 +178,7 @@ void tab(const Context& ui, const Side& side, bool shown) {
 
 void column_edges(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  const auto widths = workspace::shown_columns(w.preferences.layout, w.viewport.window.x);
+  const auto widths = workspace::shown_columns(w.preferences.layout, w.view.viewport.window.x);
   for (const Side& side : sides) {
     const bool shown = widths.of(side.column) > 0;
     if (shown) edge(ui, side);

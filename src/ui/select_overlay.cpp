@@ -29,7 +29,7 @@ void box_between(const Context& ui, OverlayPainter& painter, const workspace::In
 
 // Draws lines across the view through the cursor, where the box will start.
 void crosshair(const Context& ui, OverlayPainter& painter, const glm::vec2& at) {
-  const auto& v = ui.workspace.viewport;
+  const auto& v = ui.workspace.view.viewport;
   painter.line({v.origin.x, at.y}, {v.origin.x + v.size.x, at.y}, ui.colors.text, 1, 0.5f);
   painter.line({at.x, v.origin.y}, {at.x, v.origin.y + v.size.y}, ui.colors.text, 1, 0.5f);
 }
@@ -64,7 +64,7 @@ SelectMode select_mode() {
 }
 
 void select_overlay(const Context& ui) {
-  const auto& hand = ui.workspace.interaction;
+  const auto& hand = ui.workspace.view.interaction;
   OverlayPainter painter(ui);
   if (hand.lasso) {
     lasso_line(ui, painter, *hand.lasso);
@@ -85,7 +85,7 @@ void select_overlay(const Context& ui) {
 }
 
 std::string select_hint(const workspace::Workspace& w) {
-  const auto& hand = w.interaction;
+  const auto& hand = w.view.interaction;
   if (hand.box || hand.lasso || hand.brushing) return "Release to select, Esc to cancel";
   if (!hand.armed) return "";
   switch (*hand.armed) {

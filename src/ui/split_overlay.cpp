@@ -18,7 +18,7 @@ constexpr float least_room = 170;  // if there is less room beside the axes, the
 
 // The interpolation of a view. Empty if all views use the same interpolation.
 std::string blending_words(const workspace::Workspace& w, bool other) {
-  if (std::ranges::none_of(w.split.sides(), &workspace::View::other_blending)) return "";
+  if (std::ranges::none_of(w.view.split.sides(), &workspace::SplitView::other_blending)) return "";
   return w.document.timeline.straight != other ? "linear interpolation" : "log space";
 }
 
@@ -39,7 +39,7 @@ std::string way_words(const document::Scheme& scheme) {
 // The caption of a view, with numbers such as "1.9 ms", "exp 3e-16", "frame 2e-08".
 Caption shown_in(const workspace::Workspace& w, std::size_t number) {
   const document::SideWay way = workspace::shown_way(w, number);
-  const workspace::View& view = w.split.views[number];
+  const workspace::SplitView& view = w.view.split.views[number];
   Caption shown;
   if (w.document.has_cage()) {
     shown.add_title(way_words(way.scheme));
@@ -86,7 +86,7 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
 }
 
 void frame(const Context& ui, const workspace::Pane& pane) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   const glm::vec2 low = glm::round(v.origin + pane.at * v.size);
   const glm::vec2 high = glm::round(v.origin + (pane.at + pane.size) * v.size);
   ImDrawList& draw = *ImGui::GetBackgroundDrawList();
@@ -98,16 +98,16 @@ void frame(const Context& ui, const workspace::Pane& pane) {
 
 void split_overlay(const Context& ui) {
   const workspace::Workspace& w = ui.workspace;
-  if (!w.split.on() || !w.document.model.surface) return;
-  for (std::size_t view = 0; view < w.split.count(); ++view) {
-    const workspace::Pane pane = workspace::pane_of(w.split, view);
+  if (!w.view.split.on() || !w.document.model.surface) return;
+  for (std::size_t view = 0; view < w.view.split.count(); ++view) {
+    const workspace::Pane pane = workspace::pane_of(w.view.split, view);
     frame(ui, pane);
-    const float beside = pane.at.x == 0 && w.view.panels ? tools_room : 0;
-    const bool by_axes = w.view.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;
-    const float room = pane.size.x * w.viewport.size.x - beside;
+    const float beside = pane.at.x == 0 && w.view.options.panels ? tools_room : 0;
+    const bool by_axes = w.view.options.axes && pane.at.y == 0 && pane.at.x + pane.size.x > 0.99f;
+    const float room = pane.size.x * w.view.viewport.size.x - beside;
     const bool at_bottom = by_axes && room - axes_room < least_room;
     const glm::vec2 corner = pane.at + glm::vec2(0, at_bottom ? pane.size.y : 0);
-    caption(ui, view, w.viewport.origin + corner * w.viewport.size + glm::vec2(beside, 0),
+    caption(ui, view, w.view.viewport.origin + corner * w.view.viewport.size + glm::vec2(beside, 0),
             room - (by_axes && !at_bottom ? axes_room : 0), at_bottom);
   }
 }

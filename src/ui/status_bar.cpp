@@ -35,56 +35,11 @@ std::string shape_words(const interact::TransformDrag& drag) {
 // If a whole posed cage is rotated, the model's shape can change slightly: see the manual, blending.
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
-  return w.tool == interact::Tool::rotate && d.has_cage() &&
+  return w.view.tool == interact::Tool::rotate && d.has_cage() &&
          d.selection.kind() != document::ElementKind::probe && d.scheme.exponential() &&
          d.pose.positions != d.cage->surface.positions &&
          document::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
 }
-
-}  // namespace
-
-std::string mouse_text(const workspace::Workspace& w) {
-  const workspace::Keymap& keymap = w.preferences.keymap;
-  if (w.interaction.drag && w.interaction.drag->grip().shaping.shape != interact::Shape::none)
-    return shape_words(*w.interaction.drag);
-  if (w.interaction.drag)
-    return std::string("X Y Z limit to an axis,  digits set the amount,  ") +
-           (w.handling.soft.on ? "wheel changes the radius,  " : "") +
-           "Ctrl snaps,  Shift slows;  Esc or right button cancels";
-  if (w.time_view.hovered)
-    return "Drag the ruler to change the frame,  keys to move them,  elsewhere to select;  wheel zooms,  "
-           "middle drag pans";
-  if (w.interaction.grab) return "Move the pointer into the view to start;  Esc cancels";
-  if (w.interaction.placing_pivot)
-    return "Click a vertex, an edge or the model to place the pivot;  Esc cancels";
-  if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
-  if (!w.view.deformed)
-    return "The model is shown at rest;  " + key_or_label(keymap, "toggle_deformed") +
-           " shows the deformation";
-  if (w.interaction.stroke) return "Release to confirm;  Esc or right button cancels";
-  if (workspace::shows_mask(w))
-    return "Drag paints vertices that stay at rest,  Ctrl erases;  Shift and wheel change the brush;  middle "
-           "or right drag " +
-           std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
-  if (w.interaction.over_axes) return "Click to view along an axis, drag to orbit";
-  if (w.interaction.handle && rotates_posed_cage(w))
-    return interact::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  rotating a posed cage changes the model's shape slightly: orbit the camera instead";
-  if (w.interaction.handle)
-    return interact::handle_name(w.tool, *w.interaction.handle) +
-           ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
-  if (w.interaction.hovered)
-    return hovered_text(w.document.selection, *w.interaction.hovered, w.interaction.crowded);
-  if (w.document.selection.kind() == document::ElementKind::probe && !w.document.probes.empty())
-    return "Drag a probe to move it,  " + empty_space_words(keymap);
-  if (w.document.has_cage())
-    return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
-  std::string words = looking_words(keymap);
-  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
-  return words;
-}
-
-namespace {
 
 // Keeps as many phrases, separated by two spaces, as fit.
 std::string fitting(std::string text, float width) {
@@ -97,13 +52,54 @@ std::string fitting(std::string text, float width) {
 }
 
 std::string numbers_text(const workspace::Workspace& w) {
-  const auto median = w.split.views[0].stats.median();
+  const auto median = w.view.split.views[0].stats.median();
   const std::string frame = median ? milliseconds(median->frame) + " a frame" : "";
   const std::string kernel = w.about.kernel.empty() ? "" : "kernel " + w.about.kernel;
   return frame + (frame.empty() || kernel.empty() ? "" : "   ") + kernel;
 }
 
 }  // namespace
+
+std::string mouse_text(const workspace::Workspace& w) {
+  const workspace::Keymap& keymap = w.preferences.keymap;
+  if (w.view.interaction.drag && w.view.interaction.drag->grip().shaping.shape != interact::Shape::none)
+    return shape_words(*w.view.interaction.drag);
+  if (w.view.interaction.drag)
+    return std::string("X Y Z limit to an axis,  digits set the amount,  ") +
+           (w.view.handling.soft.on ? "wheel changes the radius,  " : "") +
+           "Ctrl snaps,  Shift slows;  Esc or right button cancels";
+  if (w.view.time.hovered)
+    return "Drag the ruler to change the frame,  keys to move them,  elsewhere to select;  wheel zooms,  "
+           "middle drag pans";
+  if (w.view.interaction.grab) return "Move the pointer into the view to start;  Esc cancels";
+  if (w.view.interaction.placing_pivot)
+    return "Click a vertex, an edge or the model to place the pivot;  Esc cancels";
+  if (const std::string selecting = select_hint(w); !selecting.empty()) return selecting;
+  if (!w.view.options.deformed)
+    return "The model is shown at rest;  " + key_or_label(keymap, "toggle_deformed") +
+           " shows the deformation";
+  if (w.view.interaction.stroke) return "Release to confirm;  Esc or right button cancels";
+  if (workspace::shows_mask(w))
+    return "Drag paints vertices that stay at rest,  Ctrl erases;  Shift and wheel change the brush;  middle "
+           "or right drag " +
+           std::string(keymap.left_orbits() ? "orbits or pans" : "orbits");
+  if (w.view.interaction.over_axes) return "Click to view along an axis, drag to orbit";
+  if (w.view.interaction.handle && rotates_posed_cage(w))
+    return interact::handle_name(w.view.tool, *w.view.interaction.handle) +
+           ":  drag;  rotating a posed cage changes the model's shape slightly: orbit the camera instead";
+  if (w.view.interaction.handle)
+    return interact::handle_name(w.view.tool, *w.view.interaction.handle) +
+           ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";
+  if (w.view.interaction.hovered)
+    return hovered_text(w.document.selection, *w.view.interaction.hovered, w.view.interaction.crowded);
+  if (w.document.selection.kind() == document::ElementKind::probe && !w.document.probes.empty())
+    return "Drag a probe to move it,  " + empty_space_words(keymap);
+  if (w.document.has_cage())
+    return "Drag a vertex, edge or selected face to move it,  " + empty_space_words(keymap);
+  std::string words = looking_words(keymap);
+  words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
+  return words;
+}
 
 void status_bar(const Context& ui) {
   const ImVec2 display = ImGui::GetIO().DisplaySize;

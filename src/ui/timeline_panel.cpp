@@ -243,9 +243,9 @@ void range(const Context& ui, float right) {
 
 void timeline_panel(const Context& ui) {
   workspace::Workspace& w = ui.workspace;
-  w.time_view.hovered = false;
+  w.view.time.hovered = false;
   if (!w.preferences.layout.timeline) return;
-  const document::Viewport& v = w.viewport;
+  const document::Viewport& v = w.view.viewport;
   const float edge = v.origin.y + v.size.y;
   const Window window("Timeline",
                       {.at = {v.origin.x, edge},
@@ -256,7 +256,7 @@ void timeline_panel(const Context& ui) {
                       fixed_flags | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoBringToFrontOnFocus |
                           ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {4, 6});
-  w.time_view.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  w.view.time.hovered = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
   ImGui::GetWindowDrawList()->AddLine({v.origin.x, edge}, {v.origin.x + v.size.x, edge}, ui.colors.line);
   const ImVec2 low = ImGui::GetCursorScreenPos(), room = ImGui::GetContentRegionAvail();
   ImGui::BeginDisabled(!w.document.model.surface);

@@ -22,7 +22,7 @@ struct Track {
   const Context& ui;
   ImVec2 low, high;
 
-  const workspace::FrameWindow& seen() const { return ui.workspace.time_view.seen; }
+  const workspace::FrameWindow& seen() const { return ui.workspace.view.time.seen; }
   float width() const { return high.x - low.x; }
   float x_of(double frame) const { return low.x + static_cast<float>(seen().share_of(frame)) * width(); }
   double share_at(float x) const { return static_cast<double>((x - low.x) / width()); }
@@ -60,7 +60,7 @@ void outside(const Track& t, ImDrawList& draw) {
 }
 
 bool is_selected(const workspace::Workspace& w, int frame) {
-  return std::ranges::binary_search(w.time_view.selected, frame);
+  return std::ranges::binary_search(w.view.time.selected, frame);
 }
 
 void key_mark(const Track& t, ImDrawList& draw, const document::PoseKey& key, bool next) {
@@ -97,7 +97,7 @@ void playhead(const Track& t, ImDrawList& draw) {
 }
 
 void box(const Track& t, ImDrawList& draw) {
-  const auto& drag = t.ui.workspace.time_view.drag;
+  const auto& drag = t.ui.workspace.view.time.drag;
   if (!drag || drag->what != workspace::TimeView::What::box) return;
   const float pressed = t.x_of(drag->pressed), now = ImGui::GetIO().MousePos.x;
   draw.AddRectFilled({std::min(pressed, now), t.low.y + ruler_height}, {std::max(pressed, now), t.high.y},
@@ -132,7 +132,7 @@ void press(const Track& t, ImVec2 mouse) {
 // A pan uses the visible frames at the start of the drag.
 void follow_mouse(const Track& t) {
   workspace::Workspace& w = t.ui.workspace;
-  const auto& drag = w.time_view.drag;
+  const auto& drag = w.view.time.drag;
   if (!drag) return;
   if (key_pressed(workspace::Key::escape)) return workspace::cancel_time(w);
   const bool pans = drag->what == workspace::TimeView::What::pan;
@@ -170,15 +170,15 @@ void take_mouse(const Track& t) {
   follow_mouse(t);
   if (hovered && ImGui::GetIO().MouseWheel != 0) {
     const double factor = std::pow(0.85, static_cast<double>(ImGui::GetIO().MouseWheel));
-    w.time_view.seen = workspace::zoomed(t.seen(), t.share_at(mouse.x), factor);
+    w.view.time.seen = workspace::zoomed(t.seen(), t.share_at(mouse.x), factor);
   }
   if (hovered && key && ImGui::IsMouseDoubleClicked(0)) workspace::go_to_frame(w, *key);
   if (hovered && key && ImGui::IsMouseClicked(1)) {
-    if (!is_selected(w, *key)) w.time_view.selected = {*key};
+    if (!is_selected(w, *key)) w.view.time.selected = {*key};
     ImGui::OpenPopup("Keys of time");
   }
   key_menu(t.ui);
-  if (hovered && key && !w.time_view.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (hovered && key && !w.view.time.drag) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
 }
 
 void way_in(const Track& t, ImDrawList& draw) {
@@ -198,7 +198,7 @@ void way_in(const Track& t, ImDrawList& draw) {
 }  // namespace
 
 void timeline_track(const Context& ui, ImVec2 low, ImVec2 high) {
-  workspace::TimeView& view = ui.workspace.time_view;
+  workspace::TimeView& view = ui.workspace.view.time;
   if (!view.fitted) view.seen = workspace::fitting(ui.workspace.document.timeline);
   view.fitted = true;
   const Track track{ui, low, high};

@@ -43,7 +43,7 @@ void axis_overlay(const Context& ui) {
   const auto widget = workspace::axis_widget_of(ui.workspace);
   if (!widget) return;
   OverlayPainter painter(ui);
-  const bool over = ui.workspace.interaction.over_axes;
+  const bool over = ui.workspace.view.interaction.over_axes;
   const ImVec2 cursor = ImGui::GetIO().MousePos;
   const interact::AxisBall* hovered = over ? widget->ball({cursor.x, cursor.y}) : nullptr;
   if (over) painter.disc(widget->center, interact::axes_radius, faded(ui.colors.card, 0.7f), 1);
@@ -54,17 +54,18 @@ namespace {
 
 // Draws a ring with approximately the brush's radius on the model.
 void brush_ring(const Context& ui, const workspace::Workspace& w) {
-  const auto center = interact::Projector(w.document.space, w.camera, w.viewport)(*w.interaction.brush);
+  const auto center =
+      interact::Projector(w.document.space, w.view.camera, w.view.viewport)(*w.view.interaction.brush);
   if (!center) return;
   OverlayPainter painter(ui);
-  painter.circle(glm::vec2(*center), w.brush.radius, ui.colors.text, 1.25f, 0.9f);
+  painter.circle(glm::vec2(*center), w.view.brush.radius, ui.colors.text, 1.25f, 0.9f);
   painter.disc(glm::vec2(*center), 2, ui.colors.text, 0.9f);
 }
 
 // Draws a centered line. Returns false if the line does not fit.
 bool centered(const Context& ui, float y, const std::string& line, ImU32 color) {
   const char* const text = line.c_str();
-  const auto& v = ui.workspace.viewport;
+  const auto& v = ui.workspace.view.viewport;
   ImGui::PushFont(ui.fonts.text);
   const ImVec2 size = ImGui::CalcTextSize(text);
   const bool fits = size.x + 24 <= v.size.x;
@@ -75,7 +76,7 @@ bool centered(const Context& ui, float y, const std::string& line, ImU32 color) 
 }
 
 void editing_hint(const Context& ui) {
-  const auto& v = ui.workspace.viewport;
+  const auto& v = ui.workspace.view.viewport;
   const std::string key = key_or_label(ui.workspace.preferences.keymap, "edit_cage");
   centered(ui, v.origin.y + v.size.y - 34, "Editing the cage at rest     " + key + " returns to posing",
            ui.colors.accent);
@@ -83,7 +84,7 @@ void editing_hint(const Context& ui) {
 
 void hints(const Context& ui) {
   const auto& w = ui.workspace;
-  const float y = w.viewport.origin.y + w.viewport.size.y - 34;
+  const float y = w.view.viewport.origin.y + w.view.viewport.size.y - 34;
   const ImU32 color = faded(ui.colors.text, 0.75f);
   const std::string space = workspace::text(w.preferences.keymap.of(*workspace::find_command("play")).first);
   const std::string help = key_or_label(w.preferences.keymap, "help");
@@ -99,7 +100,7 @@ void hints(const Context& ui) {
 // Shows how to get the panels back.
 void restore_hint(const Context& ui) {
   const workspace::Command& command = *workspace::find_command("toggle_panels");
-  const auto& v = ui.workspace.viewport;
+  const auto& v = ui.workspace.view.viewport;
   centered(ui, v.origin.y + v.size.y - 28,
            workspace::text(ui.workspace.preferences.keymap.of(command).first) + " shows the panels again",
            faded(ui.colors.text, 0.5f));
@@ -110,25 +111,25 @@ void restore_hint(const Context& ui) {
 void view_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   select_overlay(ui);
-  if (!w.view.panels && w.has_user) restore_hint(ui);
-  if (w.interaction.brush) brush_ring(ui, w);
-  if (w.binding.running || w.loading.running || w.making_cage.running)
-    return;  // their progress bar is displayed
-  if (w.document.kept_pose && w.view.panels) return editing_hint(ui);
+  auto& options = w.view.options;
+  if (!options.panels && w.panels.has_user) restore_hint(ui);
+  if (w.view.interaction.brush) brush_ring(ui, w);
+  if (w.jobs.working()) return;  // its progress bar is displayed
+  if (w.document.kept_pose && options.panels) return editing_hint(ui);
   const bool room =  // false if the legend, the brush or the next step needs the place
       workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
-  if (w.view.hints && room && w.document.has_cage() && w.view.panels && !w.interaction.drag) hints(ui);
+  if (options.hints && room && w.document.has_cage() && options.panels && !w.view.interaction.drag) hints(ui);
 }
 
 // Marks edges of the cage where the model may fold.
 void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;
-  if (!w.view.cage || !w.document.has_cage()) return;
+  if (!w.view.options.cage || !w.document.has_cage()) return;
   constexpr std::size_t most = 200;
   const auto& positions = w.document.pose.positions;
-  const interact::Projector project(w.document.space, w.camera, w.viewport);
+  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
   OverlayPainter paint(ui);
-  for (const auto& [a, b] : document::torn_edges(w.pose_report, *w.document.cage, most)) {
+  for (const auto& [a, b] : document::torn_edges(w.frame.report, *w.document.cage, most)) {
     const auto from = project(positions[a]), to = project(positions[b]);
     if (from && to) paint.line(glm::vec2(*from), glm::vec2(*to), ui.colors.bad, 2.5f);
   }

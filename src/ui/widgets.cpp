@@ -42,8 +42,8 @@ int filter_number(ImGuiInputTextCallbackData* data) {
 
 // The text of a field in the last frame. Some versions of ImGui lose this text when the focus changes.
 std::string typed_so_far(const Context& ui, const std::string& name, const std::string& otherwise) {
-  const auto typed = ui.workspace.typed.find(name);
-  if (typed == ui.workspace.typed.end()) return otherwise;
+  const auto typed = ui.workspace.panels.typed.find(name);
+  if (typed == ui.workspace.panels.typed.end()) return otherwise;
   const bool still_there = typed->second.frame + 1 == ImGui::GetFrameCount();
   return still_there ? typed->second.text : otherwise;
 }
@@ -67,12 +67,12 @@ Window::~Window() {
 }
 
 ImVec2 middle_at(const Context& ui, float y) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   return {v.origin.x + 0.5f * v.size.x, y};
 }
 
 ImVec2 middle_of_view(const Context& ui) {
-  const document::Viewport& v = ui.workspace.viewport;
+  const document::Viewport& v = ui.workspace.view.viewport;
   return middle_at(ui, v.origin.y + 0.5f * v.size.y);
 }
 
@@ -227,13 +227,13 @@ bool wants_hint() {
 
 bool take_escape(workspace::Workspace& w) {
   if (ImGui::IsMouseClicked(0) && !ImGui::IsMouseDoubleClicked(0)) workspace::begin_widget_edit(w);
-  if (w.question || !key_pressed(workspace::Key::escape)) return false;
+  if (w.files.question || !key_pressed(workspace::Key::escape)) return false;
   if (ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup)) {
     ImGui::ClosePopupToLevel(0, true);
     return true;
   }
   // Text fields and the timeline handle Esc themselves.
-  if (!ImGui::IsMouseDown(0) || !ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || w.time_view.drag)
+  if (!ImGui::IsMouseDown(0) || !ImGui::IsAnyItemActive() || ImGui::GetIO().WantTextInput || w.view.time.drag)
     return false;
   ImGui::ClearActiveID();
   ImGui::ClearDragDrop();
@@ -323,9 +323,9 @@ std::string method_label(workspace::Method method) {
 const workspace::MethodSample* running_sample(const workspace::Workspace& w) {
   const auto& methods = analysis::compared_methods;
   const auto at = std::ranges::find(methods, w.document.method);
-  const bool known = w.document.scheme.exponential() && w.methods.matrices > 0 && at != methods.end() &&
+  const bool known = w.document.scheme.exponential() && w.frame.methods.matrices > 0 && at != methods.end() &&
                      document::differs_from_rest(w.document);
-  return known ? &w.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
+  return known ? &w.frame.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
 }
 
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
@@ -358,10 +358,10 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
   record(ui, name, enabled);
   if (*tip) hint(tip);
   if (ImGui::IsItemActive()) {
-    ui.workspace.typed[name] = {text, ImGui::GetFrameCount()};
+    ui.workspace.panels.typed[name] = {text, ImGui::GetFrameCount()};
     return std::nullopt;
   }
-  ui.workspace.typed.erase(name);
+  ui.workspace.panels.typed.erase(name);
   if (!ImGui::IsItemDeactivatedAfterEdit() || text[0] == 0 || text == shown) return std::nullopt;
   const auto number = interact::number_of(text);
   if (!number)
@@ -370,7 +370,7 @@ std::optional<double> number_field(const Context& ui, const std::string& name, d
 }
 
 bool types_into_slider(const workspace::Workspace& w) {
-  return !w.typed_slider.name.empty() && w.typed_slider.frame + 1 >= ImGui::GetFrameCount();
+  return !w.panels.typed_slider.name.empty() && w.panels.typed_slider.frame + 1 >= ImGui::GetFrameCount();
 }
 
 namespace {
@@ -379,7 +379,7 @@ constexpr int frames_to_focus = 4;
 
 // The field that replaces a slider. The field gets the keyboard focus after the mouse button is released.
 std::optional<double> slider_field(const Context& ui, const std::string& name, double value) {
-  workspace::TypedSlider& typing = ui.workspace.typed_slider;
+  workspace::TypedSlider& typing = ui.workspace.panels.typed_slider;
   typing.frame = ImGui::GetFrameCount();
   const bool released = !ImGui::IsMouseDown(0);
   if (released && typing.waits == frames_to_focus) ImGui::SetKeyboardFocusHere();
@@ -397,7 +397,7 @@ std::optional<double> slider_field(const Context& ui, const std::string& name, d
 Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
             const std::function<bool()>& draw, bool enabled) {
   Slid slid;
-  if (types_into_slider(ui.workspace) && ui.workspace.typed_slider.name == name) {
+  if (types_into_slider(ui.workspace) && ui.workspace.panels.typed_slider.name == name) {
     slid.typed = slider_field(ui, name, value);
     if (slid.typed) slid.typed = *slid.typed >= least ? std::min(*slid.typed, most) : least;
   } else {
@@ -406,7 +406,7 @@ Slid slider(const Context& ui, const std::string& name, double value, double lea
     if (ImGui::IsItemActivated() && (twice || ImGui::GetIO().KeyCtrl)) {
       ImGui::ClearActiveID();
       if (twice) workspace::cancel_widget_edit(ui.workspace);  // the first click has moved the slider
-      ui.workspace.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
+      ui.workspace.panels.typed_slider = {name, ImGui::GetFrameCount(), frames_to_focus};
       slid.moved = false;
     }
   }
@@ -453,10 +453,10 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
   record(ui, id);
   hint(what);
   if (ImGui::IsItemActive()) {
-    ui.workspace.typed[id] = {text, ImGui::GetFrameCount()};
+    ui.workspace.panels.typed[id] = {text, ImGui::GetFrameCount()};
     return std::nullopt;
   }
-  ui.workspace.typed.erase(id);
+  ui.workspace.panels.typed.erase(id);
   return ImGui::IsItemDeactivatedAfterEdit() ? std::optional<std::string>(text) : std::nullopt;
 }
 
@@ -485,7 +485,7 @@ std::string place_of(const workspace::RecentFile& recent) {
 
 void open_recent(workspace::Workspace& w, std::size_t index) {
   const workspace::RecentFile& file = w.preferences.recent[index];
-  w.requests.open = files::OpenRequest{files::OpenRequest::What::model, {file.file, file.cage}};
+  w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::model, {file.file, file.cage}};
 }
 
 void note(const Context& ui, const std::string& text, ImU32 color) {

@@ -27,7 +27,7 @@ void report(Workspace& w, const files::Opened& opened) {
 
 // Reports sets and poses that a change of the cage has removed, and the file that still contains them.
 void report_losses(Workspace& w, const std::string& poses, bool in_file) {
-  const std::string file = w.saved.session.filename().string();
+  const std::string file = w.files.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
   const Concern concern{.scope = Scope::cage};
   if (const std::string sets = lost_sets(w.document.groups, {}); !sets.empty())
@@ -43,35 +43,35 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
   }
   document.mark_replacing(old);
   w.document = std::move(document);
-  w.interaction = {};
+  w.view.interaction = {};
   w.making = {.wish = w.making.wish};
   w.playback = {.auto_key = w.playback.auto_key, .vectors = std::move(w.playback.vectors)};
-  w.chosen_pose.reset();
-  w.time_view = {};
-  w.offer_cage = true;
-  w.methods = {};
-  w.split.views[0] = {};
-  w.vertex = {};
+  w.view.chosen_pose.reset();
+  w.view.time = {};
+  w.panels.offer_cage = true;
+  w.frame.methods = {};
+  w.view.split.views[0] = {};
+  w.view.vertex = {};
   forget_findings(w.checks);
-  ++w.opened;
+  ++w.files.opened;
 }
 
 // The hints of the first start stay hidden.
 void take_view(Workspace& w, const files::Session& session) {
-  const bool hints = w.view.hints;
-  w.view = session.view;
-  put_ways(w.split, session.sides);
-  w.view.hints = hints && session.view.hints;
+  const bool hints = w.view.options.hints;
+  w.view.options = session.view;
+  put_ways(w.view.split, session.sides);
+  w.view.options.hints = hints && session.view.hints;
 }
 
 // Resets the placed pivot and the mirror, because they are meaningless for another model.
 void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   if (opened.session) {
-    w.handling = opened.session->handling;
+    w.view.handling = opened.session->handling;
   } else if (!same_model) {
-    w.handling.point.reset();
-    w.handling.mirror = document::MirrorPlane::none;
-    if (w.handling.pivot == document::Pivot::point) w.handling.pivot = document::Pivot::median;
+    w.view.handling.point.reset();
+    w.view.handling.mirror = document::MirrorPlane::none;
+    if (w.view.handling.pivot == document::Pivot::point) w.view.handling.pivot = document::Pivot::median;
   }
 }
 
@@ -111,16 +111,16 @@ void take_pose(Workspace& w, deform::Pose&& pose) {
 // Shows flat models from the front without perspective.
 void frame_first(Workspace& w) {
   const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
-  const bool z_up = w.camera.pose().up == document::UpAxis::z;
+  const bool z_up = w.view.camera.pose().up == document::UpAxis::z;
   const document::StandardView along[] = {document::StandardView::right,
                                           z_up ? document::StandardView::front : document::StandardView::top,
                                           z_up ? document::StandardView::top : document::StandardView::front};
   for (std::size_t k = 0; k < 3; ++k) {
     if (box.high[k] - box.low[k] > 1e-9 * box.diagonal()) continue;
-    w.camera.look(along[k]);
-    return w.camera.set_orthographic(true);
+    w.view.camera.look(along[k]);
+    return w.view.camera.set_orthographic(true);
   }
-  w.camera.look(document::StandardView::home);
+  w.view.camera.look(document::StandardView::home);
 }
 
 }  // namespace
@@ -144,36 +144,36 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   const bool same_model = opened.document->model.surface == w.document.model.surface;
   if (same_model && !opened.session) report_losses(w, opened.lost, !has_unsaved_edits(w));
   take_document(w, std::move(*opened.document), !opened.has_settings);
-  w.saved.reset();
-  w.recovered_from.clear();
-  const bool is_example = opened.session && opened.file == w.example;
+  auto& saved = w.files.saved;
+  saved.reset();
+  w.recovery.from.clear();
+  const bool is_example = opened.session && opened.file == w.files.example;
   if (opened.session) {
     take_view(w, *opened.session);
     if (!is_example) {  // Save asks for a name
-      w.saved.session = opened.recovered ? opened.session->origin : opened.file;
-      w.saved.content = opened.recovered ? opened.session->origin_content : opened.content;
+      saved.session = opened.recovered ? opened.session->origin : opened.file;
+      saved.content = opened.recovered ? opened.session->origin_content : opened.content;
     }
   }
   take_handling(w, opened, same_model);
-  w.saved.recovered = opened.recovered;
+  saved.recovered = opened.recovered;
   if (opened.recovered) {
-    w.recovered_from = opened.file;
-    w.offers_recovery = false;
-    std::erase_if(w.recovery_files,
+    w.recovery.from = opened.file;
+    w.recovery.offered = false;
+    std::erase_if(w.recovery.files,
                   [&](const files::RecoveryFile& leftover) { return leftover.file == opened.file; });
   } else {
     mark_saved(w);
-    if (opened.session)
-      w.saved.state.scheme = opened.session->scheme;  // settings from the request are unsaved
-    if (!opened.session) w.saved.state.mask = nullptr, w.saved.state.probes = {};  // no file contains them
-    w.preferences.add(w.saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
-                                              : RecentFile{w.saved.session, {}});
+    if (opened.session) saved.state.scheme = opened.session->scheme;  // settings from the request are unsaved
+    if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // no file contains them
+    w.preferences.add(saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
+                                            : RecentFile{saved.session, {}});
   }
   add_unkeyed_to_undo(w, opened.recovered);
   if (is_example) show_timeline(w), start_playing(w);
-  if (opened.session && opened.session->camera) return w.camera.set_pose(*opened.session->camera);
+  if (opened.session && opened.session->camera) return w.view.camera.set_pose(*opened.session->camera);
   if (same_model) return;
-  w.camera.set_up(guessed_up(w.document.model));
+  w.view.camera.set_up(guessed_up(w.document.model));
   frame_first(w);
   frame_all(w, false);
 }

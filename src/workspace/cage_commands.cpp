@@ -20,7 +20,7 @@ void make_symmetric_cage(Workspace& w) {
       document::CageSymmetry::automatic, document::CageSymmetry::x, document::CageSymmetry::y,
       document::CageSymmetry::z, document::CageSymmetry::automatic};
   w.making = {.open = true, .wish = w.making.wish, .before = w.document.cage};
-  w.making.wish.symmetry = symmetries[static_cast<std::size_t>(w.handling.mirror)];
+  w.making.wish.symmetry = symmetries[static_cast<std::size_t>(w.view.handling.mirror)];
 }
 
 void switch_cage_editing(document::Document& document) {
@@ -55,7 +55,25 @@ void change_cage(Workspace& w) {
   if (const std::string lost = lost_sets(groups, w.document.groups); !lost.empty())
     w.messages.warn("These selection sets are now empty: " + lost + "; undo restores them",
                     {.scope = Scope::cage});
-  w.interaction.hovered.reset();
+  w.view.interaction.hovered.reset();
+}
+
+// Adds a command for each deformer, each kind of weights or each blend.
+template <class Entry>
+void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
+  for (const Entry& entry : entries)
+    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
+                 [value = entry.value](Workspace& w) {
+                   set_scheme(w.document, deform::chosen(value, w.document.scheme));
+                 });
+}
+
+void add_methods(CommandTable& table) {
+  char digit = '1';
+  for (const auto& entry : sym3::methods())
+    table.add(std::string("method_") + entry.name, {std::string("Method: ") + entry.label, entry.label},
+              entry.sentence, {key(digit++), false, true}, uses_method,
+              [method = entry.method](Workspace& w) { w.document.put_method(method); });
 }
 
 }  // namespace
@@ -74,11 +92,11 @@ void add_cage_commands(CommandTable& table) {
   table.add("cancel_cage", {"Cancel new cage", "Cancel"},
             "Discard the new cage and restore the previous cage.", is_making, passing([](Workspace& w) {
               cancel_making(w.document, w.making);
-              w.interaction.hovered.reset();
+              w.view.interaction.hovered.reset();
             }));
   table.add("hide_cage_offer", {"Dismiss cage suggestion", "Not now"},
             "Close this suggestion. The sections Cage and Checks have the same commands.", has_model,
-            passing([](Workspace& w) { w.offer_cage = false; }));
+            passing([](Workspace& w) { w.panels.offer_cage = false; }));
   table.add("edit_cage", "Edit cage",
             "Edit the vertices and faces of the cage at rest. The pose follows the edits.", {Key::tab},
             can_edit_cage, {change_cage<switch_cage_editing>, [](const Workspace& w) {
@@ -114,28 +132,6 @@ void add_cage_commands(CommandTable& table) {
             change_cage<enclose_and_say>);
 }
 
-namespace {
-
-// Adds a command for each deformer, each kind of weights or each blend.
-template <class Entry>
-void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
-  for (const Entry& entry : entries)
-    table.choice(choice_command_name(entry.value), headline, entry.label, entry.sentence, no_drag_runs,
-                 [value = entry.value](Workspace& w) {
-                   set_scheme(w.document, deform::chosen(value, w.document.scheme));
-                 });
-}
-
-void add_methods(CommandTable& table) {
-  char digit = '1';
-  for (const auto& entry : sym3::methods())
-    table.add(std::string("method_") + entry.name, {std::string("Method: ") + entry.label, entry.label},
-              entry.sentence, {key(digit++), false, true}, uses_method,
-              [method = entry.method](Workspace& w) { w.document.put_method(method); });
-}
-
-}  // namespace
-
 void add_blend_commands(CommandTable& table) {
   table.heading("Method");
   add_methods(table);
@@ -158,9 +154,9 @@ void add_blend_commands(CommandTable& table) {
   table.add("show_report", {"Make report", "Make report"},
             "Repeat the measurements of the paper on the dragon and open the report in the browser. Takes "
             "about half a minute.",
-            is_not_reporting, [](Workspace& w) { w.requests.show_report = true; });
+            is_not_reporting, [](Workspace& w) { w.jobs.requests.show_report = true; });
   table.add("stop_report", {"Cancel report", "Cancel"}, "Cancel the measurement. No report is written.",
-            is_reporting, passing([](Workspace& w) { w.requests.stop_report = true; }));
+            is_reporting, passing([](Workspace& w) { w.jobs.requests.stop_report = true; }));
 }
 
 }  // namespace viete::workspace

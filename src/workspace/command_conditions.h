@@ -11,8 +11,8 @@ namespace viete::workspace {
 
 // True during a drag, a mask stroke or a brush selection, which other edits must not interrupt.
 inline bool is_dragging(const Workspace& w) {
-  const auto& time = w.time_view.drag;
-  return w.interaction.drag || w.interaction.stroke || w.interaction.brushing ||
+  const auto& time = w.view.time.drag;
+  return w.view.interaction.drag || w.view.interaction.stroke || w.view.interaction.brushing ||
          (time && time->what == TimeView::What::keys);
 }
 inline bool selects_probes(const Workspace& w) {
@@ -63,7 +63,7 @@ inline constexpr Condition has_selection{[](const Workspace& w) { return !w.docu
                                          "Nothing is selected."};
 inline constexpr Condition has_selection_or_hover{[](const Workspace& w) {
                                                     return has_cage(w) && !selects_probes(w) &&
-                                                           (has_selection(w) || w.interaction.hovered);
+                                                           (has_selection(w) || w.view.interaction.hovered);
                                                   },
                                                   "Select part of the cage first, or point at it."};
 inline constexpr Condition selects_of_cage{
@@ -77,13 +77,12 @@ inline constexpr Condition has_hidden{[](const Workspace& w) { return !w.documen
 inline constexpr Condition can_draw_selection{
     [](const Workspace& w) { return has_elements(w) && shows_selectable(w) && !is_dragging(w); },
     "Nothing to select: open a cage, show it (C) or add a probe first."};
-inline constexpr Condition is_armed{[](const Workspace& w) { return w.interaction.armed.has_value(); },
+inline constexpr Condition is_armed{[](const Workspace& w) { return w.view.interaction.armed.has_value(); },
                                     "Start box, lasso or brush selection first."};
-inline constexpr Condition is_working{
-    [](const Workspace& w) { return w.loading.running || w.binding.running || w.making_cage.running; },
-    "No task is running."};
+inline constexpr Condition is_working{[](const Workspace& w) { return w.jobs.working(); },
+                                      "No task is running."};
 inline constexpr Condition can_make_cage{[](const Workspace& w) {
-                                           return has_model(w) && !w.making.open && !w.loading.running &&
+                                           return has_model(w) && !w.making.open && !w.jobs.loading.running &&
                                                   !is_dragging(w);
                                          },
                                          "Open a model first. Finish a new cage with Done."};
@@ -99,7 +98,7 @@ inline constexpr Condition is_editing{
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && !selects_probes(w) && has_selection(w) &&
-             !w.time_view.hovered;  // over the timeline, Delete acts on its keys
+             !w.view.time.hovered;  // over the timeline, Delete acts on its keys
     },
     "Start cage editing (Tab) and select part of the cage first."};
 inline constexpr Condition has_outside{
@@ -111,19 +110,19 @@ inline constexpr Condition is_wishing{
     [](const Workspace& w) { return w.making.open && !w.making.closing; },
     "Choose \"Make cage\" first. If the cage is confirmed already, wait until it is computed."};
 inline constexpr Condition has_cage_beside{
-    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.loading.running; },
+    [](const Workspace& w) { return !w.document.cage_beside.empty() && !w.jobs.loading.running; },
     "The model's folder contains no cage for the model."};
-inline constexpr Condition is_exporting{[](const Workspace& w) { return w.exporting.running; },
+inline constexpr Condition is_exporting{[](const Workspace& w) { return w.jobs.exporting.running; },
                                         "Nothing is being exported."};
-inline constexpr Condition is_reporting{[](const Workspace& w) { return w.reporting.running; },
+inline constexpr Condition is_reporting{[](const Workspace& w) { return w.jobs.reporting.running; },
                                         "No report is being made."};
-inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.reporting.running; },
+inline constexpr Condition is_not_reporting{[](const Workspace& w) { return !w.jobs.reporting.running; },
                                             "A report is being made; cancel it first."};
 inline constexpr Condition has_recovery_files{
-    [](const Workspace& w) { return !w.recovery_files.empty() && !w.loading.running; },
+    [](const Workspace& w) { return !w.recovery.files.empty() && !w.jobs.loading.running; },
     "There are no recovered edits."};
 inline constexpr Condition offers_recovery{
-    [](const Workspace& w) { return has_recovery_files(w) && w.offers_recovery; },
+    [](const Workspace& w) { return has_recovery_files(w) && w.recovery.offered; },
     "No recovered edits are shown."};
 inline constexpr Condition can_undo{
     [](const Workspace& w) { return w.document.history.can_undo() && !is_dragging(w); },
@@ -137,15 +136,14 @@ inline constexpr Condition is_posed{
 inline constexpr Condition has_posed_selection{[](const Workspace& w) {
                                                  return has_selection(w) && is_posed(w) &&
                                                         (selects_probes(w) || !is_editing_cage(w.document)) &&
-                                                        !w.time_view.hovered;
+                                                        !w.view.time.hovered;
                                                },
                                                "The selection is already at rest."};
 
-/// The effect of a command that toggles an option of the view, or of another part of the workspace.
-template <class Part = document::ViewOptions>
-Effect switches(bool Part::*option, Part Workspace::*part = &Workspace::view) {
-  return {[=](Workspace& w) { w.*part.*option = !(w.*part.*option); },
-          [=](const Workspace& w) { return w.*part.*option; }};
+/// The effect of a command that toggles an option of the view.
+inline Effect switches(bool document::ViewOptions::*option) {
+  return {[=](Workspace& w) { w.view.options.*option = !(w.view.options.*option); },
+          [=](const Workspace& w) { return w.view.options.*option; }};
 }
 
 }  // namespace viete::workspace

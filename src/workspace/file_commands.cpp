@@ -20,7 +20,7 @@ const fs::path& file_of_cage(const document::Document& document) {
 void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   std::error_code ignored;
   const bool there = fs::is_directory(file.parent_path(), ignored);
-  show(w.browser, purpose, there ? file.parent_path() : w.preferences.folder);
+  show(w.files.browser, purpose, there ? file.parent_path() : w.preferences.folder);
 }
 
 // The open file that a file saved for this purpose may overwrite.
@@ -35,7 +35,7 @@ std::string_view own_of(Purpose purpose) {
 
 void browse_for_model(Workspace& w) {
   const fs::path& last = w.preferences.folder;
-  show(w.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
+  show(w.files.browser, Purpose::model, last.empty() ? file_of_cage(w.document).parent_path() : last);
 }
 
 template <Purpose For>
@@ -45,37 +45,50 @@ void browse_for(Workspace& w) {
 
 // Proposes a name such as "cage_pose.obj", in the folder of the session or of `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
-  const fs::path& beside = w.saved.session.empty() ? from : w.saved.session;
-  show(w.browser, purpose, beside.parent_path(), from.stem().string() + ending,
+  const fs::path& beside = w.files.saved.session.empty() ? from : w.files.saved.session;
+  show(w.files.browser, purpose, beside.parent_path(), from.stem().string() + ending,
        files_open(w, own_of(purpose)));
 }
 
 void save_animation(Workspace& w) {
   browse_to_save(w, Purpose::save_animation, w.document.model.path, "_animation.pc2");
-  const glm::ivec2 size = glm::clamp(glm::ivec2(w.viewport.window), least_picture, largest_picture);
-  w.browser.pictures =
-      PictureChoice{.grid = w.view.grid, .light = !w.view.dark, .width = size.x, .height = size.y};
+  const glm::ivec2 size = glm::clamp(glm::ivec2(w.view.viewport.window), least_picture, largest_picture);
+  w.files.browser.pictures = PictureChoice{
+      .grid = w.view.options.grid, .light = !w.view.options.dark, .width = size.x, .height = size.y};
 }
 
-constexpr Condition has_example{[](const Workspace& w) { return !w.example.empty(); },
+constexpr Condition has_example{[](const Workspace& w) { return !w.files.example.empty(); },
                                 "The bundled dragon was not found."};
+
+constexpr Condition can_import{
+    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a cage first and leave cage editing (Tab)."};
+constexpr Condition can_import_shapes{
+    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
+    "Open a model first and leave cage editing (Tab)."};
+constexpr Condition can_export_animation{[](const Workspace& w) {
+                                           return is_movable(w) && !w.document.timeline.keys.empty() &&
+                                                  !is_editing_cage(w.document);
+                                         },
+                                         "No keys yet: pose the model and set a key (I)."};
 
 }  // namespace
 
 void save(Workspace& w) {
-  if (w.saved.session.empty()) return browse_to_save_session(w);
-  w.requests.save_session = w.saved.session;
+  if (w.files.saved.session.empty()) return browse_to_save_session(w);
+  w.jobs.requests.save_session = w.files.saved.session;
 }
 
 void browse_to_save_session(Workspace& w) {
-  browse_to_save(w, Purpose::save_session, w.saved.session.empty() ? w.document.model.path : w.saved.session,
-                 ".viete");
+  browse_to_save(w, Purpose::save_session,
+                 w.files.saved.session.empty() ? w.document.model.path : w.files.saved.session, ".viete");
 }
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
-  const fs::path& session = w.unopened->files.front();
-  const bool recovery = w.unopened->what == files::OpenRequest::What::recovery;  // not in the user's folder
-  recovery ? show(w.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
+  const fs::path& session = w.files.unopened->files.front();
+  const bool recovery =
+      w.files.unopened->what == files::OpenRequest::What::recovery;  // not in the user's folder
+  recovery ? show(w.files.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 
 void add_file_commands(CommandTable& table) {
@@ -84,17 +97,18 @@ void add_file_commands(CommandTable& table) {
             {key('O'), true}, always, browse_for_model);
   table.add("open_cage", "Open cage", "Open a cage for the model.", {key('O'), true, true}, has_model,
             [](Workspace& w) { browse_beside(w, Purpose::cage, w.document.model.path); });
-  table.add("open_cage_beside", {"Open cage next to the model", "Open this cage"},
-            "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
-            passing([](Workspace& w) {
-              w.requests.open = files::OpenRequest{files::OpenRequest::What::cage, {w.document.cage_beside}};
-            }));
+  table.add(
+      "open_cage_beside", {"Open cage next to the model", "Open this cage"},
+      "Open the file in the model's folder that seems to be its cage.", has_cage_beside,
+      passing([](Workspace& w) {
+        w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::cage, {w.document.cage_beside}};
+      }));
   table.add("open_pose", "Open pose", "Open a posed version of the cage.", {key('P'), true}, has_cage,
             browse_for<Purpose::pose>);
   table.add("open_example", "Open example animation",
             "Open the dragon with poses and a five-second animation, and play it.", has_example,
             [](Workspace& w) {
-              w.requests.open = files::OpenRequest{files::OpenRequest::What::model, {w.example}};
+              w.jobs.requests.open = files::OpenRequest{files::OpenRequest::What::model, {w.files.example}};
             });
   table.add("save_session", {"Save session", "Save"},
             "Save model, cage, pose, settings and camera in a session file.", {key('S'), true}, has_model,
@@ -112,44 +126,28 @@ void add_file_commands(CommandTable& table) {
             });
   table.add("stop_work", {"Cancel current task", "Cancel"},
             "Cancel the current task: opening a file, making a cage or binding. The document stays as it is.",
-            {Key::escape}, is_working, passing([](Workspace& w) { w.requests.stop_work = true; }));
+            {Key::escape}, is_working, passing([](Workspace& w) { w.jobs.requests.stop_work = true; }));
   table.add("stop_export", {"Cancel export", "Cancel"},
             "Stop the export. Each file is either complete or unchanged.", is_exporting,
-            passing([](Workspace& w) { w.requests.stop_export = true; }));
+            passing([](Workspace& w) { w.jobs.requests.stop_export = true; }));
   table.add("restore_leftover", {"Restore recovered edits", "Restore"},
             "Open the most recent recovered edits.", {key('B'), true}, has_recovery_files,
             passing([](Workspace& w) {
-              if (!std::exchange(w.offers_recovery, true)) return;
-              w.requests.open =
-                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery_files.front().file}};
+              if (!std::exchange(w.recovery.offered, true)) return;
+              w.jobs.requests.open =
+                  files::OpenRequest{files::OpenRequest::What::recovery, {w.recovery.files.front().file}};
             }));
   table.add("discard_leftovers", {"Discard recovered edits", "Discard"},
             "Delete all recovered edits permanently.", offers_recovery,
-            passing([](Workspace& w) { w.question = ask_before_discarding(w.recovery_files.size()); }));
+            passing([](Workspace& w) { w.files.question = ask_before_discarding(w.recovery.files.size()); }));
   table.add("put_off_leftovers", {"Keep recovered edits for later", "Later"},
             "Hide this row. The next start offers the recovered edits again.", offers_recovery,
-            passing([](Workspace& w) { w.offers_recovery = false; }));
+            passing([](Workspace& w) { w.recovery.offered = false; }));
   table.add("screenshot", {"Save screenshot", "Screenshot"}, "Save a picture of the window as PNG.",
-            {Key::f12}, always, [](Workspace& w) { w.requests.screenshot = true; });
+            {Key::f12}, always, [](Workspace& w) { w.jobs.requests.screenshot = true; });
   table.add("quit", "Quit", "Close Viete.", {key('Q'), true}, always,
-            [](Workspace& w) { w.requests.quit = true; });
+            [](Workspace& w) { w.jobs.requests.quit = true; });
 }
-
-namespace {
-
-constexpr Condition can_import{
-    [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage first and leave cage editing (Tab)."};
-constexpr Condition can_import_shapes{
-    [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a model first and leave cage editing (Tab)."};
-constexpr Condition can_export_animation{[](const Workspace& w) {
-                                           return is_movable(w) && !w.document.timeline.keys.empty() &&
-                                                  !is_editing_cage(w.document);
-                                         },
-                                         "No keys yet: pose the model and set a key (I)."};
-
-}  // namespace
 
 void add_animation_file_commands(CommandTable& table) {
   table.heading("Poses");

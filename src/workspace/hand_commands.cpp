@@ -30,13 +30,13 @@ void choose(Workspace& w, document::MirrorPlane plane) {
   wanted.follow(w.document.cage, plane);
   if (plane != document::MirrorPlane::none && w.document.has_cage() && !wanted.mirror)
     return w.messages.info("The cage has no plane of symmetry; choose X, Y or Z.");
-  w.handling.mirror = plane;
-  w.mirror = std::move(wanted);
+  w.view.handling.mirror = plane;
+  w.view.mirror = std::move(wanted);
 }
 
 template <class Value>
 void choose(Workspace& w, Value value) {
-  place<Value>(w.handling) = value;
+  place<Value>(w.view.handling) = value;
 }
 
 template <class Value>
@@ -46,18 +46,19 @@ void add_hand_choices(CommandTable& table, std::string_view headline) {
 
 template <class Value>
 void choose_next(Workspace& w) {
-  choose(w, next_choice(place<Value>(w.handling)));
+  choose(w, next_choice(place<Value>(w.view.handling)));
 }
 
 template <interact::Tool Use, interact::Shape Kind = interact::Shape::none>
 void grab(Workspace& w) {
-  w.interaction.grab = {Use, Kind};
+  w.view.interaction.grab = {Use, Kind};
 }
 
 void copy_pose(Workspace& w) {
-  w.copied = {w.document.cage, moving_vertices(w.document), {}};
-  for (const auto v : w.copied.vertices) w.copied.positions.push_back(w.document.pose.positions[v]);
-  w.messages.info("Copied the pose of " + counted(document::ElementKind::vertex, w.copied.vertices.size()) +
+  auto& copied = w.panels.copied;
+  copied = {w.document.cage, moving_vertices(w.document), {}};
+  for (const auto v : copied.vertices) copied.positions.push_back(w.document.pose.positions[v]);
+  w.messages.info("Copied the pose of " + counted(document::ElementKind::vertex, copied.vertices.size()) +
                   ".");
 }
 
@@ -71,7 +72,7 @@ constexpr Condition can_shape{[](const Workspace& w) {
                               },
                               "Select part of the cage first."};
 constexpr Condition has_copied{
-    [](const Workspace& w) { return w.copied.cage && w.copied.cage == w.document.cage && !is_dragging(w); },
+    [](const Workspace& w) { return w.panels.copied.is_of(w.document) && !is_dragging(w); },
     "Copy a pose of this cage first."};
 
 constexpr Condition has_mirror{
@@ -82,6 +83,40 @@ constexpr Condition has_mirrored_selection{
       return has_mirror(w) && has_selection(w) && w.document.selection.kind() != document::ElementKind::probe;
     },
     "Choose a mirror and select the part of the cage to copy."};
+
+template <interact::Tool Use>
+Effect uses() {
+  const auto use = [](Workspace& w) {
+    w.view.tool = Use;
+    w.view.interaction.handle.reset();
+  };
+  return {use, [](const Workspace& w) { return w.view.tool == Use; }};
+}
+
+// Adds a probe or pin at the point of the model under the cursor, or otherwise at the view's center.
+template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
+void add_in_view(Workspace& w) {
+  auto at = w.view.interaction.cursor ? model_under(w, *w.view.interaction.cursor) : std::nullopt;
+  if (!at) at = model_under(w, w.view.viewport.middle());
+  const glm::dvec3 target(w.view.camera.pose().target);
+  Add(w.document, w.frame.posed, at.value_or(w.document.space.to_file(target)));
+  w.view.interaction.hovered.reset();
+  w.view.options.cage = true;  // also displays the probes
+}
+
+// True if `holds` for all selected probes.
+bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
+  return std::ranges::all_of(w.document.selection.indices(),
+                             [&](auto i) { return holds(w.document.probes.all[i]); });
+}
+
+bool all_pull(const Workspace& w) {
+  return all_are(w, [](const deform::Probe& p) { return !p.pin || p.pin->pulls; });
+}
+
+void toggle_locked(Workspace& w) {
+  set_locked(w.document, !all_are(w, [](const deform::Probe& p) { return p.locked; }));
+}
 
 }  // namespace
 
@@ -113,11 +148,12 @@ void add_hand_commands(CommandTable& table) {
   table.add("paste_pose", "Paste pose",
             "Paste the copied vertex positions. With a mirror, paste them on the other side too.",
             {key('V'), true}, has_copied, [](Workspace& w) {
-              interact::paste_pose(w.document, w.copied.vertices, w.copied.positions, mirror_of(w));
+              interact::paste_pose(w.document, w.panels.copied.vertices, w.panels.copied.positions,
+                                   mirror_of(w));
             });
   table.add("place_pivot", "Place pivot",
             "Place the pivot with the next click: on a vertex or the model's surface.", {key('J')}, has_model,
-            [](Workspace& w) { w.interaction.placing_pivot ^= true; });
+            [](Workspace& w) { w.view.interaction.placing_pivot ^= true; });
   table.add("next_pivot", "Next pivot", "Switch to the next pivot: median, active element and so on.",
             {key('.')}, no_drag_runs, choose_next<document::Pivot>);
   add_hand_choices<document::Pivot>(table, "Pivot");
@@ -137,54 +173,13 @@ void add_hand_commands(CommandTable& table) {
   table.add("toggle_soft", {"Soft selection", "Soft selection"},
             "Move neighbours along with the selection, less with distance. The wheel changes the radius "
             "during a drag.",
-            {key('S')}, no_drag_runs, [](Workspace& w) { w.handling.soft.on = !w.handling.soft.on; });
+            {key('S')}, no_drag_runs, [](Workspace& w) { w.view.handling.soft.on ^= true; });
   add_hand_choices<document::SoftCurve>(table, "Falloff");
   add_hand_choices<document::SoftDistance>(table, "Falloff");
   table.heading("Keys");
   add_choices<KeyPreset>(table, "Keymap", no_drag_runs,
                          [](Workspace& w, KeyPreset preset) { w.preferences.keymap.set_preset(preset); });
 }
-
-namespace {
-
-template <interact::Tool Use>
-Effect uses() {
-  const auto use = [](Workspace& w) {
-    w.tool = Use;
-    w.interaction.handle.reset();
-  };
-  return {use, [](const Workspace& w) { return w.tool == Use; }};
-}
-
-// Adds a probe or pin at the point of the model under the cursor, or otherwise at the view's center.
-template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
-void add_in_view(Workspace& w) {
-  const glm::vec2 middle = w.viewport.middle();
-  const auto on_model = [&](const glm::vec2& at) {
-    return pick_model(w.document, w.posed, w.camera.ray(at, w.viewport));
-  };
-  auto at = w.interaction.cursor ? on_model(*w.interaction.cursor) : std::nullopt;
-  if (!at) at = on_model(middle);
-  Add(w.document, w.posed, at.value_or(w.document.space.to_file(glm::dvec3(w.camera.pose().target))));
-  w.interaction.hovered.reset();
-  w.view.cage = true;  // also displays the probes
-}
-
-// True if `holds` for all selected probes.
-bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
-  return std::ranges::all_of(w.document.selection.indices(),
-                             [&](auto i) { return holds(w.document.probes.all[i]); });
-}
-
-bool all_pull(const Workspace& w) {
-  return all_are(w, [](const deform::Probe& p) { return !p.pin || p.pin->pulls; });
-}
-
-void toggle_locked(Workspace& w) {
-  set_locked(w.document, !all_are(w, [](const deform::Probe& p) { return p.locked; }));
-}
-
-}  // namespace
 
 void add_tool_commands(CommandTable& table) {
   table.heading("Tool");

@@ -21,9 +21,8 @@ bool is_there(const Workspace& w, const document::WholePose& pose) {
   if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
   if (!document::same_shape(pose.shape, w.document.shape)) return false;
   const auto& probes = w.document.probes.all;
-  for (std::size_t i = 0; i < probes.size(); ++i) {
+  for (std::size_t i = 0; i < probes.size(); ++i)
     if (!probes[i].locked && !probes[i].pin && !(probes[i].pose == pose.probe(i))) return false;
-  }
   return true;
 }
 
@@ -49,7 +48,7 @@ bool is_shown(const Workspace& w) {
 // Goes to a frame without storing an unkeyed pose.
 void show_frame(Workspace& w, double frame) {
   w.document.frame = frame;
-  if (const auto camera = camera_at(w.document.timeline, frame)) w.camera.set_pose(*camera);
+  if (const auto camera = camera_at(w.document.timeline, frame)) w.view.camera.set_pose(*camera);
   const auto animation = animation_of(w);
   if (!animation) return;
   end_mix(w.document);
@@ -80,7 +79,7 @@ void leave_for(Workspace& w, double frame) {
 void follow_edits(Workspace& w) {
   Playback& p = w.playback;
   const unsigned long revision = w.document.history.revision();
-  const bool moves_keys = w.time_view.drag.has_value();  // show dragged keys immediately
+  const bool moves_keys = w.view.time.drag.has_value();  // show dragged keys immediately
   if (revision == p.seen_revision || (is_dragging(w) && !moves_keys)) return;
   const bool retimed = p.seen_timeline != w.document.timeline;
   see(w);
@@ -113,6 +112,12 @@ void play(Workspace& w, double seconds) {
   stop_playing(w);
 }
 
+double weight_in(const document::PoseKey& key, const document::NamedPose& named) {
+  const auto mixed = std::ranges::find(key.mix, named.name, &document::MixedPose::name);
+  if (mixed != key.mix.end()) return mixed->weight;
+  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
+}
+
 }  // namespace
 
 std::shared_ptr<const document::Animation> animation_of(Workspace& w) {
@@ -140,16 +145,6 @@ void go_to_frame(Workspace& w, double frame) {
   if (is_dragging(w) || is_editing_cage(w.document) || std::isnan(frame)) return;
   leave_for(w, std::clamp<double>(frame, document::Timeline::least_frame, document::Timeline::largest_frame));
 }
-
-namespace {
-
-double weight_in(const document::PoseKey& key, const document::NamedPose& named) {
-  const auto mixed = std::ranges::find(key.mix, named.name, &document::MixedPose::name);
-  if (mixed != key.mix.end()) return mixed->weight;
-  return key.mix.empty() && same_pose(*key.pose, *named.pose) ? 1 : 0;
-}
-
-}  // namespace
 
 std::vector<double> shown_weights(const Workspace& w) {
   const auto& poses = w.document.library.poses;
@@ -220,7 +215,7 @@ void add_unkeyed_to_undo(Workspace& w, bool show) {
 
 void show_timeline(Workspace& w) {
   w.preferences.layout.timeline = true;
-  w.time_view.seen = fitting(w.document.timeline);
+  w.view.time.seen = fitting(w.document.timeline);
 }
 
 void start_playing(Workspace& w) {
@@ -261,8 +256,8 @@ bool has_blended_pose(const Workspace& w) {
 
 void follow_pins(Workspace& w) {
   try {
-    const document::PinPosing::Hand hand{w.handling.freedom, w.interaction.drag.has_value()};
-    if (w.pins.follow(w.document, w.playback.vectors, hand)) w.messages.succeeded("pins");
+    const document::PinPosing::Hand hand{w.view.handling.freedom, w.view.interaction.drag.has_value()};
+    if (w.frame.pins.follow(w.document, w.playback.vectors, hand)) w.messages.succeeded("pins");
   } catch (const base::Error& error) {
     w.messages.error(error.what(), {"pins"});
   }

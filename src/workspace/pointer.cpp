@@ -32,10 +32,6 @@ bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) 
   return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
 }
 
-std::optional<mesh::Point> brush_under(const Workspace& w, const glm::vec2& cursor) {
-  return pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport));
-}
-
 bool over_axes(const Workspace& w, const glm::vec2& cursor) {
   const auto axes = axis_widget_of(w);
   return axes && axes->contains(cursor);
@@ -46,13 +42,14 @@ glm::dvec3 in_view(const document::Document& document, const glm::dvec3& place) 
 }
 
 interact::Anchor anchor_of(const Workspace& w) {
-  return interact::anchor_of(w.document, w.handling, mirror_of(w), w.camera);
+  return interact::anchor_of(w.document, w.view.handling, mirror_of(w), w.view.camera);
 }
 
 mesh::Point beside_target(const Workspace& w, const glm::vec2& cursor) {
-  const glm::dvec3 target(w.camera.pose().target);
-  const interact::CursorProjection projection(target, w.camera, w.viewport);
-  const auto at = projection.in_plane(-glm::dvec3(w.camera.forward()), w.camera.ray(cursor, w.viewport));
+  auto& camera = w.view.camera;
+  const glm::dvec3 target(camera.pose().target);
+  const interact::CursorProjection projection(target, camera, w.view.viewport);
+  const auto at = projection.in_plane(-glm::dvec3(camera.forward()), camera.ray(cursor, w.view.viewport));
   return w.document.space.to_file(at.value_or(target));
 }
 
@@ -68,21 +65,21 @@ std::vector<glm::vec2> steps_between(const glm::vec2& from, const glm::vec2& to,
 using Seen = std::vector<std::optional<glm::vec3>>;
 
 void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Triangle> triangles) {
-  for (const auto& t : triangles) {
+  for (const auto& t : triangles)
     if (points[t[0]] && points[t[1]] && points[t[2]])
       sight.hide_behind(*points[t[0]], *points[t[1]], *points[t[2]]);
-  }
 }
 
 // The model and the faces of the cage hide elements behind them.
 interact::Sight sight_of(const Workspace& w) {
-  interact::Sight sight(w.camera, w.viewport);
-  const interact::Projector project(w.document.space, w.camera, w.viewport);
+  interact::Sight sight(w.view.camera, w.view.viewport);
+  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
   Seen points;
-  if (w.view.model && w.document.model.surface) {
+  if (w.view.options.model && w.document.model.surface) {
     const mesh::Surface& model = *w.document.model.surface;
     points.reserve(model.positions.size());
-    for (std::size_t v = 0; v < model.positions.size(); ++v) points.push_back(project(w.posed.at(model, v)));
+    for (std::size_t v = 0; v < model.positions.size(); ++v)
+      points.push_back(project(w.frame.posed.at(model, v)));
     hide(sight, points, model.triangles);
   }
   if (w.document.has_cage()) {
@@ -91,9 +88,8 @@ interact::Sight sight_of(const Workspace& w) {
     const auto hidden = hidden_elements(w.document, document::ElementKind::face);
     const mesh::Surface& cage = w.document.cage->surface;
     std::vector<mesh::Triangle> triangles;
-    for (std::size_t t = 0; t < cage.triangles.size(); ++t) {
+    for (std::size_t t = 0; t < cage.triangles.size(); ++t)
       if (!hidden[cage.triangle_polygon[t]]) triangles.push_back(cage.triangles[t]);
-    }
     hide(sight, points, triangles);
   }
   return sight;
@@ -101,21 +97,25 @@ interact::Sight sight_of(const Workspace& w) {
 
 }  // namespace
 
+std::optional<mesh::Point> model_under(const Workspace& w, const glm::vec2& cursor) {
+  return pick_model(w.document, w.frame.posed, w.view.camera.ray(cursor, w.view.viewport));
+}
+
 mesh::Point pivot_place(const Workspace& w, const glm::vec2& cursor) {
-  if (w.document.has_cage() && w.view.cage) {
-    const auto vertex =
-        interact::pick_element(w.document, document::ElementKind::vertex, w.camera, w.viewport, cursor);
+  if (w.document.has_cage() && w.view.options.cage) {
+    const auto vertex = interact::pick_element(w.document, document::ElementKind::vertex, w.view.camera,
+                                               w.view.viewport, cursor);
     if (vertex) return w.document.pose.positions[vertex->index];
   }
-  if (const auto on_model = pick_model(w.document, w.posed, w.camera.ray(cursor, w.viewport)))
-    return *on_model;
-  return beside_target(w, cursor);
+  const auto on_model = model_under(w, cursor);
+  return on_model ? *on_model : beside_target(w, cursor);
 }
 
 const interact::Sight* SightCache::of(const Workspace& w) {
-  if (!w.view.select_visible) return nullptr;
-  const Picture now{w.camera.pose(),         w.viewport,   w.document.revisions(),  w.posed.frame,
-                    w.posed.vertices.data(), w.view.model, w.document.groups.hidden};
+  if (!w.view.options.select_visible) return nullptr;
+  const Picture now{
+      w.view.camera.pose(),          w.view.viewport,      w.document.revisions(),  w.frame.posed.frame,
+      w.frame.posed.vertices.data(), w.view.options.model, w.document.groups.hidden};
   if (picture_ != now) {
     picture_ = now;
     sight_.emplace(sight_of(w));
@@ -124,39 +124,40 @@ const interact::Sight* SightCache::of(const Workspace& w) {
 }
 
 void arm(Workspace& w, interact::SelectShape shape) {
-  const bool again = w.interaction.armed == shape;
+  const bool again = w.view.interaction.armed == shape;
   disarm(w);
-  if (!again) w.interaction.armed = shape;
+  if (!again) w.view.interaction.armed = shape;
 }
 
 void disarm(Workspace& w) {
-  w.interaction.armed.reset();
+  w.view.interaction.armed.reset();
 }
 
 std::optional<interact::Gizmo> gizmo_of(const Workspace& w) {
   if (!shows_selectable(w) || w.document.selection.empty()) return std::nullopt;
   if (w.document.selection.kind() == document::ElementKind::probe && !has_free_probes(w.document))
     return std::nullopt;
-  const interact::Tool tool = w.interaction.drag ? w.interaction.drag->tool() : w.tool;
+  auto& interaction = w.view.interaction;
+  const interact::Tool tool = interaction.drag ? interaction.drag->tool() : w.view.tool;
   const interact::Anchor anchor = anchor_of(w);
   // During rotation and scaling, the gizmo stays at the pivot. During a move, the gizmo moves too.
-  const bool turning = w.interaction.drag && w.interaction.drag->tool() != interact::Tool::move;
-  const glm::dvec3& center = turning ? w.interaction.drag->grip().anchor.center : anchor.center;
-  const glm::dmat3& axes = w.interaction.drag ? w.interaction.drag->grip().anchor.axes : anchor.axes;
-  return make_gizmo(tool, in_view(w.document, center), axes, w.camera, w.viewport);
+  const bool turning = interaction.drag && interaction.drag->tool() != interact::Tool::move;
+  const glm::dvec3& center = turning ? interaction.drag->grip().anchor.center : anchor.center;
+  const glm::dmat3& axes = interaction.drag ? interaction.drag->grip().anchor.axes : anchor.axes;
+  return make_gizmo(tool, in_view(w.document, center), axes, w.view.camera, w.view.viewport);
 }
 
 interact::Grip grip_of(const Workspace& w) {
-  return interact::grip_of(w.document, w.handling, mirror_of(w), w.camera);
+  return interact::grip_of(w.document, w.view.handling, mirror_of(w), w.view.camera);
 }
 
 std::optional<interact::AxisWidget> axis_widget_of(const Workspace& w) {
-  const bool shown = w.view.axes && w.view.panels && w.document.model.surface;
-  return shown ? interact::axis_widget(w.camera, w.viewport) : std::nullopt;
+  const bool shown = w.view.options.axes && w.view.options.panels && w.document.model.surface;
+  return shown ? interact::axis_widget(w.view.camera, w.view.viewport) : std::nullopt;
 }
 
 void Pointer::frame(Workspace& w, const PointerInput& input) {
-  w.mirror.follow(w.document.cage, w.handling.mirror);
+  w.view.mirror.follow(w.document.cage, w.view.handling.mirror);
   // A change of the document or the cage ends the gesture.
   const document::Revisions& now = w.document.revisions();
   if (surfaces_ != now.surfaces || cage_ != now.cage) {
@@ -164,8 +165,8 @@ void Pointer::frame(Workspace& w, const PointerInput& input) {
     cage_ = now.cage;
     if (active()) finish(w, Gesture::ignored);
   }
-  if (w.interaction.placing_pivot && input.escape) w.interaction.placing_pivot = false;
-  if (w.interaction.grab && !active()) begin_grab(w, input);
+  if (w.view.interaction.placing_pivot && input.escape) w.view.interaction.placing_pivot = false;
+  if (w.view.interaction.grab && !active()) begin_grab(w, input);
   if (gesture_ == Gesture::grabbed) end_grab(w, input);
   const bool left_gesture = active() && gesture_ != Gesture::ignored && button_ == left_button;
   if (left_gesture && (input.escape || pressed_now(input, right_button))) {
@@ -183,26 +184,26 @@ void Pointer::frame(Workspace& w, const PointerInput& input) {
 
 void Pointer::turn_wheel(Workspace& w, const PointerInput& input) {
   const float factor = std::pow(1.1f, input.wheel);
-  float& select_radius = w.interaction.select_radius;
-  if (w.interaction.armed == interact::SelectShape::brush) {
+  float& select_radius = w.view.interaction.select_radius;
+  if (w.view.interaction.armed == interact::SelectShape::brush) {
     select_radius =
         std::clamp(select_radius * factor, interact::least_select_radius, interact::largest_select_radius);
   } else if (shows_mask(w) && input.shift) {
-    const float radius = w.brush.radius * factor;
-    w.brush.radius = std::clamp(radius, document::Brush::least_radius, document::Brush::largest_radius);
+    const float radius = w.view.brush.radius * factor;
+    w.view.brush.radius = std::clamp(radius, document::Brush::least_radius, document::Brush::largest_radius);
   } else {
-    w.camera.zoom(input.wheel, input.position, w.viewport);
+    w.view.camera.zoom(input.wheel, input.position, w.view.viewport);
   }
 }
 
 std::optional<interact::Pick> Pointer::element_under(const Workspace& w, const glm::vec2& cursor) {
   if (!shows_selectable(w)) return std::nullopt;
-  return pick_element(w.document, w.camera, w.viewport, cursor, sight_.of(w));
+  return pick_element(w.document, w.view.camera, w.view.viewport, cursor, sight_.of(w));
 }
 
 // The priority under the mouse is: axis widget, armed tool, gizmo, cage.
 void Pointer::hover(Workspace& w, const PointerInput& input) {
-  Interaction& interaction = w.interaction;
+  Interaction& interaction = w.view.interaction;
   interaction.over_axes = input.over_view && over_axes(w, input.position);
   const bool free = input.over_view && !interaction.over_axes;
   interaction.brush.reset();
@@ -214,14 +215,15 @@ void Pointer::hover(Workspace& w, const PointerInput& input) {
   }
   if (free && shows_mask(w)) {
     interaction.handle.reset(), interaction.hovered.reset();
-    interaction.brush = brush_under(w, input.position);
+    interaction.brush = model_under(w, input.position);
     return;
   }
   auto pick = free ? element_under(w, input.position) : std::nullopt;
   interaction.handle = free ? handle_under(w, input.position, is_small(w, pick)) : std::nullopt;
   if (interaction.handle) pick.reset();
   interaction.hovered = pick ? std::optional(pick->index) : std::nullopt;
-  interaction.crowded = pick && is_crowded(w.document, w.camera, w.viewport, input.position, sight_.of(w));
+  interaction.crowded =
+      pick && is_crowded(w.document, w.view.camera, w.view.viewport, input.position, sight_.of(w));
 }
 
 void Pointer::press(Workspace& w, const PointerInput& input) {
@@ -250,7 +252,7 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const P
 void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
   const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
   if (wanted && !input.over_view) return;  // wait until the pointer is in the view
-  const auto [tool, shape] = *std::exchange(w.interaction.grab, std::nullopt);
+  const auto [tool, shape] = *std::exchange(w.view.interaction.grab, std::nullopt);
   if (!wanted) return;
   gesture_ = Gesture::grabbed;
   button_ = left_button;
@@ -260,58 +262,59 @@ void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
   selection_before_ = w.document.selection;
   interact::Grip grip = grip_of(w);
   if (shape != interact::Shape::none)
-    grip.shaping = shaping_of(w.document, shape, grip, w.handling.pivot == document::Pivot::median, w.camera);
+    grip.shaping =
+        shaping_of(w.document, shape, grip, w.view.handling.pivot == document::Pivot::median, w.view.camera);
   if (grip.shaping.shape != shape) {
     gesture_ = Gesture::none;
     return w.messages.info("The selection must have two ends to " + std::string(name(shape)) + " it.");
   }
-  const double depth = w.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
-  w.interaction.handle.reset(), w.interaction.hovered.reset();
-  w.interaction.drag.emplace(w.document, std::move(grip), tool, interact::Constraint{}, depth, press_,
-                             w.camera);
+  const double depth = w.view.camera.depth(glm::vec3(in_view(w.document, grip.anchor.center)));
+  w.view.interaction.handle.reset(), w.view.interaction.hovered.reset();
+  w.view.interaction.drag.emplace(w.document, std::move(grip), tool, interact::Constraint{}, depth, press_,
+                                  w.view.camera);
 }
 
 void Pointer::end_grab(Workspace& w, const PointerInput& input) {
   if (!pressed_now(input, left_button)) return;
-  w.interaction.drag->commit(w.document);
-  w.view.hints = false;
+  w.view.interaction.drag->commit(w.document);
+  w.view.options.hints = false;
   finish(w, Gesture::ignored);
 }
 
 void Pointer::press_left(Workspace& w, const PointerInput& input) {
   gesture_ = over_axes(w, press_) ? Gesture::on_axes : Gesture::pressed;
-  if (gesture_ == Gesture::pressed && w.interaction.placing_pivot) {
+  if (gesture_ == Gesture::pressed && w.view.interaction.placing_pivot) {
     gesture_ = Gesture::ignored;
-    w.interaction.placing_pivot = false;
-    w.handling.pivot = document::Pivot::point;
-    w.handling.point = pivot_place(w, press_);
+    w.view.interaction.placing_pivot = false;
+    w.view.handling.pivot = document::Pivot::point;
+    w.view.handling.point = pivot_place(w, press_);
     return;
   }
   mode_ = mode_of(input);
   shape_.reset();
   selection_before_ = w.document.selection;
-  if (gesture_ == Gesture::pressed && w.interaction.armed) return press_armed(w, input);
+  if (gesture_ == Gesture::pressed && w.view.interaction.armed) return press_armed(w, input);
   if (gesture_ == Gesture::pressed && shows_mask(w)) {
     gesture_ = Gesture::painting;
-    w.interaction.stroke.emplace(w.document);
+    w.view.interaction.stroke.emplace(w.document);
     return paint(w, input);
   }
   again_ = input.double_click && clicked_;
   clicked_ = false;
   grabbed_ = element_under(w, press_);
   handle_ = handle_under(w, press_, is_small(w, grabbed_));
-  crowded_ = is_crowded(w.document, w.camera, w.viewport, press_, sight_.of(w));
+  crowded_ = is_crowded(w.document, w.view.camera, w.view.viewport, press_, sight_.of(w));
 }
 
 // A brush starts immediately and stays armed. Other shapes start with the drag.
 void Pointer::press_armed(Workspace& w, const PointerInput& input) {
-  shape_ = w.interaction.armed;
+  shape_ = w.view.interaction.armed;
   handle_.reset();
   grabbed_ = element_under(w, press_);
   if (shape_ != interact::SelectShape::brush) return disarm(w);
   gesture_ = shows_selectable(w) ? Gesture::brushing : Gesture::ignored;
   if (gesture_ == Gesture::ignored) return;
-  w.interaction.brushing = mode_ == document::SelectMode::remove ? mode_ : document::SelectMode::add;
+  w.view.interaction.brushing = mode_ == document::SelectMode::remove ? mode_ : document::SelectMode::add;
   brush_on(w, input);
 }
 
@@ -332,19 +335,19 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
     case Gesture::painting:
       if (delta != glm::vec2(0)) paint(w, input);
       break;
-    case Gesture::boxing: w.interaction.box->opposite = input.position; break;
-    case Gesture::lassoing: draw_on(*w.interaction.lasso, input.position); break;
+    case Gesture::boxing: w.view.interaction.box->opposite = input.position; break;
+    case Gesture::lassoing: draw_on(*w.view.interaction.lasso, input.position); break;
     case Gesture::brushing:
       if (delta != glm::vec2(0)) brush_on(w, input);
       break;
     case Gesture::orbiting:
-      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) w.camera.orbit(delta);
+      if (delta != glm::vec2(0) && (travelled_ || button_ != right_button)) w.view.camera.orbit(delta);
       break;
     case Gesture::panning:
-      if (delta != glm::vec2(0)) w.camera.pan(delta, w.viewport);
+      if (delta != glm::vec2(0)) w.view.camera.pan(delta, w.view.viewport);
       break;
     case Gesture::zooming:
-      if (delta.y != 0) w.camera.zoom(-0.05f * delta.y, press_, w.viewport);
+      if (delta.y != 0) w.view.camera.zoom(-0.05f * delta.y, press_, w.view.viewport);
       break;
     default: break;
   }
@@ -367,10 +370,10 @@ void Pointer::begin_left_drag(Workspace& w, const PointerInput& input) {
     gesture_ = Gesture::ignored;
   } else if (shape_ == interact::SelectShape::lasso) {
     gesture_ = Gesture::lassoing;
-    w.interaction.lasso = interact::Lasso{{press_}, mode_};
+    w.view.interaction.lasso = interact::Lasso{{press_}, mode_};
   } else {
     gesture_ = Gesture::boxing;
-    w.interaction.box = Interaction::Box{press_, input.position, mode_};
+    w.view.interaction.box = Interaction::Box{press_, input.position, mode_};
   }
 }
 
@@ -379,29 +382,28 @@ void Pointer::begin_transform(Workspace& w) {
   document::Document& document = w.document;
   gesture_ = Gesture::moving;
   selection_before_ = document.selection;
+  auto& view = w.view;
   if (handle_) {
     interact::Grip grip = grip_of(w);
-    const double depth = w.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
-    w.interaction.drag.emplace(document, std::move(grip), w.tool, *handle_, depth, press_, w.camera);
+    const double depth = view.camera.depth(glm::vec3(in_view(document, grip.anchor.center)));
+    view.interaction.drag.emplace(document, std::move(grip), view.tool, *handle_, depth, press_, view.camera);
     return;
   }
-  if (!document.selection.contains(grabbed_->index)) {
+  if (!document.selection.contains(grabbed_->index))
     document.selection.apply(std::array{grabbed_->index}, document::SelectMode::replace);
-  }
-  w.interaction.hovered = grabbed_->index;
-  w.interaction.drag.emplace(document, grip_of(w), interact::Tool::move, interact::Constraint{},
-                             grabbed_->depth, press_, w.camera);
+  view.interaction.hovered = grabbed_->index;
+  view.interaction.drag.emplace(document, grip_of(w), interact::Tool::move, interact::Constraint{},
+                                grabbed_->depth, press_, view.camera);
 }
 
 void Pointer::transform(Workspace& w, const PointerInput& input) {
-  interact::TransformDrag& drag = *w.interaction.drag;
+  interact::TransformDrag& drag = *w.view.interaction.drag;
   bool changed = input.position != last_.position || input.ctrl != last_.ctrl || input.backspace;
   if (input.backspace) drag.backspace();
   for (const char c : input.typed) changed |= drag.type(c);
   changed |= soften_by_wheel(w, input.wheel);
-  if (changed) {
-    drag.update(w.document, {input.position, input.ctrl, input.shift}, w.camera, w.viewport);
-  }
+  if (changed)
+    drag.update(w.document, {input.position, input.ctrl, input.shift}, w.view.camera, w.view.viewport);
   if (!input.enter) return;
   commit_drag(w);
   finish(w, Gesture::ignored);
@@ -411,51 +413,53 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
   const unsigned long edits = document.history.revision();
-  w.interaction.drag->commit(document);
+  w.view.interaction.drag->commit(document);
   if (document.history.revision() != edits) return document.history.began_with(selection_before_);
   record_selection(document, selection_before_);
 }
 
 void Pointer::brush_on(Workspace& w, const PointerInput& input) {
-  const float radius = w.interaction.select_radius;
-  w.interaction.cursor = input.position;
+  const float radius = w.view.interaction.select_radius;
+  w.view.interaction.cursor = input.position;
   for (const glm::vec2& at : steps_between(last_.position, input.position, 0.5f * radius))
     w.document.selection.apply(
-        pick_elements_in_circle(w.document, w.camera, w.viewport, at, radius, sight_.of(w)),
-        *w.interaction.brushing);
+        pick_elements_in_circle(w.document, w.view.camera, w.view.viewport, at, radius, sight_.of(w)),
+        *w.view.interaction.brushing);
 }
 
 // Selects the elements in the finished box or lasso.
 void Pointer::select_inside(Workspace& w, const PointerInput& input) {
-  const auto inside =
-      gesture_ == Gesture::lassoing
-          ? pick_elements_in_lasso(w.document, w.camera, w.viewport, w.interaction.lasso->line, sight_.of(w))
-          : pick_elements_in_box(w.document, w.camera, w.viewport, press_, input.position, sight_.of(w));
+  const auto inside = gesture_ == Gesture::lassoing
+                          ? pick_elements_in_lasso(w.document, w.view.camera, w.view.viewport,
+                                                   w.view.interaction.lasso->line, sight_.of(w))
+                          : pick_elements_in_box(w.document, w.view.camera, w.view.viewport, press_,
+                                                 input.position, sight_.of(w));
   document::Selection selection = w.document.selection;
   selection.apply(inside, mode_);
   set_selection(w.document, std::move(selection));
 }
 
 bool Pointer::soften_by_wheel(Workspace& w, float steps) {
-  document::SoftSelection& soft = w.handling.soft;
-  const bool shapes = w.interaction.drag->grip().shaping.shape != interact::Shape::none;
+  document::SoftSelection& soft = w.view.handling.soft;
+  const bool shapes = w.view.interaction.drag->grip().shaping.shape != interact::Shape::none;
   if (!soft.on || steps == 0 || shapes)
     return false;  // bend, twist and taper depend on the original vertices
   soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), document::SoftSelection::least_radius,
                            document::SoftSelection::largest_radius);
-  w.interaction.drag->soften(w.document, soft, mirror_of(w));
+  w.view.interaction.drag->soften(w.document, soft, mirror_of(w));
   return true;
 }
 
 void Pointer::paint(Workspace& w, const PointerInput& input) {
-  const document::Brush& brush = w.brush;
+  auto& view = w.view;
+  const document::Brush& brush = view.brush;
   for (const glm::vec2& at : steps_between(last_.position, input.position, 0.25f * brush.radius)) {
-    const auto center = brush_under(w, at);
-    w.interaction.brush = center;
+    const auto center = model_under(w, at);
+    view.interaction.brush = center;
     if (!center) continue;
-    const float depth = w.camera.depth(w.document.space.to_view(*center));
-    const double radius = brush.radius * w.camera.per_pixel(depth, w.viewport) / w.document.space.scale;
-    w.interaction.stroke->dab(w.document, w.posed, *center, radius, input.ctrl ? 1 : brush.share);
+    const float depth = view.camera.depth(w.document.space.to_view(*center));
+    const double radius = brush.radius * view.camera.per_pixel(depth, view.viewport) / w.document.space.scale;
+    view.interaction.stroke->dab(w.document, w.frame.posed, *center, radius, input.ctrl ? 1 : brush.share);
   }
 }
 
@@ -463,9 +467,9 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   document::Document& document = w.document;
   if (gesture_ == Gesture::moving) {
     commit_drag(w);
-    w.view.hints = false;
+    w.view.options.hints = false;
   } else if (gesture_ == Gesture::painting) {
-    w.interaction.stroke->commit(document);
+    w.view.interaction.stroke->commit(document);
   } else if (gesture_ == Gesture::boxing || gesture_ == Gesture::lassoing) {
     select_inside(w, input);
   } else if (gesture_ == Gesture::brushing) {
@@ -477,7 +481,7 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   } else if (gesture_ == Gesture::on_axes) {
     const auto axes = axis_widget_of(w);
     const interact::AxisBall* ball = axes ? axes->ball(press_) : nullptr;
-    if (ball) look_from(w.camera, *ball), frame_all(w, true);
+    if (ball) look_from(w.view.camera, *ball), frame_all(w, true);
   }
   finish(w, Gesture::none);
 }
@@ -487,7 +491,7 @@ void Pointer::click(Workspace& w) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && w.document.model.surface) {
     const mesh::Point place = pivot_place(w, press_);
-    return w.camera.center(w.document.space.to_view(place));
+    return w.view.camera.center(w.document.space.to_view(place));
   }
   document::Selection selection = w.document.selection;
   if (grabbed_) {
@@ -500,28 +504,28 @@ void Pointer::click(Workspace& w) {
 
 // Requests the context menu. If the element under the cursor is not selected, selects it first.
 void Pointer::ask_for_menu(Workspace& w) {
-  const auto hovered = w.interaction.hovered;
+  const auto hovered = w.view.interaction.hovered;
   if (hovered && !w.document.selection.contains(*hovered)) {
     document::Selection selection(w.document.selection.kind());
     selection.apply(std::array{*hovered}, document::SelectMode::replace);
     set_selection(w.document, std::move(selection));
   }
-  w.interaction.menu = press_;
+  w.view.interaction.menu = press_;
 }
 
 void Pointer::finish(Workspace& w, Gesture next) {
-  w.interaction.drag.reset();
-  w.interaction.box.reset();
-  w.interaction.lasso.reset();
-  w.interaction.brushing.reset();
-  w.interaction.stroke.reset();
+  w.view.interaction.drag.reset();
+  w.view.interaction.box.reset();
+  w.view.interaction.lasso.reset();
+  w.view.interaction.brushing.reset();
+  w.view.interaction.stroke.reset();
   gesture_ = next;
 }
 
 // The button is ignored until it is released.
 void Pointer::cancel(Workspace& w) {
-  if (w.interaction.drag) w.interaction.drag->cancel(w.document);
-  if (w.interaction.stroke) w.interaction.stroke->cancel(w.document);
+  if (w.view.interaction.drag) w.view.interaction.drag->cancel(w.document);
+  if (w.view.interaction.stroke) w.view.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
     return finish(w, Gesture::ignored);  // the selection is unchanged
   // Do not select elements again that were removed during the gesture.

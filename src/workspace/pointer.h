@@ -40,6 +40,9 @@ interact::Grip grip_of(const Workspace& workspace);
 /// The axis widget, if it is shown.
 std::optional<interact::AxisWidget> axis_widget_of(const Workspace& workspace);
 
+/// The point of the posed model under the cursor, in file coordinates.
+std::optional<mesh::Point> model_under(const Workspace& workspace, const glm::vec2& cursor);
+
 /// The position of a pivot for a click, in file coordinates: the vertex of the posed cage under the cursor.
 /// If there is none, the point of the model, or a point at the depth of the camera's target.
 mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);

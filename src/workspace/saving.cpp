@@ -23,7 +23,8 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == document::the_session;
-    const bool anew = session && path == w.saved.session;  // the session's own file may have any content
+    const bool anew =
+        session && path == w.files.saved.session;  // the session's own file may have any content
     check_output(path, session ? files::Content::session : files::Content::surface, files_open(w, own),
                  anew ? files::Force::given : files::Force::none);
     step();
@@ -44,29 +45,29 @@ bool is_timeline_pose(const Workspace& w) {
 // True if the probes equal the saved probes. If `by_time`, ignores their poses, which come from the keys.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
-  const auto& saved = w.saved.state.probes.all;
+  const auto& saved = w.files.saved.state.probes.all;
   for (std::size_t i = 0; by_time && i < std::min(now.all.size(), saved.size()); ++i)
     if (!now.all[i].locked) now.all[i].pose = saved[i].pose;
-  return now == w.saved.state.probes;
+  return now == w.files.saved.state.probes;
 }
 
 // True if the timeline is saved. An unkeyed pose can be saved in the list Timeline::unkeyed, or as the pose.
 bool same_timeline(const Workspace& w) {
   document::Timeline now = w.document.timeline;
-  if (now == w.saved.state.timeline) return true;
+  if (now == w.files.saved.state.timeline) return true;
   const auto is_saved = [&](const document::PoseKey& left) {
     const auto is_same = [&](const document::PoseKey& saved) { return *saved.pose == *left.pose; };
     const auto same_probe = [](const deform::ProbePose& pose, const deform::Probe& probe) {
       return probe.locked || pose == probe.pose;
     };
-    return std::ranges::any_of(w.saved.state.timeline.unkeyed, is_same) ||
-           (document::same_shape(left.pose->shape, w.saved.state.shape) &&
-            document::same_pose(left.pose->cage, w.saved.state.pose) &&
-            std::ranges::equal(left.pose->probes, w.saved.state.probes.all, same_probe));
+    return std::ranges::any_of(w.files.saved.state.timeline.unkeyed, is_same) ||
+           (document::same_shape(left.pose->shape, w.files.saved.state.shape) &&
+            document::same_pose(left.pose->cage, w.files.saved.state.pose) &&
+            std::ranges::equal(left.pose->probes, w.files.saved.state.probes.all, same_probe));
   };
   const bool all_saved = std::ranges::all_of(now.unkeyed, is_saved);
-  now.unkeyed = w.saved.state.timeline.unkeyed;
-  return all_saved && now == w.saved.state.timeline;
+  now.unkeyed = w.files.saved.state.timeline.unkeyed;
+  return all_saved && now == w.files.saved.state.timeline;
 }
 
 }  // namespace
@@ -75,8 +76,8 @@ bool save_session(Workspace& w, const fs::path& path) {
   return attempt(w, "session", path, document::the_session, [&] {
     const std::string text = session_text(session_of(w), path);
     base::replace_file(path, text);
-    w.saved.session = path;
-    w.saved.content = files::content_of_bytes(text);
+    w.files.saved.session = path;
+    w.files.saved.content = files::content_of_bytes(text);
     w.preferences.add({path, {}});
     mark_saved(w);
   });
@@ -98,46 +99,46 @@ bool save_cage(Workspace& w, const fs::path& path) {
     document.cage_file.path = path;
     document.cage_file.made.clear();
     document.cage_file.format = "saved here";
-    w.saved.put_cage(document.cage);
+    w.files.saved.put_cage(document.cage);
   });
 }
 
 void report_refusal(Workspace& w, const fs::path& file, const std::string& problem, std::string_view topic) {
-  if (!refuse(w.browser, file, problem)) w.messages.error(problem, {topic});
+  if (!refuse(w.files.browser, file, problem)) w.messages.error(problem, {topic});
 }
 
 bool changed_on_disk(const Workspace& w, const fs::path& session) {
   std::error_code ignored;
-  return session == w.saved.session && w.saved.content && fs::exists(session, ignored) &&
-         files::content_of(session) != w.saved.content;
+  return session == w.files.saved.session && w.files.saved.content && fs::exists(session, ignored) &&
+         files::content_of(session) != w.files.saved.content;
 }
 
 std::string window_title(const Workspace& w) {
   if (!w.document.model.surface) return "Viete";
-  const fs::path& file = w.saved.session.empty() ? w.document.model.path : w.saved.session;
-  return file.filename().string() + (has_unsaved_edits(w) ? "*" : "") + " - Viete";
+  return name_of_work(w) + (has_unsaved_edits(w) ? "*" : "") + " - Viete";
 }
 
 bool has_unsaved_edits(const Workspace& w) {
   const bool by_time = is_timeline_pose(w);
-  if (w.saved.recovered || w.document.cage != w.saved.state.cage || !same_probes(w, by_time) ||
-      w.document.groups.sets != w.saved.state.groups.sets || w.document.library != w.saved.state.library ||
-      !same_timeline(w) || !document::same_mask(w.document.mask, w.saved.state.mask))
+  auto& saved = w.files.saved;
+  if (saved.recovered || w.document.cage != saved.state.cage || !same_probes(w, by_time) ||
+      w.document.groups.sets != saved.state.groups.sets || w.document.library != saved.state.library ||
+      !same_timeline(w) || !document::same_mask(w.document.mask, saved.state.mask))
     return true;
   return w.document.is_movable() &&
-         (w.document.scheme != w.saved.state.scheme ||
-          (!by_time && (!document::same_shape(w.document.shape, w.saved.state.shape) ||
-                        !document::same_pose(real_pose(w.document), w.saved.state.pose))));
+         (w.document.scheme != saved.state.scheme ||
+          (!by_time && (!document::same_shape(w.document.shape, saved.state.shape) ||
+                        !document::same_pose(real_pose(w.document), saved.state.pose))));
 }
 
 void mark_saved(Workspace& w) {
-  w.saved.state = state_of(w.document);
+  w.files.saved.state = state_of(w.document);
   mark_pose_saved(w);
 }
 
 // Does not include probes, because the file of a pose does not contain them.
 void mark_pose_saved(Workspace& w) {
-  w.saved.put_pose(real_pose(w.document));
+  w.files.saved.put_pose(real_pose(w.document));
 }
 
 files::Session session_of(const Workspace& w) {
@@ -146,28 +147,28 @@ files::Session session_of(const Workspace& w) {
   session.pose = real_pose(w.document);
   session.library.unmixed = unmixed_pose(w.document);
   session.model = w.document.model;
-  session.origin = w.saved.session;
-  session.origin_content = w.saved.content;
+  session.origin = w.files.saved.session;
+  session.origin_content = w.files.saved.content;
   session.method = w.document.method;
   session.camera = last_camera_of(w, 0);
-  session.view = w.view;
+  session.view = w.view.options;
   session.sides = ways_of(w);
-  session.handling = w.handling;
-  if (document::is_window(w.viewport.window.x, w.viewport.window.y))
-    session.window = glm::ivec2(w.viewport.window);
+  session.handling = w.view.handling;
+  if (document::is_window(w.view.viewport.window.x, w.view.viewport.window.y))
+    session.window = glm::ivec2(w.view.viewport.window);
   return session;
 }
 
 document::FilesInUse files_open(const Workspace& w, std::string_view own) {
   document::FilesInUse files;
   files::add_document(files, w.document, own);
-  if (own != document::the_session) files.add(w.saved.session, document::the_session);
-  files.add(w.recovered_from, "unsaved work");
+  if (own != document::the_session) files.add(w.files.saved.session, document::the_session);
+  files.add(w.recovery.from, "unsaved work");
   return files;
 }
 
 std::string name_of_work(const Workspace& w) {
-  return (w.saved.session.empty() ? w.document.model.path : w.saved.session).filename().string();
+  return (w.files.saved.session.empty() ? w.document.model.path : w.files.saved.session).filename().string();
 }
 
 }  // namespace viete::workspace

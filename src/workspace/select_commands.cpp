@@ -17,7 +17,7 @@ template <void (*Step)(document::Document&)>
 void take_step(Workspace& w) {
   Step(w.document);
   w.messages.hide_messages();
-  w.interaction.hovered.reset();
+  w.view.interaction.hovered.reset();
 }
 
 std::size_t selectable(const Workspace& w) {
@@ -39,8 +39,8 @@ void invert_selection(Workspace& w) {
 // The selection and the hovered element.
 document::Selection selection_or_hovered(const Workspace& w) {
   document::Selection selection = w.document.selection;
-  if (w.interaction.hovered && *w.interaction.hovered < selectable(w))
-    selection.apply(std::array{*w.interaction.hovered}, document::SelectMode::add);
+  if (w.view.interaction.hovered && *w.view.interaction.hovered < selectable(w))
+    selection.apply(std::array{*w.view.interaction.hovered}, document::SelectMode::add);
   return selection;
 }
 
@@ -56,22 +56,22 @@ void change_selection(Workspace& w) {
 template <void (*Change)(document::Document&)>
 void change_groups(Workspace& w) {
   Change(w.document);
-  w.interaction.hovered.reset();
+  w.view.interaction.hovered.reset();
 }
 
 Effect arms(interact::SelectShape shape) {
   const auto toggle = [shape](Workspace& w) {
     arm(w, shape);
-    w.interaction.handle.reset();
-    w.interaction.hovered.reset();
+    w.view.interaction.handle.reset();
+    w.view.interaction.hovered.reset();
   };
-  return {toggle, [shape](const Workspace& w) { return w.interaction.armed == shape; }};
+  return {toggle, [shape](const Workspace& w) { return w.view.interaction.armed == shape; }};
 }
 
 template <document::ElementKind Kind>
 void select_by(Workspace& w) {
   select_kind(w.document, Kind);
-  w.interaction.hovered.reset();
+  w.view.interaction.hovered.reset();
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace viete::workspace {
 
 /// A view, and the results of its last frame. The first view shows the document's settings, see shown_way().
-struct View : document::SideWay {
+struct SplitView : document::SideWay {
   FieldView shown{};
   FrameStats stats{};
   /// Error of a frame in single precision against double precision, in diagonals of the cage. For a stitched
@@ -29,7 +29,7 @@ struct View : document::SideWay {
 struct Split {
   static constexpr std::size_t most = document::SideWays::most + 1;
 
-  std::vector<View> views = std::vector<View>(1);
+  std::vector<SplitView> views = std::vector<SplitView>(1);
   bool linked = true;                         ///< all views share one camera
   std::size_t active = 0;                     ///< the view with the gizmo and the current camera
   std::vector<document::CameraPose> cameras;  ///< cameras of inactive views, if not linked
@@ -37,8 +37,8 @@ struct Split {
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }
   /// All views but the first.
-  std::span<View> sides() { return std::span(views).subspan(1); }
-  std::span<const View> sides() const { return std::span(views).subspan(1); }
+  std::span<SplitView> sides() { return std::span(views).subspan(1); }
+  std::span<const SplitView> sides() const { return std::span(views).subspan(1); }
 };
 
 /// Position (from the top left) and size of a view, as fractions of the whole.

@@ -42,7 +42,7 @@ constexpr Condition has_selected_keys{
     [](const Workspace& w) { return has_time(w) && !selected_keys(w).empty(); },
     "Select keys in the timeline first."};
 constexpr Condition deletes_keys{
-    [](const Workspace& w) { return has_selected_keys(w) && w.time_view.hovered; },
+    [](const Workspace& w) { return has_selected_keys(w) && w.view.time.hovered; },
     "Select keys in the timeline first and keep the pointer over the timeline."};
 
 // Runs an edit. If the edit fails, shows the error.
@@ -59,14 +59,14 @@ void try_edit(Workspace& w, const char* what, Edit edit) {
 void keep(Workspace& w) {
   try_edit(w, "poses", [&] {
     const std::size_t n = w.document.library.poses.size();
-    w.chosen_pose = keep_pose(w.document, "Pose " + std::to_string(n + 1));
+    w.view.chosen_pose = keep_pose(w.document, "Pose " + std::to_string(n + 1));
   });
 }
 
 void remove(Workspace& w) {
-  remove_pose(w.document, w.playback.vectors, *w.chosen_pose);
+  remove_pose(w.document, w.playback.vectors, *w.view.chosen_pose);
   const std::size_t left = w.document.library.poses.size();
-  w.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.chosen_pose, left - 1));
+  w.view.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.view.chosen_pose, left - 1));
 }
 
 // Sets keys. If the timeline is closed, opens the timeline.
@@ -93,7 +93,7 @@ void key_pose(Workspace& w) {
   const std::vector<double> weights = shown_weights(w);
   const auto set = [&] {
     set_key(w.document, frame, weights);
-    w.time_view.selected = {frame};
+    w.view.time.selected = {frame};
   };
   set_keys(w, set, key_message(w.document.timeline.keys, "Key", frame));
 }
@@ -101,8 +101,8 @@ void key_pose(Workspace& w) {
 void key_camera(Workspace& w) {
   const int frame = current_frame(w.document);
   const auto set = [&] {
-    set_camera_key(w.document, frame, w.camera.pose());
-    w.time_view.selected = {frame};
+    set_camera_key(w.document, frame, w.view.camera.pose());
+    w.view.time.selected = {frame};
   };
   set_keys(w, set, key_message(w.document.timeline.cameras, "Camera key", frame));
 }
@@ -110,13 +110,13 @@ void key_camera(Workspace& w) {
 void key_turntable(Workspace& w) {
   const document::Timeline& t = w.document.timeline;
   set_keys(
-      w, [&] { set_turntable(w.document, w.camera.pose()); },
+      w, [&] { set_turntable(w.document, w.view.camera.pose()); },
       "Camera keys set from frame " + std::to_string(t.first) + " to " + std::to_string(t.last) + '.');
 }
 
 void delete_keys(Workspace& w) {
   remove_keys(w.document, selected_keys(w));
-  w.time_view.selected.clear();
+  w.view.time.selected.clear();
 }
 
 template <int Steps>
@@ -146,7 +146,7 @@ void change_play(Workspace& w, const auto& change) {
 void fit_range(Workspace& w) {
   const std::vector<int> frames = key_frames(w.document.timeline);
   change_play(w, [&](document::Playing& play) { play.first = frames.front(), play.last = frames.back(); });
-  w.time_view.seen = fitting(w.document.timeline);
+  w.view.time.seen = fitting(w.document.timeline);
 }
 
 }  // namespace
@@ -155,9 +155,9 @@ void add_time_commands(CommandTable& table) {
   table.heading("Poses");
   table.add("keep_pose", "Add pose", "Add the current pose to the list under a name.", can_pose, keep);
   table.add("apply_pose", {"Apply pose", "Apply"}, "Set model, cage and probes to the chosen pose.",
-            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.chosen_pose); });
+            has_chosen_pose, [](Workspace& w) { apply_pose(w, *w.view.chosen_pose); });
   table.add("update_pose", {"Update pose", "Update"}, "Replace the chosen pose by the current pose.",
-            has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.chosen_pose); });
+            has_chosen_pose, [](Workspace& w) { update_pose(w.document, *w.view.chosen_pose); });
   table.add("remove_pose", {"Delete pose", "Delete"}, "Delete the chosen pose from the list.",
             has_chosen_pose, remove);
   table.add("clear_mix", "Clear weights", "Set the weights of all poses to 0 %. Other edits are kept.",
@@ -199,7 +199,8 @@ void add_time_commands(CommandTable& table) {
                                 });
   table.add("toggle_auto_key", {"Set keys automatically", "Auto key"},
             "Set a key at this frame after each edit. Works only if there is a key already.", always,
-            switches(&Playback::auto_key, &Workspace::playback));
+            {[](Workspace& w) { w.playback.auto_key ^= true; },
+             [](const Workspace& w) { return w.playback.auto_key; }});
   table.add("toggle_straight", {"Linear interpolation", "Linear"},
             "Interpolate vertex positions linearly between keys and in weighted poses. When off, rotations "
             "and stretches are interpolated in log space.",

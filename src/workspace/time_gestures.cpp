@@ -33,7 +33,7 @@ void drag_keys(Workspace& w, TimeView::Drag& drag, double frame) {
   for (const int from : drag.frames) to.push_back(from + shift);
   move_keys(w.document, drag.before, drag.frames, to);
   drag.moved = true;
-  w.time_view.selected = std::move(to);
+  w.view.time.selected = std::move(to);
 }
 
 void drag_box(Workspace& w, const TimeView::Drag& drag, double frame) {
@@ -41,14 +41,14 @@ void drag_box(Workspace& w, const TimeView::Drag& drag, double frame) {
   std::vector<int> selected = drag.selected;
   for (const int key : key_frames(w.document.timeline))
     if (key >= low && key <= high && !has_frame(selected, key)) toggle_frame(selected, key);
-  w.time_view.selected = std::move(selected);
+  w.view.time.selected = std::move(selected);
 }
 
 }  // namespace
 
 std::vector<int> selected_keys(const Workspace& w) {
   std::vector<int> selected;
-  std::ranges::set_intersection(w.time_view.selected, key_frames(w.document.timeline),
+  std::ranges::set_intersection(w.view.time.selected, key_frames(w.document.timeline),
                                 std::back_inserter(selected));
   return selected;
 }
@@ -65,7 +65,7 @@ std::vector<int> eased_keys(const Workspace& w) {
 }
 
 void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
-  TimeView& view = w.time_view;
+  TimeView& view = w.view.time;
   view.selected = selected_keys(w);
   if (!key) {
     if (!add) view.selected.clear();
@@ -81,16 +81,16 @@ void press_keys(Workspace& w, double frame, std::optional<int> key, bool add) {
 
 void press_ruler(Workspace& w, double frame) {
   w.playback.playing = false;
-  w.time_view.drag = TimeView::Drag{.what = TimeView::What::scrub, .pressed = frame};
+  w.view.time.drag = TimeView::Drag{.what = TimeView::What::scrub, .pressed = frame};
   drag_time(w, frame);
 }
 
 void press_pan(Workspace& w, double frame) {
-  w.time_view.drag = TimeView::Drag{.what = TimeView::What::pan, .pressed = frame, .seen = w.time_view.seen};
+  w.view.time.drag = TimeView::Drag{.what = TimeView::What::pan, .pressed = frame, .seen = w.view.time.seen};
 }
 
 void drag_time(Workspace& w, double frame) {
-  auto& drag = w.time_view.drag;
+  auto& drag = w.view.time.drag;
   if (!drag) return;
   switch (drag->what) {
     case TimeView::What::scrub: {
@@ -102,25 +102,25 @@ void drag_time(Workspace& w, double frame) {
     case TimeView::What::box: return drag_box(w, *drag, frame);
     case TimeView::What::pan: {
       const double way = drag->pressed - frame;
-      w.time_view.seen = {drag->seen.first + way, drag->seen.last + way};
+      w.view.time.seen = {drag->seen.first + way, drag->seen.last + way};
       return;
     }
   }
 }
 
 void release_time(Workspace& w) {
-  w.time_view.drag.reset();
+  w.view.time.drag.reset();
 }
 
 void cancel_time(Workspace& w) {
-  auto& drag = w.time_view.drag;
+  auto& drag = w.view.time.drag;
   if (!drag) return;
   if (drag->what == TimeView::What::keys && drag->moved) {
     w.document.timeline = w.document.history.drop_last().timeline;
-    w.time_view.selected = drag->frames;
+    w.view.time.selected = drag->frames;
   }
-  if (drag->what == TimeView::What::pan) w.time_view.seen = drag->seen;
-  if (drag->what == TimeView::What::box) w.time_view.selected = drag->selected;
+  if (drag->what == TimeView::What::pan) w.view.time.seen = drag->seen;
+  if (drag->what == TimeView::What::box) w.view.time.selected = drag->selected;
   drag.reset();
 }
 

@@ -16,11 +16,12 @@ namespace {
 // Shows the panels too if they are hidden.
 Effect shows(Column column) {
   const auto shown = [column](const Workspace& w) {
-    return w.view.panels && shown_columns(w.preferences.layout, w.viewport.window.x).of(column) > 0;
+    return w.view.options.panels &&
+           shown_columns(w.preferences.layout, w.view.viewport.window.x).of(column) > 0;
   };
   const auto toggle = [column, shown](Workspace& w) {
-    const bool hidden = !std::exchange(w.view.panels, true);
-    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.viewport.window.x);
+    const bool hidden = !std::exchange(w.view.options.panels, true);
+    if (!hidden || !shown(w)) toggle_column(w.preferences.layout, column, w.view.viewport.window.x);
   };
   return {toggle, shown};
 }
@@ -39,7 +40,7 @@ void add_looks(CommandTable& table) {
                {"view_bottom", "from below", "Bottom", {Key::pad7, true}, V::bottom}};
   const auto look = [](V view) {
     return [view](Workspace& w) {
-      w.camera.look(view);
+      w.view.camera.look(view);
       frame_all(w, true);
     };
   };
@@ -55,6 +56,33 @@ void add_looks(CommandTable& table) {
       .under("Viewpoint");
 }
 
+constexpr Condition is_split{[](const Workspace& w) { return w.view.split.on(); },
+                             "Split the view in two first."};
+
+constexpr Condition has_map{[](const Workspace& w) { return w.view.split.views[0].shown.values != nullptr; },
+                            "Choose a map first (Analysis, Map)."};
+
+constexpr Condition has_vertex{[](const Workspace& w) { return w.view.vertex.vertex.has_value(); },
+                               "Inspect a vertex first."};
+
+// Opens the vertex inspector. If the column of the inspector is hidden, shows the column.
+void show_sum_at(Workspace& w, std::uint32_t vertex) {
+  w.view.vertex.vertex = vertex;
+  w.view.vertex.appearing = true;
+  PanelLayout& layout = w.preferences.layout;
+  for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
+  if (shown_columns(layout, w.view.viewport.window.x).methods <= 0)
+    toggle_column(layout, Column::methods, w.view.viewport.window.x);
+}
+
+void pick_vertex(Workspace& w) {
+  const glm::vec2 at = w.view.interaction.cursor.value_or(w.view.viewport.middle());
+  const auto hit = pick_triangle(w.document, w.frame.posed, w.view.camera.ray(at, w.view.viewport));
+  if (!hit) return w.messages.info("Point at a vertex of the model first.");
+  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
+  show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
+}
+
 }  // namespace
 
 void add_camera_commands(CommandTable& table) {
@@ -67,16 +95,16 @@ void add_camera_commands(CommandTable& table) {
   table
       .add("toggle_orthographic", {"Orthographic view", "Orthographic"},
            "Show the scene without perspective.", {Key::pad5}, always,
-           {[](Workspace& w) { w.camera.set_orthographic(!w.camera.pose().orthographic); },
-            [](const Workspace& w) { return w.camera.pose().orthographic; }})
+           {[](Workspace& w) { w.view.camera.set_orthographic(!w.view.camera.pose().orthographic); },
+            [](const Workspace& w) { return w.view.camera.pose().orthographic; }})
       .or_by({key('O')});
   table.add("toggle_z_up", "Z up", "Use Z as the up axis. When off, Y is up. Files keep their axes.",
             {key('U')}, always,
             {[](Workspace& w) {
-               w.camera.set_up(w.camera.pose().up == document::UpAxis::z ? document::UpAxis::y
-                                                                         : document::UpAxis::z);
+               w.view.camera.set_up(w.view.camera.pose().up == document::UpAxis::z ? document::UpAxis::y
+                                                                                   : document::UpAxis::z);
              },
-             [](const Workspace& w) { return w.camera.pose().up == document::UpAxis::z; }});
+             [](const Workspace& w) { return w.view.camera.pose().up == document::UpAxis::z; }});
 }
 
 void add_view_commands(CommandTable& table) {
@@ -84,10 +112,11 @@ void add_view_commands(CommandTable& table) {
   table.add("toggle_wireframe", {"Show wireframe", "Wireframe"}, "Show the edges of the model.",
             {key('W'), false, true}, always, switches(&document::ViewOptions::wireframe));
   add_choices<document::Shading>(table, "Shading", always,
-                                 [](Workspace& w, document::Shading s) { w.view.shading = s; });
+                                 [](Workspace& w, document::Shading s) { w.view.options.shading = s; });
   table.add("next_shading", "Next shading",
             "Switch to the next shading: clay, porcelain, jade, file colours, checker, normals, stripes.",
-            {key('V')}, always, [](Workspace& w) { w.view.shading = next_choice(w.view.shading); });
+            {key('V')}, always,
+            [](Workspace& w) { w.view.options.shading = next_choice(w.view.options.shading); });
   table.add("toggle_model", {"Show model", "Model"}, "Show the model.", {key('M')}, always,
             switches(&document::ViewOptions::model));
   table.add("toggle_deformed", {"Show deformation", "Deformed"},
@@ -103,8 +132,8 @@ void add_view_commands(CommandTable& table) {
             "Show the cage at rest faintly behind the posed cage.", {key('H')}, always,
             switches(&document::ViewOptions::ghost));
   table.add("toggle_theme", "Dark theme", "Switch between the dark and the light theme.", {key('T')}, always,
-            {[](Workspace& w) { w.preferences.dark = w.view.dark = !w.view.dark; },
-             [](const Workspace& w) { return w.view.dark; }});
+            {[](Workspace& w) { w.preferences.dark = w.view.options.dark = !w.view.options.dark; },
+             [](const Workspace& w) { return w.view.options.dark; }});
   table.add("toggle_coarse_motion", "Half resolution in motion",
             "Draw at half resolution, and large models with fewer triangles, while the view changes. Faster "
             "with software rendering.",
@@ -112,8 +141,8 @@ void add_view_commands(CommandTable& table) {
   table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
             switches(&document::ViewOptions::panels));
   table.add("toggle_full_screen", "Full screen", "Switch between full screen and window.", {Key::f11}, always,
-            {[](Workspace& w) { w.full_screen = !w.full_screen; },
-             [](const Workspace& w) { return w.full_screen; }});
+            {[](Workspace& w) { w.view.full_screen = !w.view.full_screen; },
+             [](const Workspace& w) { return w.view.full_screen; }});
   table.add("toggle_tools", {"Show tools column", "Tools column"},
             "Show or hide the left column: model, cage, poses and tools.", always, shows(Column::tools));
   table.add("toggle_methods", {"Show methods column", "Methods column"},
@@ -125,59 +154,31 @@ void add_help_commands(CommandTable& table) {
   table.heading("Help");
   table.add("help", {"Show keys and mouse", "Keys"}, "Show all keys and mouse actions, and change keys.",
             {Key::f1}, always, [](Workspace& w) {
-              w.key_list = {!w.key_list.open, true, "", false, {}};
+              w.panels.key_list = {!w.panels.key_list.open, true, "", false, {}};
             });
   table
       .add("command_palette", {"Find command", "Commands"}, "Find a command by its name and run it.",
            {key('K'), true}, always,
            [](Workspace& w) {
-             w.palette = {!w.palette.open, true, "", 0};
+             w.panels.palette = {!w.panels.palette.open, true, "", 0};
            })
       .or_by({Key::f3});
   table.add("show_messages", {"Show messages", "Messages"},
             "Show all messages since the start of the program.", always,
-            [](Workspace& w) { w.show_messages = !w.show_messages; });
+            [](Workspace& w) { w.panels.show_messages = !w.panels.show_messages; });
   table.add("manual", {"Open manual", "Manual"}, "Open the manual in the browser.", always,
-            [](Workspace& w) { w.requests.manual = ""; });
+            [](Workspace& w) { w.jobs.requests.manual = ""; });
   table.add("first_steps", "First steps", "Open the manual's chapter about the window.", always,
-            [](Workspace& w) { w.requests.manual = "window"; });
+            [](Workspace& w) { w.jobs.requests.manual = "window"; });
 }
-
-namespace {
-
-constexpr Condition has_map{[](const Workspace& w) { return w.split.views[0].shown.values != nullptr; },
-                            "Choose a map first (Analysis, Map)."};
-
-constexpr Condition has_vertex{[](const Workspace& w) { return w.vertex.vertex.has_value(); },
-                               "Inspect a vertex first."};
-
-// Opens the vertex inspector. If the column of the inspector is hidden, shows the column.
-void show_sum_at(Workspace& w, std::uint32_t vertex) {
-  w.vertex.vertex = vertex;
-  w.vertex.appearing = true;
-  PanelLayout& layout = w.preferences.layout;
-  for (const char* section : {"Analysis", "Vertex inspector"}) layout.sections[section] = true;
-  if (shown_columns(layout, w.viewport.window.x).methods <= 0)
-    toggle_column(layout, Column::methods, w.viewport.window.x);
-}
-
-void pick_vertex(Workspace& w) {
-  const glm::vec2 at = w.interaction.cursor.value_or(w.viewport.middle());
-  const auto hit = pick_triangle(w.document, w.posed, w.camera.ray(at, w.viewport));
-  if (!hit) return w.messages.info("Point at a vertex of the model first.");
-  const auto nearest = std::ranges::max_element(hit->shares) - hit->shares.begin();
-  show_sum_at(w, w.document.model.surface->triangles[hit->triangle][static_cast<std::size_t>(nearest)]);
-}
-
-}  // namespace
 
 void add_map_commands(CommandTable& table) {
   table.heading("Map");
   add_choices<analysis::Field>(table, "Map", has_model,
-                               [](Workspace& w, analysis::Field f) { w.view.field = f; });
+                               [](Workspace& w, analysis::Field f) { w.view.options.field = f; });
   table.add("hold_map_range", "Lock range", "Keep the current colour range while the model changes.", has_map,
-            {[](Workspace& w) { w.split.views[0].shown.holds_range ^= true; },
-             [](const Workspace& w) { return w.split.views[0].shown.holds_range; }});
+            {[](Workspace& w) { w.view.split.views[0].shown.holds_range ^= true; },
+             [](const Workspace& w) { return w.view.split.views[0].shown.holds_range; }});
   table.add("frame_worst", "Zoom to largest value", "Zoom to the vertex with the largest value of the map.",
             has_map, frame_worst);
   table.add("pick_vertex", {"Inspect vertex", "Inspect"},
@@ -185,16 +186,10 @@ void add_map_commands(CommandTable& table) {
             {key('Y'), false, false, true}, has_model, pick_vertex);
   table.add("pick_worst", {"Inspect largest value", "Largest value"},
             "Open the vertex inspector for the vertex with the largest value of the map.", has_map,
-            [](Workspace& w) { show_sum_at(w, w.split.views[0].shown.stats.worst); });
+            [](Workspace& w) { show_sum_at(w, w.view.split.views[0].shown.stats.worst); });
   table.add("drop_vertex", {"Close vertex inspector", "Close"}, "Close the vertex inspector.", has_vertex,
-            [](Workspace& w) { w.vertex.vertex.reset(); });
+            [](Workspace& w) { w.view.vertex.vertex.reset(); });
 }
-
-namespace {
-
-constexpr Condition is_split{[](const Workspace& w) { return w.split.on(); }, "Split the view in two first."};
-
-}  // namespace
 
 void add_split_commands(CommandTable& table) {
   table.heading("Views");
@@ -211,8 +206,8 @@ void add_split_commands(CommandTable& table) {
   }
   table.add("toggle_linked_cameras", {"Link cameras", "Linked cameras"},
             "Use one camera for all views. When off, each view has its own camera.", is_split,
-            {[](Workspace& w) { w.split.linked = !w.split.linked; },
-             [](const Workspace& w) { return w.split.linked; }});
+            {[](Workspace& w) { w.view.split.linked = !w.view.split.linked; },
+             [](const Workspace& w) { return w.view.split.linked; }});
 }
 
 }  // namespace viete::workspace

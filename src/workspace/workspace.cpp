@@ -20,10 +20,9 @@ std::vector<glm::vec3> in_view(const document::Space& space, std::span<const mes
 
 std::vector<mesh::Point> corners(const mesh::Bounds& box) {
   std::vector<mesh::Point> points;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
     points.push_back(
         {(i & 1 ? box.high : box.low)[0], (i & 2 ? box.high : box.low)[1], (i & 4 ? box.high : box.low)[2]});
-  }
   return points;
 }
 
@@ -35,13 +34,11 @@ mesh::Bounds cube_around(const mesh::Point& center, double half) {
 // The posed positions of all vertices that belong to triangles of the cage.
 std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::Pose& pose) {
   std::vector<bool> used(pose.positions.size());
-  for (const auto& t : cage.surface.triangles) {
+  for (const auto& t : cage.surface.triangles)
     for (const auto v : t) used[v] = true;
-  }
   std::vector<mesh::Point> points;
-  for (std::size_t v = 0; v < used.size(); ++v) {
+  for (std::size_t v = 0; v < used.size(); ++v)
     if (used[v]) points.push_back(pose.positions[v]);
-  }
   return points;
 }
 
@@ -70,16 +67,30 @@ void widen(std::vector<glm::vec3>& points) {
   }
 }
 
+// The first deformer that no view uses.
+deform::Scheme unused_scheme(const Workspace& w) {
+  const auto is_used = [&](const deform::Scheme& scheme) {
+    for (std::size_t view = 0; view < w.view.split.count(); ++view)
+      if (shown_way(w, view).scheme == scheme) return true;
+    return false;
+  };
+  for (const deform::WayEntry& entry : deform::all_ways()) {
+    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
+    if (!is_used(scheme)) return scheme;
+  }
+  return w.document.scheme;
+}
+
 }  // namespace
 
 bool shows_links(const Workspace& w) {
-  return deform::engine_for(w.document.scheme, w.document.method, w.view.same_path) ==
+  return deform::engine_for(w.document.scheme, w.document.method, w.view.options.same_path) ==
          deform::EngineKind::staged;
 }
 
 document::SideWay shown_way(const Workspace& w, std::size_t view) {
-  if (view > 0) return w.split.views[view];
-  return {w.document.scheme, w.document.method, w.view.field};
+  if (view > 0) return w.view.split.views[view];
+  return {w.document.scheme, w.document.method, w.view.options.field};
 }
 
 analysis::Field shown_field(const Workspace& w, std::size_t view) {
@@ -95,11 +106,11 @@ analysis::Field shown_field(const Workspace& w, std::size_t view) {
 
 float offer_height(const Workspace& w) {
   constexpr float usual = 152, with_cage_beside = 198;
-  const bool offered =
-      w.offer_cage && w.view.panels && w.document.model.surface && !w.making.open && !w.document.is_movable();
+  const bool offered = w.panels.offer_cage && w.view.options.panels && w.document.model.surface &&
+                       !w.making.open && !w.document.is_movable();
   if (!offered) return 0;
   const float height = w.document.cage_beside.empty() ? usual : with_cage_beside;
-  return std::min(height, 0.5f * w.viewport.size.y);
+  return std::min(height, 0.5f * w.view.viewport.size.y);
 }
 
 void frame_all(Workspace& w, bool eased) {
@@ -108,7 +119,7 @@ void frame_all(Workspace& w, bool eased) {
   // A cage encloses its model.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
-  w.camera.frame(in_view(document.space, points), w.viewport, eased, offer_height(w));
+  w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased, offer_height(w));
 }
 
 void frame_selection(Workspace& w, bool eased) {
@@ -117,24 +128,23 @@ void frame_selection(Workspace& w, bool eased) {
   std::vector<mesh::Point> points;
   for (const auto v : moving_vertices(document)) points.push_back(document.pose.positions[v]);
   if (document.selection.kind() == document::ElementKind::probe) points = around_probes(document);
-  w.camera.frame(in_view(document.space, points), w.viewport, eased);
+  w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased);
 }
 
 void frame_worst(Workspace& w) {
   constexpr double share = 0.06;  // half the size of the visible part, in diagonals of the model
   const auto& surface = *w.document.model.surface;
-  const std::size_t worst = w.split.views[0].shown.stats.worst;
+  const std::size_t worst = w.view.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;
-  const mesh::Point at = w.posed.vertices.empty() ? surface.positions[worst] : w.posed.at(surface, worst);
-  const double half = share * w.document.model.bounds.diagonal();
-  w.camera.frame(in_view(w.document.space, corners(cube_around(at, half))), w.viewport, true);
+  const auto box = cube_around(w.frame.posed.at(surface, worst), share * w.document.model.bounds.diagonal());
+  w.view.camera.frame(in_view(w.document.space, corners(box)), w.view.viewport, true);
 }
 
 void toggle_finding(Workspace& w, std::size_t index) {
   CheckState& checks = w.checks;
   const bool hide = checks.shown == index;
   checks.show(hide ? std::nullopt : std::optional(index));
-  w.requests.frame_finding = !hide;
+  w.jobs.requests.frame_finding = !hide;
 }
 
 void step_element(Workspace& w, int step) {
@@ -143,7 +153,7 @@ void step_element(Workspace& w, int step) {
   const std::size_t n = checks.findings[*checks.shown].size();
   const std::size_t first = step > 0 ? 0 : n - 1;
   checks.show(checks.shown, checks.element ? (*checks.element + (step > 0 ? 1 : n - 1)) % n : first);
-  w.requests.frame_finding = true;
+  w.jobs.requests.frame_finding = true;
 }
 
 void frame_finding(Workspace& w) {
@@ -155,25 +165,25 @@ void frame_finding(Workspace& w) {
   const bool of_cage = finding.subject == document::Subject::cage;
   const mesh::Surface& surface = of_cage ? *document.cage_file.surface : *document.model.surface;
   std::vector<glm::vec3> points;
-  for (const auto e : shown_elements(checks, enough)) {
+  for (const auto e : shown_elements(checks, enough))
     for (const auto v : vertices_of(finding, surface, e))
-      points.push_back(document.space.to_view(of_cage ? document.pose.positions[v] : w.posed.at(surface, v)));
-  }
+      points.push_back(
+          document.space.to_view(of_cage ? document.pose.positions[v] : w.frame.posed.at(surface, v)));
   widen(points);
-  w.camera.frame(points, w.viewport, true);
+  w.view.camera.frame(points, w.view.viewport, true);
 }
 
 void begin_widget_edit(Workspace& w) {
-  w.before_widget_edit = {mark_of(w.document), w.handling,           w.brush,
-                          w.making.wish,       w.preferences.layout, w.opened};
+  w.panels.before_edit = {mark_of(w.document), w.view.handling,      w.view.brush,
+                          w.making.wish,       w.preferences.layout, w.files.opened};
 }
 
 // During cage generation the document is not restored, because the new cage follows the settings anyway.
 void cancel_widget_edit(Workspace& w) {
-  if (!w.before_widget_edit || w.before_widget_edit->opened != w.opened) return;
-  BeforeWidgetEdit before = *std::exchange(w.before_widget_edit, std::nullopt);
-  w.handling = before.handling;
-  w.brush = before.brush;
+  if (!w.panels.before_edit || w.panels.before_edit->opened != w.files.opened) return;
+  BeforeWidgetEdit before = *std::exchange(w.panels.before_edit, std::nullopt);
+  w.view.handling = before.handling;
+  w.view.brush = before.brush;
   w.making.wish = before.wish;
   w.preferences.layout = before.layout;
   if (!w.making.open) take_back(w.document, std::move(before.document));
@@ -182,64 +192,48 @@ void cancel_widget_edit(Workspace& w) {
 void take_report(Workspace& w, const deform::LogReport& report) {
   document::Document& document = w.document;
   document.pose.turns = report.turns;
-  w.pose_notes = document::pose_notes(report, *document.cage, document.pose);
-  w.pose_report = report;
+  w.frame.notes = document::pose_notes(report, *document.cage, document.pose);
+  w.frame.report = report;
 }
-
-namespace {
-
-// The first deformer that no view uses.
-deform::Scheme unused_scheme(const Workspace& w) {
-  const auto is_used = [&](const deform::Scheme& scheme) {
-    for (std::size_t view = 0; view < w.split.count(); ++view)
-      if (shown_way(w, view).scheme == scheme) return true;
-    return false;
-  };
-  for (const deform::WayEntry& entry : deform::all_ways()) {
-    const deform::Scheme scheme = deform::scheme_of(entry.value, w.document.scheme);
-    if (!is_used(scheme)) return scheme;
-  }
-  return w.document.scheme;
-}
-
-}  // namespace
 
 void split_view(Workspace& w, std::size_t count) {
-  Split& split = w.split;
+  Split& split = w.view.split;
   count = std::clamp<std::size_t>(count, 1, Split::most);
   enter_view(w, 0);
   split.views.resize(std::min(count, split.count()));
-  while (split.count() < count) split.views.push_back({{unused_scheme(w), w.document.method, w.view.field}});
-  split.cameras.assign(split.count(), w.camera.pose());
-  w.viewport = viewport_of(split, w.viewport, 0);
+  while (split.count() < count)
+    split.views.push_back({{unused_scheme(w), w.document.method, w.view.options.field}});
+  split.cameras.assign(split.count(), w.view.camera.pose());
+  w.view.viewport = viewport_of(split, w.view.viewport, 0);
 }
 
 void enter_view(Workspace& w, std::size_t view) {
-  Split& split = w.split;
+  Split& split = w.view.split;
   if (view == split.active || view >= split.count()) return;
-  split.cameras.resize(split.count(), w.camera.pose());
+  split.cameras.resize(split.count(), w.view.camera.pose());
   if (!split.linked) {
-    split.cameras[split.active] = w.camera.pose();
-    w.camera.set_pose(split.cameras[view]);
+    split.cameras[split.active] = w.view.camera.pose();
+    w.view.camera.set_pose(split.cameras[view]);
   }
   split.active = view;
-  w.viewport = viewport_of(split, w.viewport, view);
+  w.view.viewport = viewport_of(split, w.view.viewport, view);
 }
 
 document::CameraPose camera_of(const Workspace& w, std::size_t view) {
-  const Split& split = w.split;
+  const Split& split = w.view.split;
   const bool own = !split.linked && view != split.active && view < split.cameras.size();
-  return own ? split.cameras[view] : w.camera.pose();
+  return own ? split.cameras[view] : w.view.camera.pose();
 }
 
 document::CameraPose last_camera_of(const Workspace& w, std::size_t view) {
-  return w.split.linked || view == w.split.active ? w.camera.destination() : camera_of(w, view);
+  const Split& split = w.view.split;
+  return split.linked || view == split.active ? w.view.camera.destination() : camera_of(w, view);
 }
 
 document::SideWays ways_of(const Workspace& w) {
-  const Split& split = w.split;
+  const Split& split = w.view.split;
   document::SideWays ways;
-  for (const View& side : split.sides()) ways.sides.push_back(side);
+  for (const SplitView& side : split.sides()) ways.sides.push_back(side);
   if (!split.linked)
     for (std::size_t view = 1; view < split.count(); ++view) ways.cameras.push_back(last_camera_of(w, view));
   return ways;

@@ -1,4 +1,4 @@
-// A document and the state around it: camera, view options, messages, pointer interaction.
+// A document and the state around it: view, files, running work, messages, panels.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +9,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/background.h"
@@ -141,15 +142,11 @@ struct Saved {
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
   void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
-  void reset() { *this = Saved(revision_ + 1); }
+  void reset() { revision_ = std::exchange(*this, {}).revision_ + 1; }
   /// Increases with each change.
   unsigned long revision() const { return revision_; }
 
-  Saved() = default;
-
 private:
-  explicit Saved(unsigned long revision) : revision_(revision) {}
-
   unsigned long revision_ = 0;
 };
 
@@ -185,64 +182,97 @@ struct CopiedPose {
   std::shared_ptr<const deform::Cage> cage;
   std::vector<std::uint32_t> vertices;
   std::vector<mesh::Point> positions;  ///< one per vertex
+
+  bool is_of(const document::Document& document) const { return cage && cage == document.cage; }
 };
 
-struct Workspace {
-  document::Document document;
+/// How the document is shown, and the tools. Commands, panels and the pointer write it.
+struct View {
+  document::ViewOptions options;
   document::Camera camera;
   document::Viewport viewport;
-  document::ViewOptions view;
-  Messages messages;
-  Interaction interaction;
-  interact::Tool tool = interact::Tool::move;
-  document::Handling handling;
-  document::MirrorCache mirror;  ///< cached mirror of the cage for `handling`
-  CopiedPose copied;
-  Playback playback;
-  document::PinPosing pins;
-  std::optional<std::size_t> chosen_pose;  ///< index of the named pose that pose commands act on
-  TimeView time_view;
-  PosePictures pose_pictures;
-  document::Brush brush;       ///< used by Tool::paint
-  document::PosedModel posed;  ///< the model as drawn
-  Requests requests;
-  MethodStats methods;
-  MethodTimes method_times;
-  VertexView vertex;
   Split split;
+  TimeView time;
+  VertexView vertex;
+  interact::Tool tool = interact::Tool::move;
+  Interaction interaction;
+  document::Handling handling;
+  document::MirrorCache mirror;            ///< cached mirror of the cage for `handling`
+  document::Brush brush;                   ///< used by Tool::paint
+  std::optional<std::size_t> chosen_pose;  ///< index of the named pose that pose commands act on
+  bool tools = true;                       ///< draw gizmo, selection, hover and handles; false in pictures
+  bool full_screen = false;                ///< the window must fill the screen
+};
+
+/// Running work. Commands and panels write the requests, and the program writes the states.
+struct Jobs {
+  Requests requests;
   WorkState loading;  ///< opening files: reading, then binding
   WorkState binding;  ///< binding the open document with other weights
-  WorkState exporting;
-  WorkState making_cage;
-  document::CageMaking making;
-  bool offer_cage = true;  ///< false: the user has dismissed the suggestion to get a cage
-  CheckState checks;
-  WorkState reporting;
+  WorkState exporting, making_cage, reporting;
+
+  /// True during a task that Cancel stops.
+  bool working() const { return loading.running || binding.running || making_cage.running; }
+};
+
+/// The user's files, and questions about them. Opening, saving and the file browser write them.
+struct Files {
   Saved saved;
-  Preferences preferences;
-  std::vector<files::RecoveryFile> recovery_files;  ///< files with recovered edits, newest first
-  bool offers_recovery = false;                     ///< show the notice about these files
-  float notice_height = 0;                          ///< last height of the notice in logical pixels
-  std::filesystem::path example;                    ///< session with poses and keys for the bundled model
-  std::filesystem::path recovered_from;  ///< the open recovery file, until its edits are saved elsewhere
-  document::Revision opened = 0;         ///< increases when another document is opened
-  std::vector<std::string> pose_notes;   ///< problems of the current pose, one line each
-  deform::LogReport pose_report;         ///< the elements with these problems
-  std::optional<Question> question;      ///< a modal question, which blocks other actions
+  document::Revision opened = 0;               ///< increases when another document is opened
+  std::filesystem::path example;               ///< session with poses and keys for the bundled model
+  std::optional<Question> question;            ///< a modal question, which blocks other actions
   std::optional<files::OpenRequest> unopened;  ///< the request to open files that caused the question
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
   FileBrowser browser;
+};
+
+/// Unsaved edits of earlier documents and runs. Autosave and the recovery commands write them.
+struct Recovery {
+  std::vector<files::RecoveryFile> files;  ///< files with recovered edits, newest first
+  bool offered = false;                    ///< show the notice about these files
+  std::filesystem::path from;              ///< the open recovery file, until its edits are saved elsewhere
+};
+
+/// State that panels keep between frames. Panels and their commands write it.
+struct Panels {
   Palette palette;
   KeyList key_list;
-  bool show_messages = false;              ///< show the message list
-  bool has_user = true;                    ///< false for pictures that a command renders: shows no messages
-  bool tools = true;                       ///< draw gizmo, selection, hover and handles; false in pictures
-  bool full_screen = false;                ///< the window must fill the screen
-  bool ask_keys = false;                   ///< show the choice of a keymap
+  PosePictures pose_pictures;
+  CopiedPose copied;
   std::map<std::string, TypedText> typed;  ///< by field name
   TypedSlider typed_slider;
-  std::optional<BeforeWidgetEdit> before_widget_edit;
-  About about;
+  std::optional<BeforeWidgetEdit> before_edit;
+  float notice_height = 0;     ///< last height of the recovery notice in logical pixels
+  bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
+  bool show_messages = false;  ///< show the message list
+  bool ask_keys = false;       ///< show the choice of a keymap
+  bool has_user = true;        ///< false for pictures that a command renders: shows no messages
+};
+
+/// Results of the last frame. The program writes them.
+struct FrameResults {
+  document::PosedModel posed;      ///< the model as drawn
+  std::vector<std::string> notes;  ///< problems of the current pose, one line each
+  deform::LogReport report;        ///< the elements with these problems
+  document::PinPosing pins;
+  MethodStats methods;
+  MethodTimes method_times;
+};
+
+struct Workspace {
+  document::Document document;  ///< saved in files; edits write it, and undo restores it
+  View view;
+  Playback playback;            ///< the functions of playing.h write it
+  document::CageMaking making;  ///< the panel of cage generation and the program write it
+  CheckState checks;            ///< the program writes it; the panel chooses the shown finding
+  Files files;
+  Recovery recovery;
+  Jobs jobs;
+  Messages messages;        ///< every part of the program adds messages
+  Preferences preferences;  ///< remembered between runs; commands and panels write it
+  Panels panels;
+  FrameResults frame;
+  About about;  ///< the program writes it at the start
 };
 
 /// True if motion in the view is drawn at half the resolution. The default is true for software rendering.
@@ -255,24 +285,24 @@ bool shows_links(const Workspace& workspace);
 
 /// True if the model is coloured by its mask.
 inline bool shows_mask(const Workspace& workspace) {
-  return workspace.tool == interact::Tool::paint && workspace.document.is_movable();
+  return workspace.view.tool == interact::Tool::paint && workspace.document.is_movable();
 }
 
 /// The pose that pose commands act on; null if no pose is chosen.
 inline const document::NamedPose* chosen_pose(const Workspace& w) {
   const auto& poses = w.document.library.poses;
-  return w.chosen_pose && *w.chosen_pose < poses.size() ? &poses[*w.chosen_pose] : nullptr;
+  return w.view.chosen_pose && *w.view.chosen_pose < poses.size() ? &poses[*w.view.chosen_pose] : nullptr;
 }
 
 /// The mirror of the cage if edits act on both sides, otherwise null.
 inline const document::Mirror* mirror_of(const Workspace& w) {
-  return w.mirror.cage == w.document.cage ? w.mirror.get() : nullptr;
+  return w.view.mirror.cage == w.document.cage ? w.view.mirror.get() : nullptr;
 }
 
 /// True if the elements of the selection's kind are displayed.
 inline bool shows_selectable(const Workspace& w) {
   const bool probes = w.document.selection.kind() == document::ElementKind::probe;
-  return w.view.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
+  return w.view.options.cage && (probes ? !w.document.probes.empty() : w.document.has_cage());
 }
 
 /// The settings of a view. The first view has the document's settings.

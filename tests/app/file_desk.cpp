@@ -40,7 +40,7 @@ struct Desk {
     desk->keep(workspace);
   }
   void open(std::vector<std::filesystem::path> paths, What what = What::model) {
-    workspace.requests.open = files::OpenRequest{what, std::move(paths)};
+    workspace.jobs.requests.open = files::OpenRequest{what, std::move(paths)};
     frame();
     desk->finish_loading(workspace);
   }
@@ -54,14 +54,16 @@ struct Desk {
     document::set_pose(workspace.document, pose);
   }
   void quit() {
-    workspace.requests.quit = true;
+    workspace.jobs.requests.quit = true;
     frame();
   }
   void answer(workspace::Answer answer) {
-    workspace.requests.answer = answer;
+    workspace.jobs.requests.answer = answer;
     frame();
   }
-  bool asks(QuestionKind kind) const { return workspace.question && workspace.question->kind == kind; }
+  bool asks(QuestionKind kind) const {
+    return workspace.files.question && workspace.files.question->kind == kind;
+  }
   std::string last_message() const {
     return workspace.messages.all().empty() ? "" : workspace.messages.all().back().text;
   }
@@ -72,14 +74,33 @@ std::size_t files_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored), {}));
 }
 
+// Renames the desk's recovery file, as if it belonged to a program that has ended.
+void end_program(Desk& d) {
+  const auto recovery = d.state / "recovery";
+  d.desk.reset();
+  for (const auto& entry : std::filesystem::directory_iterator(recovery)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with("999999999-"))
+      std::filesystem::rename(entry.path(),
+                              recovery / ("999999999-1" + name.substr(name.find_first_of("_."))));
+  }
+  d.begin();
+}
+
+void restore(Desk& d) {
+  REQUIRE(d.workspace.recovery.files.size() == 1);
+  d.open({d.workspace.recovery.files[0].file}, What::recovery);
+  d.frame();
+}
+
 }  // namespace
 
 TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_question") {
   Desk d;
   d.frame();
   d.answer(workspace::Answer::proceed);
-  d.workspace.requests.stop_export = d.workspace.requests.stop_work = true;
-  d.workspace.requests.save_model = d.files / "out.obj";  // no model is open, so nothing is saved
+  d.workspace.jobs.requests.stop_export = d.workspace.jobs.requests.stop_work = true;
+  d.workspace.jobs.requests.save_model = d.files / "out.obj";  // no model is open, so nothing is saved
   d.frame();
   CHECK_FALSE(d.desk->closed());
   CHECK_FALSE(d.desk->loading());
@@ -91,7 +112,7 @@ TEST_CASE("a_frame_without_requests_does_nothing_nor_does_an_answer_to_no_questi
 
 TEST_CASE("loaded_files_wait_for_the_end_of_a_drag") {
   Desk d;
-  d.workspace.requests.open = files::OpenRequest{What::model, {d.files.model}};
+  d.workspace.jobs.requests.open = files::OpenRequest{What::model, {d.files.model}};
   for (int i = 0; i < 20; ++i) {
     d.frame(false);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -123,7 +144,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
     d.quit();
     REQUIRE(d.asks(QuestionKind::close));
     d.answer(workspace::Answer::cancel);
-    CHECK_FALSE(d.workspace.question);
+    CHECK_FALSE(d.workspace.files.question);
     CHECK_FALSE(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes without them") {
@@ -132,7 +153,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
     CHECK(d.desk->closed());
   }
   SUBCASE("before the program closes, and it goes once they are saved") {
-    d.workspace.saved.session = d.files / "a.viete";
+    d.workspace.files.saved.session = d.files / "a.viete";
     d.quit();
     d.answer(workspace::Answer::save);
     d.frame();
@@ -140,7 +161,7 @@ TEST_CASE("edits_that_cannot_be_kept_are_asked_about") {
     CHECK(std::filesystem::exists(d.files / "a.viete"));
   }
   SUBCASE("before the program closes, and again when saving fails") {
-    d.workspace.saved.session = d.files / "no" / "such" / "folder.viete";
+    d.workspace.files.saved.session = d.files / "no" / "such" / "folder.viete";
     d.quit();
     d.answer(workspace::Answer::save);
     d.frame();
@@ -167,13 +188,13 @@ TEST_CASE("edits_that_can_be_kept_are_set_aside_for_another_file_but_stay_with_a
   d.open_cubes();
   d.edit();
   d.open({d.files.pose}, What::pose);
-  CHECK(d.workspace.recovery_files.empty());
+  CHECK(d.workspace.recovery.files.empty());
   d.open({d.files.cage});
-  CHECK_FALSE(d.workspace.question);
+  CHECK_FALSE(d.workspace.files.question);
   CHECK(d.workspace.document.model.path == d.files.cage);
-  CHECK(d.workspace.recovery_files.size() == 1);
+  CHECK(d.workspace.recovery.files.size() == 1);
   d.frame();
-  CHECK_FALSE(d.workspace.offers_recovery);
+  CHECK_FALSE(d.workspace.recovery.offered);
   CHECK(d.last_message() ==
         "Unsaved edits of model.obj were saved; File > Restore recovered edits restores them.");
 }
@@ -183,11 +204,11 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   const auto session = d.files / "a.viete";
   d.open_cubes();
   const auto save = [&] {
-    d.workspace.requests.save_session = session;
+    d.workspace.jobs.requests.save_session = session;
     d.frame();
   };
   save();
-  CHECK_FALSE(d.workspace.question);
+  CHECK_FALSE(d.workspace.files.question);
   test::put_file(session, "theirs");
   save();
   REQUIRE(d.asks(QuestionKind::replace));
@@ -195,9 +216,9 @@ TEST_CASE("a_session_changed_on_disk_is_overwritten_only_after_confirmation") {
   CHECK(test::file_bytes(session) == "theirs");
   save();
   d.answer(workspace::Answer::save);  // asks for another name
-  CHECK(d.workspace.browser.open);
+  CHECK(d.workspace.files.browser.open);
   CHECK(test::file_bytes(session) == "theirs");
-  d.workspace.browser.open = false;
+  d.workspace.files.browser.open = false;
   save();
   d.answer(workspace::Answer::proceed);
   CHECK(test::file_bytes(session) != "theirs");
@@ -209,10 +230,11 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
     Desk d;
     formats::write(d.files / "large.ply", test::sphere(6));  // large enough to be written in the background
     d.open({d.files / "large.ply", d.files.cage});
-    d.workspace.requests.save_model = fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
+    d.workspace.jobs.requests.save_model =
+        fails ? d.files / "no" / "such" / "folder.obj" : d.files / "out.obj";
     d.quit();
     CHECK_FALSE(d.desk->closed());
-    if (!fails) CHECK(d.workspace.exporting.what.ends_with(", then closing"));
+    if (!fails) CHECK(d.workspace.jobs.exporting.what.ends_with(", then closing"));
     d.desk->finish_exports(d.workspace);
     CHECK_FALSE(d.desk->exporting());
     d.frame();
@@ -220,29 +242,6 @@ TEST_CASE("closing_waits_for_exports_and_is_given_up_when_one_fails") {
     CHECK(std::filesystem::exists(d.files / "out.obj") != fails);
   }
 }
-
-namespace {
-
-// Renames the desk's recovery file, as if it belonged to a program that has ended.
-void end_program(Desk& d) {
-  const auto recovery = d.state / "recovery";
-  d.desk.reset();
-  for (const auto& entry : std::filesystem::directory_iterator(recovery)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with("999999999-"))
-      std::filesystem::rename(entry.path(),
-                              recovery / ("999999999-1" + name.substr(name.find_first_of("_."))));
-  }
-  d.begin();
-}
-
-void restore(Desk& d) {
-  REQUIRE(d.workspace.recovery_files.size() == 1);
-  d.open({d.workspace.recovery_files[0].file}, What::recovery);
-  d.frame();
-}
-
-}  // namespace
 
 TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk_until_saved") {
   Desk d;
@@ -255,32 +254,32 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
   REQUIRE(d.desk->closed());
   CHECK(d.desk->kept());
   end_program(d);
-  CHECK(d.workspace.offers_recovery);
+  CHECK(d.workspace.recovery.offered);
 
   restore(d);
   CHECK(d.workspace.document.method == sym3::Method::sd);
-  CHECK(d.workspace.recovery_files.empty());
-  CHECK_FALSE(d.workspace.offers_recovery);
+  CHECK(d.workspace.recovery.files.empty());
+  CHECK_FALSE(d.workspace.recovery.offered);
   SUBCASE("closed without further edits, they are kept where they were and not offered again") {
     d.quit();
     REQUIRE(d.desk->closed());
     CHECK_FALSE(d.desk->kept());
     end_program(d);
-    CHECK_FALSE(d.workspace.offers_recovery);
+    CHECK_FALSE(d.workspace.recovery.offered);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("another model in their place offers nothing") {
     d.open({d.files.model});
     d.frame();
-    CHECK_FALSE(d.workspace.offers_recovery);
+    CHECK_FALSE(d.workspace.recovery.offered);
     CHECK(d.workspace.messages.all().empty());
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
   SUBCASE("a program that is killed offers them again") {
     end_program(d);
-    CHECK(d.workspace.offers_recovery);
+    CHECK(d.workspace.recovery.offered);
     restore(d);
     CHECK(d.workspace.document.pose.positions == posed);
   }
@@ -289,15 +288,15 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
     d.quit();
     CHECK(d.desk->kept());
     end_program(d);
-    CHECK(d.workspace.offers_recovery);
+    CHECK(d.workspace.recovery.offered);
     restore(d);
     CHECK(d.workspace.document.pose.positions != posed);
   }
   SUBCASE("saved, they are gone") {
-    d.workspace.requests.save_session = d.files / "a.viete";
+    d.workspace.jobs.requests.save_session = d.files / "a.viete";
     d.frame();
     end_program(d);
-    CHECK(d.workspace.recovery_files.empty());
+    CHECK(d.workspace.recovery.files.empty());
     CHECK(files_in(d.state / "recovery") == 0);
   }
 }
@@ -305,12 +304,12 @@ TEST_CASE("recovered_edits_are_offered_until_they_were_restored_and_stay_on_disk
 TEST_CASE("preferences_persist_with_a_state_folder_only") {
   for (const bool remembers : {true, false}) {
     Desk d(remembers);
-    CHECK(d.workspace.view.hints);
+    CHECK(d.workspace.view.options.hints);
     d.open_cubes();
-    d.workspace.view.hints = false;
+    d.workspace.view.options.hints = false;
     d.frame();
     d.begin(remembers);
-    CHECK(d.workspace.view.hints == !remembers);
+    CHECK(d.workspace.view.options.hints == !remembers);
     CHECK(d.workspace.preferences.recent.size() == (remembers ? 1 : 0));
     CHECK(std::filesystem::exists(d.state) == remembers);
   }
@@ -323,7 +322,7 @@ TEST_CASE("unreadable_preferences_give_a_message_and_defaults") {
   d.begin();
   CHECK(d.workspace.messages.all().back().severity == workspace::Severity::warning);
   CHECK(d.last_message().ends_with("; using the default preferences"));
-  CHECK(d.workspace.view.hints);
+  CHECK(d.workspace.view.options.hints);
 }
 
 TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
@@ -338,7 +337,7 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
     d.begin();
     d.open({d.files / "a.viete"}, what);
     REQUIRE(d.asks(QuestionKind::locate_model));
-    CHECK(test::mentions(d.workspace.question->why, "model.obj: there is no such file"));
+    CHECK(test::mentions(d.workspace.files.question->why, "model.obj: there is no such file"));
     CHECK(d.workspace.messages.all().empty());
     d.answer(workspace::Answer::cancel);
     CHECK(d.last_message() == "Cancelled opening; nothing was changed.");
@@ -347,22 +346,22 @@ TEST_CASE("files_of_a_session_that_were_moved_are_asked_for_and_then_opened") {
                                      std::pair{QuestionKind::locate_cage, "grid.obj"}}) {
       REQUIRE(d.asks(kind));
       d.answer(workspace::Answer::save);
-      CHECK(d.workspace.browser.open);
-      const bool beside = d.workspace.browser.folder == std::filesystem::canonical(d.files.path());
+      CHECK(d.workspace.files.browser.open);
+      const bool beside = d.workspace.files.browser.folder == std::filesystem::canonical(d.files.path());
       CHECK(beside == (what == What::model));
       const bool model = kind == QuestionKind::locate_model;
-      CHECK(d.workspace.browser.purpose == (model ? workspace::FileBrowser::Purpose::locate_model
-                                                  : workspace::FileBrowser::Purpose::locate_cage));
-      d.workspace.requests.open = std::exchange(d.workspace.unopened, std::nullopt);
-      auto& located = d.workspace.requests.open->located;
+      CHECK(d.workspace.files.browser.purpose == (model ? workspace::FileBrowser::Purpose::locate_model
+                                                        : workspace::FileBrowser::Purpose::locate_cage));
+      d.workspace.jobs.requests.open = std::exchange(d.workspace.files.unopened, std::nullopt);
+      auto& located = d.workspace.jobs.requests.open->located;
       (model ? located.model : located.cage) = d.files / name;
       d.frame();
       d.desk->finish_loading(d.workspace);
     }
-    CHECK_FALSE(d.workspace.question);
+    CHECK_FALSE(d.workspace.files.question);
     CHECK(d.workspace.document.model.path == d.files / "new.obj");
     CHECK(d.workspace.document.pose.positions == pose.positions);
-    CHECK(d.workspace.saved.recovered == (what == What::recovery));
+    CHECK(d.workspace.files.saved.recovered == (what == What::recovery));
   }
 }
 
@@ -397,7 +396,7 @@ TEST_CASE("an_export_overwrites_no_open_file") {
   d.open({d.files / "m.obj", d.files.cage});
   d.open({d.files / "key_1.obj"}, What::animation);
   REQUIRE(d.workspace.document.timeline.keys.size() == 2);
-  auto& requests = d.workspace.requests;
+  auto& requests = d.workspace.jobs.requests;
   const auto refuses = [&](auto& request, const char* name, const char* why) {
     const std::string before = test::file_bytes(d.files / name);
     request = d.files / name;

@@ -151,10 +151,9 @@ TEST_CASE("a_ray_holds_all_points_under_its_pixel") {
     const glm::vec2 cursor(430, 611);
     const Ray ray = camera.ray(cursor, beside_panel);
     CHECK(glm::length(ray.direction) == doctest::Approx(1));
-    for (const double t : {0.5, 4.0, 12.0}) {
+    for (const double t : {0.5, 4.0, 12.0})
       CHECK(glm::distance(pixel(camera, beside_panel, glm::vec3(ray.origin + t * ray.direction)), cursor) <
             0.05f);
-    }
   }
 }
 
@@ -210,18 +209,18 @@ TEST_CASE("a_model_stands_on_its_broad_end") {
 TEST_CASE("with_z_up_the_camera_turns_about_z_and_files_stay_as_they_are") {
   Workspace w = test::cube_workspace();
   const auto before = w.document.model.surface->positions;
-  w.camera.set_pose({.yaw = 0, .pitch = 0, .up = UpAxis::z});
-  CHECK(w.camera.up().z == doctest::Approx(1));
-  CHECK(w.camera.forward().y == doctest::Approx(1));
-  CHECK(w.camera.right().x == doctest::Approx(1));
-  w.camera.orbit({200, -30});
-  CHECK(w.camera.right().z == doctest::Approx(0));
-  CHECK(w.camera.up().z > 0.5f);
-  w.camera.look(StandardView::top);
-  w.camera.animate(1);
-  CHECK(w.camera.forward().z == doctest::Approx(-1));
-  CHECK(w.camera.pose().up == UpAxis::z);
+  w.view.camera.set_pose({.yaw = 0, .pitch = 0, .up = UpAxis::z});
+  CHECK(w.view.camera.up().z == doctest::Approx(1));
+  CHECK(w.view.camera.forward().y == doctest::Approx(1));
+  CHECK(w.view.camera.right().x == doctest::Approx(1));
+  w.view.camera.orbit({200, -30});
+  CHECK(w.view.camera.right().z == doctest::Approx(0));
+  CHECK(w.view.camera.up().z > 0.5f);
+  w.view.camera.look(StandardView::top);
+  w.view.camera.animate(1);
+  CHECK(w.view.camera.forward().z == doctest::Approx(-1));
+  CHECK(w.view.camera.pose().up == UpAxis::z);
   REQUIRE(test::run_command(w, "toggle_z_up"));
-  CHECK(w.camera.pose().up == UpAxis::y);
+  CHECK(w.view.camera.pose().up == UpAxis::y);
   CHECK(w.document.model.surface->positions == before);
 }

@@ -203,13 +203,13 @@ TEST_CASE("a_finding_is_shown_stepped_through_and_hidden") {
   toggle_finding(w, 0);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0, 1});
   CHECK(shown_elements(w.checks, 1) == std::vector<std::size_t>{0});
-  CHECK(w.requests.frame_finding);
+  CHECK(w.jobs.requests.frame_finding);
   step_element(w, 1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{0});
   step_element(w, -1);
   CHECK(shown_elements(w.checks, 10) == std::vector<std::size_t>{1});
   frame_finding(w);
-  CHECK(w.camera.destination().target.x > 0.2F);
+  CHECK(w.view.camera.destination().target.x > 0.2F);
   toggle_finding(w, 0);
   CHECK(!w.checks.shown);
 }

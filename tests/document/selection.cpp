@@ -63,7 +63,7 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
   test::Mouse mouse(saved_cube());
   Workspace& w = mouse.w;
   set_selection(w.document, vertices({1}));
-  w.tool = Tool::select;
+  w.view.tool = Tool::select;
   const glm::vec2 from = mouse.vertex(7);
   mouse.drag(from, from + 30.0f);
   CHECK(w.document.selection == vertices({7}));
@@ -84,15 +84,16 @@ TEST_CASE("a_vertex_that_is_pulled_out_is_selected_and_moved_by_one_edit") {
 
 TEST_CASE("hidden_elements_are_not_selected_picked_or_moved") {
   Workspace w = saved_cube();
-  const glm::vec2 at(*Projector(w.document.space, w.camera, w.viewport)(w.document.pose.positions[7]));
+  auto& view = w.view;
+  const glm::vec2 at(*Projector(w.document.space, view.camera, view.viewport)(w.document.pose.positions[7]));
   set_selection(w.document, vertices({6, 7}));
   CHECK(test::run_command(w, "hide_selected"));
   CHECK(w.document.selection.empty());
-  const auto under = pick_element(w.document, w.camera, w.viewport, at);
+  const auto under = pick_element(w.document, view.camera, view.viewport, at);
   CHECK((!under || under->index != 7));
   CHECK(test::run_command(w, "select_all"));
   CHECK(w.document.selection.indices() == Indices{0, 1, 2, 3, 4, 5});
-  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 6);
+  CHECK(pick_elements_in_box(w.document, view.camera, view.viewport, {0, 0}, {1000, 800}).size() == 6);
   CHECK(test::run_command(w, "invert_selection"));
   CHECK(w.document.selection.empty());
   // Selects and moves a face with a hidden corner. The corner does not move.

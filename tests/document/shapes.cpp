@@ -106,7 +106,7 @@ struct BarFiles : test::TemporaryFolder {
   void settle_pins() {
     int frames = 0;
     do follow_pins(w);
-    while (w.pins.is_due() && ++frames < 100);
+    while (w.frame.pins.is_due() && ++frames < 100);
     CHECK(frames < 100);
   }
   void add_pin_at(std::uint32_t vertex) {
@@ -257,7 +257,7 @@ TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
   for (const double frame : {11.0, 1.0, 21.0, 7.5}) {
     go_to_frame(f.w, frame);
     follow_pins(f.w);
-    CHECK(!f.w.pins.is_due());
+    CHECK(!f.w.frame.pins.is_due());
     const Probe& pin = f.document().probes.all[0];
     CHECK(pin.place + pin.pose.move == shape_of_vertex(f.document(), 67));
     if (frame == 11) CHECK(largest_distance(f.shape(), f.bent(quarter_turn / 2)) < 0.02);
@@ -273,7 +273,7 @@ TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
   f.add_pin_at(2);  // selects the existing pin
   REQUIRE(f.document().probes.all.size() == 3);
   CHECK(!f.document().shape);
-  f.w.handling.freedom = 0.3;
+  f.w.view.handling.freedom = 0.3;
   f.move_pin(2, {1, -0.3, 0});
   REQUIRE(f.document().shape);
   CHECK(mesh::norm(f.shape()[66] - (f.bar.positions[66] + mesh::Vec3{1, -0.3, 0})) < 1e-6);
@@ -327,7 +327,7 @@ TEST_CASE("without_shapes_pins_leave_the_model_as_rigid_as_can_be_and_pulling_on
 TEST_CASE("a_flat_model_stays_exactly_flat_and_is_seen_from_the_front") {
   BarFiles f(true);
   f.open();
-  CHECK(f.w.camera.pose().orthographic);
+  CHECK(f.w.view.camera.pose().orthographic);
   f.add_bends();
   const auto is_flat = [&] {
     return std::ranges::all_of(f.shape(), [](const auto& p) { return p[2] == 0; });

@@ -98,7 +98,7 @@ TEST_CASE("vertices_of_the_cage_that_have_no_face_do_not_move_the_view_away") {
   REQUIRE(test::load_model(with_stray, files.model, files / "stray.obj"));
   frame_all(plain, false);
   frame_all(with_stray, false);
-  CHECK(with_stray.camera.pose().distance == doctest::Approx(plain.camera.pose().distance));
+  CHECK(with_stray.view.camera.pose().distance == doctest::Approx(plain.view.camera.pose().distance));
 }
 
 TEST_CASE("a_dropped_surface_with_the_faces_of_the_cage_is_a_pose_and_as_unsaved_as_the_one_before") {
@@ -381,7 +381,8 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
     REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
-    CHECK(said(w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete still contains them"));
+    CHECK(said(
+        w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete still contains them"));
     CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete still contains them"));
   }
   SUBCASE("nowhere") {
@@ -405,12 +406,12 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
 
   Workspace own = test::opened({files.model, files.cage});
   CHECK_FALSE(test::run_command(own, "open_example"));  // own.example is not set
-  own.example = files / "loop.viete";
+  own.files.example = files / "loop.viete";
   REQUIRE(test::run_command(own, "open_example"));
-  REQUIRE(open_now(own, *own.requests.open));
+  REQUIRE(open_now(own, *own.jobs.requests.open));
   CHECK(own.playback.playing);
   CHECK(own.document.library.poses.size() == 2);
   CHECK(own.preferences.layout.timeline);
-  CHECK(own.saved.session.empty());
+  CHECK(own.files.saved.session.empty());
   CHECK_FALSE(has_unsaved_edits(own));
 }

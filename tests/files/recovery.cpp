@@ -44,7 +44,7 @@ TEST_CASE("leftovers_come_newest_first_and_are_called_by_what_they_belong_to") {
     fs::last_write_time(folder / name, fs::file_time_type::clock::now() - std::chrono::minutes(minutes_ago));
   };
   put("999999999-1.viete", 30);
-  w.saved.session = files / "walk.viete";
+  w.files.saved.session = files / "walk.viete";
   put("999999999-2.viete", 10);
   test::put_file(folder / "999999999-3.viete", "torn");
   fs::last_write_time(folder / "999999999-3.viete",
@@ -78,8 +78,8 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
   move();
   CHECK(offered());
   REQUIRE(save_session(w, files / "a.viete"));
-  w.camera.orbit({30, 0});
-  w.view.wireframe = true;
+  w.view.camera.orbit({30, 0});
+  w.view.options.wireframe = true;
   CHECK_FALSE(offered());  // a change of the view is not an edit
   move();
   CHECK(offered());

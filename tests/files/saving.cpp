@@ -66,7 +66,7 @@ TEST_CASE("a_whole_turn_is_an_edit_and_filling_in_missing_turns_is_none") {
   CHECK_FALSE(has_unsaved_edits(w));
   w.document.selection.select_all(w.document.pose.positions.size());
   transform_selection(w.document, Tool::rotate, test::plain_grip(w.document), {.degrees = 360});
-  CHECK(w.document.pose.positions == w.saved.state.pose.positions);
+  CHECK(w.document.pose.positions == w.files.saved.state.pose.positions);
   CHECK(has_unsaved_edits(w));
   REQUIRE(save_pose(w, files / "p.obj"));
   CHECK_FALSE(has_unsaved_edits(w));
@@ -122,7 +122,7 @@ TEST_CASE("a_failed_save_leaves_file_and_edits_as_they_were") {
   CHECK_FALSE(save_pose(w, files.model));
   CHECK(w.messages.all().back().severity == Severity::error);
   CHECK(has_unsaved_edits(w));
-  CHECK(w.saved.session.empty());
+  CHECK(w.files.saved.session.empty());
   CHECK(test::file_bytes(files.model) == before);
 }
 
@@ -155,7 +155,7 @@ TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
     if (changed) test::put_file(session, test::file_bytes(session) + " ");
     Workspace back;
     REQUIRE(open_now(back, {OpenRequest::What::recovery, {kept}}));
-    CHECK(changed_on_disk(back, back.saved.session) == changed);
+    CHECK(changed_on_disk(back, back.files.saved.session) == changed);
   }
 }
 
@@ -221,36 +221,36 @@ TEST_CASE("save_asks_for_a_name_once_and_then_writes_there") {
   CHECK_FALSE(test::run_command(w, "save_session"));
   REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(test::run_command(w, "save_session"));
-  CHECK(w.browser.open);
-  CHECK(w.browser.purpose == Purpose::save_session);
-  CHECK(chosen_file(w.browser).filename() == "model.viete");
-  w.browser.open = false;
-  w.saved.session = files / "walk.viete";
+  CHECK(w.files.browser.open);
+  CHECK(w.files.browser.purpose == Purpose::save_session);
+  CHECK(chosen_file(w.files.browser).filename() == "model.viete");
+  w.files.browser.open = false;
+  w.files.saved.session = files / "walk.viete";
   REQUIRE(test::run_command(w, "save_session"));
-  CHECK_FALSE(w.browser.open);
-  CHECK(w.requests.save_session == files / "walk.viete");
+  CHECK_FALSE(w.files.browser.open);
+  CHECK(w.jobs.requests.save_session == files / "walk.viete");
   REQUIRE(test::run_command(w, "save_session_as"));
-  CHECK(w.browser.open);
-  CHECK(chosen_file(w.browser).filename() == "walk.viete");
+  CHECK(w.files.browser.open);
+  CHECK(chosen_file(w.files.browser).filename() == "walk.viete");
 }
 
 TEST_CASE("the_folder_where_a_file_was_chosen_last_is_shown_first_and_a_lost_one_does_no_harm") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   test::run_command(w, "open_model");
-  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
+  CHECK(w.files.browser.folder == std::filesystem::canonical(files.path()));
   std::filesystem::create_directories(files / "other");
   w.preferences.folder = files / "other";
   test::run_command(w, "open_model");
-  CHECK(w.browser.folder == std::filesystem::canonical(files.path()) / "other");
+  CHECK(w.files.browser.folder == std::filesystem::canonical(files.path()) / "other");
   test::run_command(w, "open_pose");  // opens in the folder of the cage
-  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
+  CHECK(w.files.browser.folder == std::filesystem::canonical(files.path()));
   test::run_command(w, "open_cage");
-  CHECK(w.browser.folder == std::filesystem::canonical(files.path()));
+  CHECK(w.files.browser.folder == std::filesystem::canonical(files.path()));
   w.preferences.folder = files / "gone";
   test::run_command(w, "open_model");
-  CHECK(w.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
-  CHECK(w.browser.problem.empty());
+  CHECK(w.files.browser.folder == std::filesystem::canonical(std::filesystem::current_path()));
+  CHECK(w.files.browser.problem.empty());
 }
 
 TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
@@ -261,7 +261,7 @@ TEST_CASE("no_dialog_proposes_a_file_that_is_open") {
   REQUIRE(test::load_model(w, files / "a.obj", files / "a_cage.obj"));
   const auto proposed = [&](const char* command) {
     REQUIRE(test::run_command(w, command));
-    return chosen_file(w.browser).filename().string();
+    return chosen_file(w.files.browser).filename().string();
   };
   CHECK(proposed("save_pose") == "a_cage_pose.obj");  // the file exists, but is not open
   REQUIRE(test::load_pose(w, files / "a_cage_pose.obj"));

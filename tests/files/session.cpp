@@ -40,7 +40,7 @@ namespace {
 // Returns a workspace in which no setting has its default.
 Workspace worked(const test::CubeFiles& files) {
   Workspace w;
-  w.viewport = {{1000, 800}, {320, 0}, {680, 774}};
+  w.view.viewport = {{1000, 800}, {320, 0}, {680, 774}};
   REQUIRE(test::load_model(w, files.model, files.cage));
   REQUIRE(add_probe(w.document, {}, {1, 1, 1}));
   Probe& probe = w.document.probes.all[0];
@@ -58,29 +58,30 @@ Workspace worked(const test::CubeFiles& files) {
   w.document.scheme.amounts = {0.29, 1.75};
   w.document.scheme.holding = {0.29, 0.07};
   set_mask(w.document, inverted(w.document), "invert");
-  w.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f, true, UpAxis::z});
-  w.view = {.dark = false,
-            .model = false,
-            .deformed = false,
-            .shading = Shading::checker,
-            .wireframe = true,
-            .cage = false,
-            .grid = false,
-            .ghost = true,
-            .field = analysis::Field::turn,
-            .select_visible = true,
-            .same_path = true,
-            .panels = false,
-            .hints = false};
-  w.handling = {Pivot::point,
-                mesh::Point{1, 2, 1.0 / 3},
-                Axes::selection,
-                MirrorPlane::y,
-                {true, 0.29, SoftCurve::linear, SoftDistance::space},
-                0.25};
-  put_ways(w.split, {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
-                      {deform::scheme_of(deform::Way::arap)}},
-                     {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
+  w.view.camera.set_pose({{0.1f, 0.2f, 0.3f}, 3.3f, -2.7f, 0.123f, true, UpAxis::z});
+  w.view.options = {.dark = false,
+                    .model = false,
+                    .deformed = false,
+                    .shading = Shading::checker,
+                    .wireframe = true,
+                    .cage = false,
+                    .grid = false,
+                    .ghost = true,
+                    .field = analysis::Field::turn,
+                    .select_visible = true,
+                    .same_path = true,
+                    .panels = false,
+                    .hints = false};
+  w.view.handling = {Pivot::point,
+                     mesh::Point{1, 2, 1.0 / 3},
+                     Axes::selection,
+                     MirrorPlane::y,
+                     {true, 0.29, SoftCurve::linear, SoftDistance::space},
+                     0.25};
+  put_ways(w.view.split,
+           {{{deform::scheme_of(deform::Way::rigid), sym3::Method::sd, analysis::Field::area, true},
+             {deform::scheme_of(deform::Way::arap)}},
+            {{{0, 0.1f, 0}, 5.5f, 1.25f, -0.2f}, {{1, 0, 0}, 2, 0, 0.5f, true}}});
   return w;
 }
 
@@ -124,11 +125,12 @@ void check_same(const Workspace& a, const Workspace& b) {
   CHECK(a.document.scheme == b.document.scheme);
   CHECK(a.document.probes == b.document.probes);
   CHECK(same_mask(a.document.mask, b.document.mask));
-  CHECK(a.camera.pose() == b.camera.pose());
-  CHECK(a.view == b.view);
-  CHECK(a.handling == b.handling);
+  CHECK(a.view.camera.pose() == b.view.camera.pose());
+  CHECK(a.view.options == b.view.options);
+  CHECK(a.view.handling == b.view.handling);
   CHECK(ways_of(a) == ways_of(b));
-  for (std::size_t view = 0; view < a.split.count(); ++view) CHECK(camera_of(a, view) == camera_of(b, view));
+  for (std::size_t view = 0; view < a.view.split.count(); ++view)
+    CHECK(camera_of(a, view) == camera_of(b, view));
   CHECK(a.document.model.surface->positions == b.document.model.surface->positions);
   CHECK(std::ranges::equal(a.document.library.poses, b.document.library.poses,
                            [](const NamedPose& x, const NamedPose& y) {
@@ -190,9 +192,9 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
     check_same(w, back);
     for (const Message& message : back.messages.all())
       CHECK(message.text == "Undo restores 2 unkeyed poses.");
-    CHECK(back.saved.session == files / "a.viete");
+    CHECK(back.files.saved.session == files / "a.viete");
     CHECK_FALSE(has_unsaved_edits(back));
-    back.viewport = w.viewport;
+    back.view.viewport = w.view.viewport;
     CHECK(session_text(session_of(back), files / "a.viete") == test::file_bytes(files / "a.viete"));
     if (w.document.library.poses.empty()) continue;
     CHECK(clear_mix(back.document, back.playback.vectors));
@@ -204,7 +206,7 @@ TEST_CASE("a_session_brings_everything_back_to_the_last_bit") {
 TEST_CASE("recovered_work_has_absolute_names_and_all_of_a_session") {
   const test::CubeFiles files;
   Workspace w = animated(files);
-  w.saved.session = files / "mine.viete";
+  w.files.saved.session = files / "mine.viete";
   test::put_file(files / "r.viete", session_text(session_of(w), files / "r.viete", false));
   const Session session = read_session(files / "r.viete");
   CHECK(session.model.path == fs::canonical(files.model));
@@ -213,28 +215,28 @@ TEST_CASE("recovered_work_has_absolute_names_and_all_of_a_session") {
   REQUIRE(open_now(again, {OpenRequest::What::recovery, {files / "r.viete"}}));
   check_same(w, again);
   CHECK(has_unsaved_edits(again));
-  CHECK(again.saved.session == session.origin);
-  CHECK(again.recovered_from == files / "r.viete");
+  CHECK(again.files.saved.session == session.origin);
+  CHECK(again.recovery.from == files / "r.viete");
   CHECK(again.preferences.recent.empty());
-  REQUIRE(save_session(again, again.saved.session));
+  REQUIRE(save_session(again, again.files.saved.session));
   CHECK_FALSE(has_unsaved_edits(again));
 }
 
 TEST_CASE("cameras_of_views_are_kept_wherever_the_hand_is") {
   const test::CubeFiles files;
   Workspace w = worked(files);
-  const CameraPose first = w.camera.pose();
+  const CameraPose first = w.view.camera.pose();
   enter_view(w, 2);
-  w.camera.orbit({30, 10});
-  const CameraPose moved = w.camera.destination();
+  w.view.camera.orbit({30, 10});
+  const CameraPose moved = w.view.camera.destination();
   REQUIRE(save_session(w, files / "a.viete"));
   Workspace back = test::opened({files / "a.viete"});
-  CHECK(back.split.active == 0);
+  CHECK(back.view.split.active == 0);
   CHECK(camera_of(back, 0) == first);
   CHECK(camera_of(back, 1) == camera_of(w, 1));
   CHECK(camera_of(back, 2) == moved);
-  back.camera.look(StandardView::front);
-  const CameraPose goal = back.camera.destination();
+  back.view.camera.look(StandardView::front);
+  const CameraPose goal = back.view.camera.destination();
   CHECK(session_of(back).camera == goal);  // even while the camera is still moving
   CHECK(goal.yaw == 0);
 }
@@ -262,8 +264,8 @@ TEST_CASE("only_a_model_is_required_and_unknown_keys_are_ignored") {
   CHECK_FALSE(test::opened({files / "a.viete"}).document.has_cage());
   test::put_file(files / "b.viete", with(R"("view": {"dark": false, "holograms": 3})"));
   const Workspace w = test::opened({files / "b.viete"});
-  CHECK_FALSE(w.view.dark);
-  CHECK(w.view.grid);
+  CHECK_FALSE(w.view.options.dark);
+  CHECK(w.view.options.grid);
   CHECK_FALSE(differs_from_rest(w.document));
   const std::string keys = "\"keys\": [" + key_text("2") + "," + key_text("5") + "]";
   test::put_file(files / "c.viete", with("\"time\": {\"frame\": 5, " + keys + "}"));
@@ -369,12 +371,12 @@ TEST_CASE("all_typed_values_and_views_survive_saving") {
   const test::CubeFiles files;
   for (const double amount : {1e150, -1e150, 1e99, 1e20, 1e5, 1e-300}) {
     Workspace w = worked(files);
-    w.view.cage = true;
+    w.view.options.cage = true;
     const Transform t{.factors = {1, amount, 1}, .degrees = amount, .shift = {amount, 0, 0}};
     for (const Tool tool : {Tool::move, Tool::scale, Tool::rotate})
       transform_selection(w.document, tool, test::plain_grip(w.document), t);
     frame_selection(w, false);
-    w.camera.pan({1e30f, -1e30f}, w.viewport);
+    w.view.camera.pan({1e30f, -1e30f}, w.view.viewport);
     REQUIRE(save_session(w, files / "a.viete"));
     CHECK_FALSE(mentions(test::file_bytes(files / "a.viete"), "null"));
     Workspace back = test::opened({files / "a.viete"});

@@ -16,13 +16,13 @@ namespace {
 Workspace front_cube(ElementKind kind) {
   Workspace w = test::cube_workspace();
   w.document.selection = Selection(kind);
-  w.camera.look(StandardView::front);
-  w.camera.animate(1);
+  w.view.camera.look(StandardView::front);
+  w.view.camera.animate(1);
   return w;
 }
 
 std::optional<Pick> pick(const Workspace& w, const glm::vec2& cursor) {
-  return pick_element(w.document, w.camera, w.viewport, cursor);
+  return pick_element(w.document, w.view.camera, w.view.viewport, cursor);
 }
 
 std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cursor) {
@@ -31,7 +31,7 @@ std::optional<std::uint32_t> pick_index(const Workspace& w, const glm::vec2& cur
 }
 
 glm::vec2 pixel(const Workspace& w, const mesh::Point& p) {
-  return glm::vec2(*Projector(w.document.space, w.camera, w.viewport)(p));
+  return glm::vec2(*Projector(w.document.space, w.view.camera, w.view.viewport)(p));
 }
 
 bool has(const Workspace& w, std::uint32_t index, const mesh::Edge& edge) {
@@ -47,18 +47,18 @@ TEST_CASE("the_vertex_under_the_cursor_is_picked_within_eight_pixels_or_by_a_box
     CHECK(pick_index(w, at) == i);
     CHECK(pick_index(w, at + glm::vec2(0, 7.5f)) == i);
     CHECK_FALSE(pick_index(w, at + glm::vec2(0, 8.5f)));
-    CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, at + 2.0f, at - 2.0f) ==
+    CHECK(pick_elements_in_box(w.document, w.view.camera, w.view.viewport, at + 2.0f, at - 2.0f) ==
           std::vector<std::uint32_t>{i});
   }
 }
 
 TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
   Workspace w = test::cube_workspace();
-  w.camera.look(StandardView::front);
-  w.camera.animate(1);
-  CameraPose pose = w.camera.pose();
+  w.view.camera.look(StandardView::front);
+  w.view.camera.animate(1);
+  CameraPose pose = w.view.camera.pose();
   pose.distance = 900;
-  w.camera.set_pose(pose);
+  w.view.camera.set_pose(pose);
   const mesh::Point back{0, 0, -1}, front{0, 0, 1};
   w.document.pose.positions.assign(8, back);
   w.document.pose.positions[5] = front;  // less than 2 pixels from the other vertices
@@ -68,24 +68,25 @@ TEST_CASE("the_nearer_of_two_vertices_on_one_pixel_is_picked") {
 TEST_CASE("points_behind_the_camera_are_never_picked") {
   Workspace w = test::cube_workspace();
   const double s = w.document.space.scale;
+  auto& camera = w.view.camera;
   const auto along = [&](float way) {
-    const glm::vec3 p = w.camera.eye() + way * w.camera.forward();
+    const glm::vec3 p = camera.eye() + way * camera.forward();
     return mesh::Point{p.x / s, p.y / s, p.z / s};
   };
   const glm::vec2 middle = pixel(w, along(3));
   for (auto& p : w.document.pose.positions) p = along(3);
   CHECK(pick_index(w, middle));
   for (auto& p : w.document.pose.positions) p = along(-3);
-  const Projector project(w.document.space, w.camera, w.viewport);
+  const Projector project(w.document.space, camera, w.view.viewport);
   CHECK_FALSE(project(along(-3)));
   CHECK_FALSE(pick_index(w, middle));
-  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
+  CHECK(pick_elements_in_box(w.document, camera, w.view.viewport, {-1e6f, -1e6f}, {1e6f, 1e6f}).empty());
 }
 
 TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front_one_first") {
   for (const bool orthographic : {false, true}) {
     Workspace w = front_cube(ElementKind::edge);
-    w.camera.set_orthographic(orthographic);
+    w.view.camera.set_orthographic(orthographic);
     const glm::vec2 middle = pixel(w, {0.2, 1.5, 1.5});  // on the edge between vertices 6 and 7
     for (const float off : {0.0f, -7.5f}) {
       const auto found = pick(w, middle + glm::vec2(0, off));
@@ -93,14 +94,15 @@ TEST_CASE("the_edge_under_the_cursor_is_picked_within_eight_pixels_and_the_front
       CHECK(has(w, found->index, {6, 7}));
     }
     CHECK_FALSE(pick(w, middle + glm::vec2(0, -8.5f)));
-    CHECK(pick(w, middle)->depth == doctest::Approx(w.camera.depth(w.document.space.to_view({0, 1.5, 1.5}))));
+    CHECK(pick(w, middle)->depth ==
+          doctest::Approx(w.view.camera.depth(w.document.space.to_view({0, 1.5, 1.5}))));
   }
 }
 
 TEST_CASE("the_face_in_front_is_picked_inside_and_eight_pixels_around_the_cage") {
   for (const bool orthographic : {false, true}) {
     Workspace w = front_cube(ElementKind::face);
-    w.camera.set_orthographic(orthographic);
+    w.view.camera.set_orthographic(orthographic);
     CHECK(pick(w, pixel(w, {0.9, -0.9, 1.5}))->index == 2);  // triangles 2 and 3 are at the front
     CHECK(pick(w, pixel(w, {0.9, 1.2, 1.5}))->index == 3);
     const glm::vec2 top = pixel(w, {0.2, 1.5, 1.5});
@@ -112,9 +114,9 @@ TEST_CASE("the_face_in_front_is_picked_inside_and_eight_pixels_around_the_cage")
 TEST_CASE("from_inside_the_cage_the_visible_parts_of_faces_and_edges_are_picked") {
   const auto inside = [](ElementKind kind, float distance) {
     Workspace w = front_cube(kind);
-    CameraPose pose = w.camera.pose();
+    CameraPose pose = w.view.camera.pose();
     pose.distance = distance;
-    w.camera.set_pose(pose);
+    w.view.camera.set_pose(pose);
     return w;
   };
   const auto back = pick(inside(ElementKind::face, 0.1f), {630, 400});
@@ -129,15 +131,14 @@ TEST_CASE("from_inside_the_cage_the_visible_parts_of_faces_and_edges_are_picked"
 TEST_CASE("a_box_picks_edges_and_faces_that_lie_wholly_inside") {
   Workspace w = front_cube(ElementKind::edge);
   const glm::vec2 a = pixel(w, {-1.5, 1.5, 1.5}) - 3.0f, b = pixel(w, {1.5, 1.5, 1.5}) + glm::vec2(3, 100);
-  const auto in_box = [&] { return pick_elements_in_box(w.document, w.camera, w.viewport, a, b); };
+  const auto in_box = [&] { return pick_elements_in_box(w.document, w.view.camera, w.view.viewport, a, b); };
   bool front = false;
   for (const auto e : in_box()) front |= has(w, e, {6, 7});
   CHECK(front);
   w.document.selection = Selection(ElementKind::face);
-  for (const auto f : in_box()) {
+  for (const auto f : in_box())
     for (const auto v : element_vertices(*w.document.cage, ElementKind::face, f))
       CHECK(w.document.pose.positions[v][1] == 1.5);
-  }
-  CHECK(pick_elements_in_box(w.document, w.camera, w.viewport, {0, 0}, {1000, 800}).size() == 12);
-  CHECK(pick_elements_in_box({}, w.camera, w.viewport, {0, 0}, {1000, 800}).empty());
+  CHECK(pick_elements_in_box(w.document, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).size() == 12);
+  CHECK(pick_elements_in_box({}, w.view.camera, w.view.viewport, {0, 0}, {1000, 800}).empty());
 }

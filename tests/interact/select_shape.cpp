@@ -54,8 +54,8 @@ TEST_CASE("over_a_dense_cage_a_drag_draws_a_box_and_tears_nothing_out") {
   REQUIRE(hand.w.document.pose.positions.size() == 2562);
   const glm::vec2 at = hand.vertex(hand.front());
   hand.move(at);
-  CHECK(hand.w.interaction.hovered);
-  CHECK(hand.w.interaction.crowded);
+  CHECK(hand.w.view.interaction.hovered);
+  CHECK(hand.w.view.interaction.crowded);
   hand.drag(at, at + glm::vec2(60, 60));
   CHECK_FALSE(differs_from_rest(hand.w.document));
   CHECK(hand.selected() > 8);
@@ -66,8 +66,8 @@ TEST_CASE("over_a_dense_cage_a_drag_draws_a_box_and_tears_nothing_out") {
   hand.input.shift = false;
   hand.input.ctrl = true;
   hand.begin(at - 70.0f, at + 70.0f);
-  REQUIRE(hand.w.interaction.box);
-  CHECK(hand.w.interaction.box->mode == SelectMode::remove);
+  REQUIRE(hand.w.view.interaction.box);
+  CHECK(hand.w.view.interaction.box->mode == SelectMode::remove);
   hand.release();
   CHECK(hand.selected() == 0);
   CHECK_FALSE(differs_from_rest(hand.w.document));
@@ -76,7 +76,7 @@ TEST_CASE("over_a_dense_cage_a_drag_draws_a_box_and_tears_nothing_out") {
 TEST_CASE("over_a_dense_cage_a_selected_vertex_is_dragged_and_from_near_any_is") {
   Hand hand(test::ball_workspace());
   const auto v = hand.front();
-  hand.w.tool = Tool::select;
+  hand.w.view.tool = Tool::select;
   hand.click(hand.vertex(v));
   REQUIRE(hand.selected() == 1);
   hand.drag(hand.vertex(v), hand.vertex(v) + glm::vec2(40, 0));
@@ -97,20 +97,20 @@ TEST_CASE("an_armed_box_begins_on_a_vertex_and_on_the_gizmo_and_esc_puts_it_away
   const glm::vec2 tip = gizmo_of(hand.w)->arms[1].tip;
   CHECK(test::run_command(hand.w, "select_box"));
   hand.move(tip);
-  CHECK_FALSE(hand.w.interaction.handle);
+  CHECK_FALSE(hand.w.view.interaction.handle);
   hand.drag(tip, tip + glm::vec2(30, 30));
   CHECK_FALSE(differs_from_rest(hand.w.document));
-  CHECK_FALSE(hand.w.interaction.armed);
+  CHECK_FALSE(hand.w.view.interaction.armed);
   CHECK(test::run_command(hand.w, "select_box"));
   CHECK(test::run_command(hand.w, "stop_selecting"));
-  CHECK_FALSE(hand.w.interaction.armed);
+  CHECK_FALSE(hand.w.view.interaction.armed);
   CHECK(test::run_command(hand.w, "select_box"));
   CHECK(test::run_command(hand.w, "select_box"));
-  CHECK_FALSE(hand.w.interaction.armed);
+  CHECK_FALSE(hand.w.view.interaction.armed);
   CHECK(test::run_command(hand.w, "select_box"));
   hand.click(hand.vertex(3));
   CHECK(hand.w.document.selection.contains(3));
-  CHECK_FALSE(hand.w.interaction.armed);
+  CHECK_FALSE(hand.w.view.interaction.armed);
 }
 
 TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
@@ -125,14 +125,14 @@ TEST_CASE("a_lasso_selects_its_content_and_esc_cancels_it") {
     }
   };
   round(80);
-  REQUIRE(hand.w.interaction.lasso);
+  REQUIRE(hand.w.view.interaction.lasso);
   hand.press_escape();
   hand.release();
   CHECK(hand.selected() == 0);
   round(80);
   hand.release();
-  CHECK_FALSE(hand.w.interaction.lasso);
-  const Projector project(hand.w.document.space, hand.w.camera, hand.w.viewport);
+  CHECK_FALSE(hand.w.view.interaction.lasso);
+  const Projector project(hand.w.document.space, hand.w.view.camera, hand.w.view.viewport);
   std::size_t inside = 0;
   for (const auto& p : hand.w.document.pose.positions)
     inside += glm::distance(glm::vec2(*project(p)), middle) < 77;
@@ -145,19 +145,19 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   Hand hand(test::ball_workspace());
   CHECK(test::run_command(hand.w, "select_brush"));
   hand.move(middle);
-  const float radius = hand.w.interaction.select_radius;
-  const CameraPose camera = hand.w.camera.pose();
+  const float radius = hand.w.view.interaction.select_radius;
+  const CameraPose camera = hand.w.view.camera.pose();
   hand.turn_wheel(1);
-  CHECK(hand.w.interaction.select_radius > radius);
-  CHECK(hand.w.camera.pose() == camera);
+  CHECK(hand.w.view.interaction.select_radius > radius);
+  CHECK(hand.w.view.camera.pose() == camera);
   hand.turn_wheel(-1000);
-  CHECK(hand.w.interaction.select_radius == least_select_radius);
-  hand.w.interaction.select_radius = 30;
+  CHECK(hand.w.view.interaction.select_radius == least_select_radius);
+  hand.w.view.interaction.select_radius = 30;
 
   hand.drag(middle - glm::vec2(100, 0), middle + glm::vec2(100, 0));
   const std::size_t painted = hand.selected();
   CHECK(painted > 40);
-  CHECK(hand.w.interaction.armed == SelectShape::brush);
+  CHECK(hand.w.view.interaction.armed == SelectShape::brush);
   hand.input.ctrl = true;
   hand.drag(middle - glm::vec2(100, 0), middle);
   CHECK(hand.selected() < painted);
@@ -171,9 +171,9 @@ TEST_CASE("the_brush_selects_along_its_way_ctrl_removes_the_wheel_sizes_and_esc_
   hand.release();
   CHECK(hand.w.document.selection == before);
   CHECK(test::run_command(hand.w, "stop_selecting"));
-  hand.w.tool = Tool::select;
+  hand.w.view.tool = Tool::select;
   hand.move(hand.vertex(hand.front()));
-  CHECK(hand.w.interaction.hovered);
+  CHECK(hand.w.view.interaction.hovered);
   CHECK_FALSE(differs_from_rest(hand.w.document));
 }
 
@@ -181,7 +181,7 @@ TEST_CASE("a_brush_selects_the_face_under_its_center") {
   Hand hand(test::cube_workspace());
   hand.w.document.selection = Selection(ElementKind::face);
   CHECK(test::run_command(hand.w, "select_brush"));
-  hand.w.interaction.select_radius = 5;
+  hand.w.view.interaction.select_radius = 5;
   hand.click((3.0f * hand.vertex(4) + hand.vertex(5) + hand.vertex(6)) / 5.0f);
   CHECK(hand.selected() == 1);
 }
@@ -199,7 +199,7 @@ TEST_CASE("visible_only_leaves_out_what_the_cage_and_the_model_hide") {
     CHECK(share > 0.35);  // from nearby, less than half of a ball is visible
     CHECK(share < 0.52);
     // Does not test elements near the silhouette.
-    const glm::vec3 eye = hand.w.camera.eye();
+    const glm::vec3 eye = hand.w.view.camera.eye();
     for (std::uint32_t i = 0; i < element_count(hand.w.document, kind); ++i) {
       const glm::vec3 p = hand.w.document.space.to_view(element_middle(hand.w.document, kind, i));
       const float facing = glm::dot(glm::normalize(p), glm::normalize(eye - p));
@@ -215,13 +215,13 @@ TEST_CASE("visible_only_a_model_in_front_hides_and_a_hidden_model_does_not") {
   for (auto& p : cage) {
     for (double& x : p) x *= 0.2;  // moves the cage into the model
   }
-  hand.w.view.select_visible = true;
+  hand.w.view.options.select_visible = true;
   hand.drag({205, 5}, {995, 775});
   CHECK(hand.selected() == 0);
   hand.click(hand.vertex(7));
   CHECK(hand.selected() == 0);
-  hand.w.view.model = false;
-  hand.w.camera.set_orthographic(true);
+  hand.w.view.options.model = false;
+  hand.w.view.camera.set_orthographic(true);
   hand.drag({205, 5}, {995, 775});
   CHECK(hand.selected() == 7);  // the cage hides the eighth vertex
 }

@@ -27,22 +27,22 @@ struct Drag {
   DragInput input;
 
   Drag(Tool tool, Constraint constraint, glm::vec2 from_center, bool orthographic = false) {
-    w.camera.set_orthographic(orthographic);
+    w.view.camera.set_orthographic(orthographic);
     const std::uint32_t two[] = {6, 7};
     w.document.selection.apply(two, SelectMode::replace);
     input.cursor = center() + from_center;
-    drag.emplace(w.document, test::plain_grip(w.document), tool, constraint, w.camera.depth(view_center()),
-                 input.cursor, w.camera);
+    drag.emplace(w.document, test::plain_grip(w.document), tool, constraint,
+                 w.view.camera.depth(view_center()), input.cursor, w.view.camera);
   }
   glm::vec3 view_center() const {
     const glm::dvec3 c = test::selection_center(w.document);
     return w.document.space.to_view({c.x, c.y, c.z});
   }
   glm::vec2 center() const {
-    return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.camera, w.viewport).at());
+    return glm::vec2(CursorProjection(glm::dvec3(view_center()), w.view.camera, w.view.viewport).at());
   }
   void move(glm::vec2 by) { input.cursor += by, update(); }
-  void update() { drag->update(w.document, input, w.camera, w.viewport); }
+  void update() { drag->update(w.document, input, w.view.camera, w.view.viewport); }
   void type(const char* text) {
     for (; *text; ++text) drag->type(*text);
     update();
@@ -87,7 +87,7 @@ TEST_CASE("cancelling_brings_positions_turns_and_selection_back") {
   Drag d(Tool::move, {}, {0, 0});
   d.w.document.pose.turns = {{1, 2, 3}};
   d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{}, 1, d.input.cursor,
-                 d.w.camera);
+                 d.w.view.camera);
   const auto before = d.w.document.pose;
   d.type("77");
   CHECK(d.w.document.pose.positions != before.positions);
@@ -105,10 +105,9 @@ TEST_CASE("an_axis_move_goes_along_its_axis_only_and_follows_the_cursor") {
       Drag d(Tool::move, {Kind::axis, axis}, {0, 0}, orthographic);
       glm::dvec3 direction(0);
       direction[axis] = 1;
-      const glm::dvec2 on_screen =
-          60.0 *
-          glm::normalize(
-              CursorProjection(glm::dvec3(d.view_center()), d.w.camera, d.w.viewport).motion(direction));
+      const glm::dvec2 on_screen = 60.0 * glm::normalize(CursorProjection(glm::dvec3(d.view_center()),
+                                                                          d.w.view.camera, d.w.view.viewport)
+                                                             .motion(direction));
       const glm::vec2 sideways(-on_screen.y, on_screen.x);
       const glm::vec2 expected = d.center() + glm::vec2(on_screen);
       d.move(glm::vec2(on_screen) + 0.3f * sideways);  // motion across the axis has no effect
@@ -214,7 +213,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
   d.drag->cancel(d.w.document);
   d.w.document.selection.select_all(8);
   d.drag.emplace(d.w.document, test::plain_grip(d.w.document), Tool::rotate, Constraint{Kind::axis, 1}, 1,
-                 d.input.cursor, d.w.camera);
+                 d.input.cursor, d.w.view.camera);
   for (const char* key : {"4", "0", "0"}) d.type(key);
   CHECK(d.w.document.pose.turns[0][1] == doctest::Approx(400 * pi / 180).epsilon(1e-12));
   d.drag->type('x');  // with another axis, turns are counted from 0
@@ -225,7 +224,7 @@ TEST_CASE("typed_turns_of_the_whole_cage_are_counted_in_the_pose") {
 
 TEST_CASE("an_axis_scale_follows_its_handle_and_scales_nothing_else") {
   const CursorProjection projection(glm::dvec3(Drag(Tool::scale, {}, {0, 0}).view_center()),
-                                    test::cube_workspace().camera, test::cube_workspace().viewport);
+                                    test::cube_workspace().view.camera, test::cube_workspace().view.viewport);
   const glm::vec2 outward(glm::normalize(projection.motion({1, 0, 0})));
   Drag d(Tool::scale, {Kind::axis, 0}, 80.0f * outward);
   d.move(40.0f * outward);

@@ -7,8 +7,8 @@ using test::Driver;
 namespace {
 
 void open_posed_dragon(Driver& d) {
-  d.workspace().view.cage = d.workspace().view.grid = d.workspace().view.axes = d.workspace().view.hints =
-      false;
+  auto& options = d.workspace().view.options;
+  options.cage = options.grid = options.axes = options.hints = false;
   d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
@@ -38,17 +38,17 @@ Shown shown(Driver& d, const render::Image& empty) {
 TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_where_it_is_not") {
   Driver d(test::with_pixels);
   open_posed_dragon(d);
-  d.workspace().view.model = false;
+  d.workspace().view.options.model = false;
   d.settle();
   const auto empty = d.picture();
-  d.workspace().view.model = true;
+  d.workspace().view.options.model = true;
   d.settle();
   const Shown plain = shown(d, empty);
 
-  d.workspace().view.field = analysis::Field::exp_error;
+  d.workspace().view.options.field = analysis::Field::exp_error;
   d.settle();
   const Shown exact = shown(d, empty);
-  const auto& map = d.workspace().split.views[0].shown.stats;
+  const auto& map = d.workspace().view.split.views[0].shown.stats;
   CHECK(map.vertices == 50000);
   CHECK(map.method == sym3::Method::fast);
   CHECK(map.most < -14);
@@ -65,13 +65,13 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   const double rough_red = rough.red / rough.pixels, exact_red = exact.red / exact.pixels;
   CHECK(rough_red > 1.1 * exact_red);
 
-  d.workspace().view.field = analysis::Field::none;
+  d.workspace().view.options.field = analysis::Field::none;
   d.click("method_fast");
   d.move({700, 20});
   d.settle();
   const Shown again = shown(d, empty);
   CHECK(again.red / again.pixels == doctest::Approx(plain.red / plain.pixels).epsilon(0.01));
-  d.workspace().view.field = analysis::Field::exp_error;
+  d.workspace().view.options.field = analysis::Field::exp_error;
   d.choose("weights", "weights_mean_value");
   d.settle();
   CHECK(workspace::shown_field(d.workspace()) == analysis::Field::none);
@@ -83,19 +83,19 @@ TEST_CASE("on_the_same_path_fast_runs_link_by_link_in_double_and_its_error_of_th
   options.probe = true;
   Driver d(options);
   open_posed_dragon(d);
-  CHECK(d.until(
-      [&] { return d.workspace().split.views[0].fused_error > 0 && d.workspace().methods.matrices > 0; }));
+  auto& split = d.workspace().view.split;
+  CHECK(d.until([&] { return split.views[0].fused_error > 0 && d.workspace().frame.methods.matrices > 0; }));
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
 
   d.click("toggle_same_path");
   CHECK(d.until([&] { return d.viewer().deformer()->ran() == EngineKind::staged; }));
   d.frame();
   CHECK(d.document().method == sym3::Method::fast);
-  CHECK(d.workspace().split.views[0].fused_error == 0);
+  CHECK(split.views[0].fused_error == 0);
   CHECK(d.viewer().deformer()->times()[deform::Link::blend] > 0);
 
   d.click("toggle_same_path");
   d.settle();
   CHECK(d.viewer().deformer()->ran() == EngineKind::fused);
-  CHECK(d.until([&] { return d.workspace().split.views[0].fused_error > 0; }));
+  CHECK(d.until([&] { return split.views[0].fused_error > 0; }));
 }

@@ -27,7 +27,7 @@ struct Bound : Driver {
   template <class Act>
   void open_ball(int levels, const Act& act) {
     formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));
-    workspace().requests.open = files::OpenRequest{What::cage, {folder / "ball.ply"}};
+    workspace().jobs.requests.open = files::OpenRequest{What::cage, {folder / "ball.ply"}};
     frame();
     act();
     REQUIRE(until([&] { return !viewer().loading(); }));
@@ -45,7 +45,7 @@ TEST_CASE("cancelling_the_opening_of_a_cage_changes_nothing") {
   const auto* cage = d.document().cage.get();
   const auto before = d.positions();
   d.open_ball(3, [&] {
-    REQUIRE(d.workspace().loading.running);
+    REQUIRE(d.workspace().jobs.loading.running);
     d.press_key(workspace::Key::escape);
   });
   CHECK(d.document().cage.get() == cage);
@@ -60,12 +60,12 @@ TEST_CASE("other_weights_are_bound_while_the_old_ones_serve_and_cancelling_keeps
   d.document().changed_pose().positions[0][1] += 0.3;
   test::run_command(d.workspace(), "weights_mean_value");
   d.frame();  // starts the new binding and deforms with the old binding
-  REQUIRE(d.workspace().binding.running);
-  CHECK(d.workspace().binding.what.starts_with("Binding 3,000 vertices to "));
+  REQUIRE(d.workspace().jobs.binding.running);
+  CHECK(d.workspace().jobs.binding.what.starts_with("Binding 3,000 vertices to "));
   const auto moved = d.positions();
   CHECK(moved != before);
   d.press_key(workspace::Key::escape);
-  CHECK_FALSE(d.workspace().binding.running);
+  CHECK_FALSE(d.workspace().jobs.binding.running);
   CHECK(d.document().scheme.weighting.weights == deform::Weights::inverse);
   CHECK(d.positions() == moved);
   test::run_command(d.workspace(), "weights_mean_value");

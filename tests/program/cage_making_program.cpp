@@ -66,9 +66,9 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     Driver d(Driver::default_options({1280, height}));
     REQUIRE(d.open({test::bundled_dragon}));
     d.settle();
-    const auto& v = d.workspace().viewport;
+    const auto& v = d.workspace().view.viewport;
     const auto lowest = [&] {
-      const interact::Projector project(d.document().space, d.workspace().camera, v);
+      const interact::Projector project(d.document().space, d.workspace().view.camera, v);
       float y = 0;
       for (const auto& p : d.document().model.surface->positions) y = std::max(y, project(p)->y);
       return y;
@@ -260,7 +260,7 @@ TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   REQUIRE(d.open({ball(), folder / "cage.obj"}));
   d.settle();
   const auto before = d.document().cage;
-  d.workspace().handling.mirror = document::MirrorPlane::x;
+  d.workspace().view.handling.mirror = document::MirrorPlane::x;
   d.frame(2);
   REQUIRE(workspace::mirror_of(d.workspace())->unpaired() > 0);
   d.click("make_symmetric_cage");

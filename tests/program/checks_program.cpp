@@ -16,7 +16,7 @@ struct Checked : test::SmallScene {
 
   explicit Checked(std::optional<test::WithPixels> pixels = Driver::pictures_wanted())
       : SmallScene(Driver::default_options(), pixels) {
-    d.workspace().view.axes = false;
+    d.workspace().view.options.axes = false;
     mesh::Surface cage = test::ball(1.2, 1);
     formats::write(holed,
                    mesh::from_triangles(cage.positions, {cage.triangles.begin() + 1, cage.triangles.end()}));
@@ -41,7 +41,7 @@ struct Checked : test::SmallScene {
   bool shows(const std::string& widget) {
     d.frame(2);
     const auto rect = d.viewer().recorder().find(widget);
-    const auto& v = d.workspace().viewport;
+    const auto& v = d.workspace().view.viewport;
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
   }
@@ -72,11 +72,11 @@ TEST_CASE("a_click_on_a_finding_highlights_its_elements_which_follow_the_cage") 
   REQUIRE(open);
   CHECK(open->edges.size() == 3);
   const std::string widget = "finding/" + std::to_string(open - d.workspace().checks.findings.data());
-  const auto before = d.workspace().camera.pose();
+  const auto before = d.workspace().view.camera.pose();
   CHECK(c.highlighted() == 0);
   d.click(widget);
   const int all = c.highlighted();
-  CHECK(d.workspace().camera.pose().distance < before.distance);
+  CHECK(d.workspace().view.camera.pose().distance < before.distance);
   CHECK(all > 100);
   d.click("finding_next");
   const int one = c.highlighted();

@@ -94,10 +94,10 @@ public:
   void finish_making() {
     do {
       frame();
-      REQUIRE(until([&] { return !workspace().making_cage.running; }));
+      REQUIRE(until([&] { return !workspace().jobs.making_cage.running; }));
       std::this_thread::sleep_for(std::chrono::milliseconds(400));
       frame();
-    } while (workspace().making_cage.running);
+    } while (workspace().jobs.making_cage.running);
   }
   void send(platform::InputEvent event, int frames = 1) {
     viewer().input().push(std::move(event));
@@ -144,7 +144,7 @@ public:
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
       const auto shown =
-          workspace::shown_columns(workspace().preferences.layout, workspace().viewport.window.x);
+          workspace::shown_columns(workspace().preferences.layout, workspace().view.viewport.window.x);
       if ((methods ? shown.methods : shown.tools) > 0) continue;
       workspace::find_command(column)->run(workspace());
       frame(3);
@@ -181,7 +181,7 @@ public:
     for (int i = 0; i < 60; ++i) {
       const auto rect = viewer().recorder().find(widget);
       REQUIRE_MESSAGE(rect, "no widget named ", widget);
-      const document::Viewport& v = workspace().viewport;
+      const document::Viewport& v = workspace().view.viewport;
       const float end = v.origin.x + v.size.x, top = v.origin.y;
       const bool in_column = rect->y1 > top && (rect->x1 <= v.origin.x || rect->x0 >= end);
       const float end_of_column = top + workspace::column_height(v);
@@ -211,7 +211,7 @@ public:
   }
 
   glm::vec2 on_screen(const mesh::Point& p) {
-    const interact::Projector project(document().space, workspace().camera, workspace().viewport);
+    const interact::Projector project(document().space, workspace().view.camera, workspace().view.viewport);
     return glm::vec2(*project(p));
   }
   glm::vec2 vertex(std::uint32_t i) { return on_screen(document().pose.positions[i]); }
@@ -226,7 +226,7 @@ private:
 
 inline bool Driver::open(std::vector<std::filesystem::path> files, What what) {
   const document::Revision before = document().revisions().pose;
-  workspace().requests.open = files::OpenRequest{what, std::move(files)};
+  workspace().jobs.requests.open = files::OpenRequest{what, std::move(files)};
   frame();
   REQUIRE(until([&] { return !viewer().loading(); }));
   return document().revisions().pose != before;
@@ -241,8 +241,8 @@ inline void Driver::open_dragon(const std::string& pose, const std::filesystem::
 
 inline std::uint32_t Driver::free_vertex() {
   const auto& w = workspace();
-  const interact::Projector project(w.document.space, w.camera, w.viewport);
-  const glm::vec2 middle = w.viewport.origin + 0.5f * w.viewport.size;
+  const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
+  const glm::vec2 middle = w.view.viewport.origin + 0.5f * w.view.viewport.size;
   std::uint32_t best = 0;
   float best_score = -1e9f;
   const auto& points = w.document.pose.positions;
@@ -250,9 +250,8 @@ inline std::uint32_t Driver::free_vertex() {
     const glm::vec3 projected = *project(points[i]);
     const glm::vec2 at(projected);
     float room = 1e9f;
-    for (std::uint32_t j = 0; j < points.size(); ++j) {
+    for (std::uint32_t j = 0; j < points.size(); ++j)
       if (j != i) room = std::min(room, glm::distance(at, glm::vec2(*project(points[j]))));
-    }
     const float score = std::min(room, 30.0f) - 0.02f * glm::distance(at, middle) - 40 * projected.z;
     if (score > best_score) best = i, best_score = score;
   }

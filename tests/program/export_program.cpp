@@ -21,7 +21,7 @@ struct LargeModel : Driver {
     formats::write(folder / "large.ply", ball(1, level));
     formats::write(folder / "cage.obj", ball(1.4, 1));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
-    workspace().view.model = false;  // drawing it would take longer than the export
+    workspace().view.options.model = false;  // drawing it would take longer than the export
     settle();
     drag_some_vertex(*this, {20, 10});
   }
@@ -31,7 +31,7 @@ struct LargeModel : Driver {
     return options;
   }
   void ask_for(const fs::path& file) {
-    workspace().requests.save_model = file;
+    workspace().jobs.requests.save_model = file;
     frame();
   }
 };
@@ -45,11 +45,11 @@ TEST_CASE("a_background_export_has_the_pose_at_the_request") {
   const fs::path file = folder / "out.ply";
   d.ask_for(file);
   CHECK(d.viewer().exporting());
-  CHECK(d.workspace().exporting.what == "Exporting out.ply");
+  CHECK(d.workspace().jobs.exporting.what == "Exporting out.ply");
   drag_some_vertex(d, {-40, 25});  // the program still reacts
   double furthest = 0;
   REQUIRE(d.until([&] {
-    const auto& exporting = d.workspace().exporting;
+    const auto& exporting = d.workspace().jobs.exporting;
     CHECK((d.last_message().find(saved) == std::string::npos || fs::exists(file)));
     if (exporting.running) CHECK(exporting.done >= furthest);
     furthest = std::max(furthest, exporting.done);
@@ -66,7 +66,7 @@ TEST_CASE("a_cancelled_export_changes_no_file") {
   const fs::path file = folder / "out.obj";
   test::put_file(file, old);
   const auto before = folder.entries();
-  d.workspace().requests.stop_export = true;  // in the frame that starts the export
+  d.workspace().jobs.requests.stop_export = true;  // in the frame that starts the export
   d.ask_for(file);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Cancelled exporting out.obj; no file was changed.");
@@ -86,7 +86,7 @@ TEST_CASE("an_animation_is_exported_aside") {
   drag_some_vertex(d, {-40, 25});
   document::set_key(d.document(), 600);
   const fs::path file = folder / "out.pc2";
-  d.workspace().requests.save_animation = file;
+  d.workspace().jobs.requests.save_animation = file;
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.last_message() == "Saved out.pc2.");
   const auto& all = d.workspace().messages.all();
@@ -105,10 +105,10 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   document::set_pose(d.document(), pose);
   document::set_key(d.document(), 3);
   d.document().timeline.last = 3;
-  d.workspace().view.model = true;
-  d.workspace().requests.save_animation = folder / "f_##.png";
+  d.workspace().view.options.model = true;
+  d.workspace().jobs.requests.save_animation = folder / "f_##.png";
   d.frame();
-  CHECK(d.workspace().exporting.what == "Exporting f_##.png");
+  CHECK(d.workspace().jobs.exporting.what == "Exporting f_##.png");
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK_MESSAGE(d.last_message().starts_with("Saved f_##.png"), d.last_message());
   const auto& messages = d.workspace().messages.all();
@@ -127,11 +127,11 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   d.type((folder / "h_##.png").string());
   d.frame(2);
   d.click("picture_light");
-  REQUIRE(d.workspace().browser.pictures);
-  CHECK_FALSE(d.workspace().browser.pictures->cage);
-  CHECK_FALSE(d.workspace().browser.pictures->panels);
-  d.workspace().browser.pictures->width = 200;
-  d.workspace().browser.pictures->height = 120;
+  REQUIRE(d.workspace().files.browser.pictures);
+  CHECK_FALSE(d.workspace().files.browser.pictures->cage);
+  CHECK_FALSE(d.workspace().files.browser.pictures->panels);
+  d.workspace().files.browser.pictures->width = 200;
+  d.workspace().files.browser.pictures->height = 120;
   d.press_key(workspace::Key::enter);
   d.frame(2);
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
@@ -141,7 +141,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   const auto brightness = [](const render::Image& image) { return int{image.rgba[0]}; };
   CHECK(brightness(other) > brightness(first) + 60);
   test::put_file(folder / "g_02.png", "somebody's");
-  d.workspace().requests.save_animation = folder / "g_##.png";
+  d.workspace().jobs.requests.save_animation = folder / "g_##.png";
   REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
   CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
   CHECK(test::mentions(d.last_message(), "g_02.png"));

@@ -30,9 +30,8 @@ struct Hand : Driver {
   const std::vector<mesh::Point>& rest() { return document().cage->surface.positions; }
   std::vector<std::uint32_t> moved() {
     std::vector<std::uint32_t> all;
-    for (std::uint32_t v = 0; v < pose().size(); ++v) {
+    for (std::uint32_t v = 0; v < pose().size(); ++v)
       if (pose()[v] != rest()[v]) all.push_back(v);
-    }
     return all;
   }
   std::size_t edits() { return test::edit_count(document().history); }
@@ -86,12 +85,12 @@ TEST_CASE("a_ring_of_the_gizmo_turns_the_whole_cage_twice_round_and_the_model_ri
     return middle + interact::gizmo_radius * glm::vec2(std::cos(a), std::sin(a));
   };
   d.move(on_circle(0));
-  REQUIRE(d.workspace().interaction.handle == interact::Constraint{Kind::axis, 1});
+  REQUIRE(d.workspace().view.interaction.handle == interact::Constraint{Kind::axis, 1});
   d.button(0, true);
   for (int i = 1; i <= 56; ++i) d.move(on_circle(i));
-  const double degrees = d.workspace().interaction.drag->transform().degrees;
+  const double degrees = d.workspace().view.interaction.drag->transform().degrees;
   CHECK(degrees == doctest::Approx(840).epsilon(1e-3));
-  CHECK(d.workspace().interaction.drag->readout().starts_with("Y 84"));
+  CHECK(d.workspace().view.interaction.drag->readout().starts_with("Y 84"));
   d.button(0, false);
   d.frame();
   CHECK(test::largest_distance(d.mesh(), turned(rest, center, degrees)) < 1e-12);
@@ -107,7 +106,7 @@ TEST_CASE("a_ring_of_the_whole_posed_cage_advises_to_orbit_instead") {
     d.move({1, 1});
     d.move(workspace::gizmo_of(d.workspace())->center + glm::vec2(interact::gizmo_view_ring, 0));
     d.frame();
-    REQUIRE(d.workspace().interaction.handle);
+    REQUIRE(d.workspace().view.interaction.handle);
     return ui::mouse_text(d.workspace()).find("changes the model's shape slightly") != std::string::npos;
   };
   d.select_whole_cage();
@@ -123,11 +122,11 @@ TEST_CASE("keys_typed_during_a_drag_run_no_commands") {
   const auto v = d.free_vertex();
   const glm::vec2 at = glm::round(d.vertex(v));
   d.press_and_move(at, at + glm::vec2(30, 30));
-  const auto axes = d.workspace().view.axes;
+  const auto axes = d.workspace().view.options.axes;
   d.key('X', true);  // if no drag is active, X is a shortcut
   d.type("x");
   d.key('X', false);
-  CHECK(d.workspace().view.axes == axes);
+  CHECK(d.workspace().view.options.axes == axes);
   d.press_key(workspace::Key::escape);
   d.button(0, false);
   CHECK(d.moved().empty());
@@ -174,7 +173,7 @@ TEST_CASE("a_field_applies_its_number_when_it_is_left_and_not_before") {
   CHECK(d.pose()[v][1] == 1.5);
   d.type_in("transform_y", "9");
   for (const bool panels : {false, true}) {
-    d.workspace().view.panels = panels;
+    d.workspace().view.options.panels = panels;
     d.frame(3);
   }
   CHECK_MESSAGE(d.pose()[v][1] == 1.5, "a hidden field applies nothing");
@@ -189,14 +188,14 @@ TEST_CASE("a_click_places_the_pivot_snapped_to_a_vertex_and_esc_cancels") {
   const auto v = d.free_vertex();
   d.press_key('J');
   d.press_key(workspace::Key::escape);
-  CHECK_FALSE(d.workspace().interaction.placing_pivot);
-  CHECK(d.workspace().handling.pivot == document::Pivot::median);
+  CHECK_FALSE(d.workspace().view.interaction.placing_pivot);
+  CHECK(d.workspace().view.handling.pivot == document::Pivot::median);
   d.press_key('J');
-  CHECK(d.workspace().interaction.placing_pivot);
+  CHECK(d.workspace().view.interaction.placing_pivot);
   d.click(d.vertex(v) + glm::vec2(3, 2));
-  CHECK_FALSE(d.workspace().interaction.placing_pivot);
-  CHECK(d.workspace().handling.pivot == document::Pivot::point);
-  CHECK(d.workspace().handling.point == d.pose()[v]);
+  CHECK_FALSE(d.workspace().view.interaction.placing_pivot);
+  CHECK(d.workspace().view.handling.pivot == document::Pivot::point);
+  CHECK(d.workspace().view.handling.point == d.pose()[v]);
   CHECK(d.document().selection.empty());
   d.select_whole_cage();
   d.enter("transform_y", "90");
@@ -211,7 +210,7 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
   d.click(d.vertex(v));
   d.move(d.vertex(v) + glm::vec2(60, 60));
   d.press_key('G');
-  REQUIRE(d.workspace().interaction.drag);
+  REQUIRE(d.workspace().view.interaction.drag);
   d.move(d.vertex(v) + glm::vec2(90, 50));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
   d.type("x");
@@ -221,14 +220,14 @@ TEST_CASE("with_the_blender_keymap_g_moves_without_a_button_and_a_click_applies_
   CHECK(is_applied());
   CHECK(d.pose()[v][1] == d.rest()[v][1]);
   d.click(d.vertex(v) + glm::vec2(90, 50));
-  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK_FALSE(d.workspace().view.interaction.drag);
   CHECK(is_applied());
   CHECK(d.edits() == 1);
   d.press_key('G');
   d.move({800, 300});
   d.button(1, true);
   d.button(1, false);
-  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK_FALSE(d.workspace().view.interaction.drag);
   CHECK(is_applied());
   CHECK(d.edits() == 1);
 }
@@ -237,11 +236,11 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   Hand d;
   d.press_key('A');
   d.click("bend");
-  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK_FALSE(d.workspace().view.interaction.drag);
   d.move({700, 300});
   d.frame();
-  REQUIRE(d.workspace().interaction.drag);
-  const interact::Shaping seen = d.workspace().interaction.drag->grip().shaping;
+  REQUIRE(d.workspace().view.interaction.drag);
+  const interact::Shaping seen = d.workspace().view.interaction.drag->grip().shaping;
   const auto is_bent = [&](std::optional<glm::dvec3> axis, double degrees) {
     interact::Shaping shaping = seen;
     if (axis) shaping.hinge = *interact::hinge_near(seen, *axis);
@@ -252,7 +251,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   d.move({760, 300});
   d.type("y");
   d.frame();
-  CHECK(d.workspace().interaction.drag->readout() == "Bend Y 30.0\u00b0");
+  CHECK(d.workspace().view.interaction.drag->readout() == "Bend Y 30.0\u00b0");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 30));
   d.type("60");
   CHECK(is_bent(glm::dvec3(0, 1, 0), 60));
@@ -261,7 +260,7 @@ TEST_CASE("bending_starts_in_the_view_and_an_axis_key_sets_its_axis") {
   CHECK(is_bent({}, 60));
   d.type("Z");
   d.press_key(workspace::Key::enter);
-  CHECK_FALSE(d.workspace().interaction.drag);
+  CHECK_FALSE(d.workspace().view.interaction.drag);
   CHECK(is_bent(glm::dvec3(0, 0, 1), 60));
   CHECK(d.edits() == 1);
 }
@@ -270,18 +269,18 @@ TEST_CASE("a_double_click_centers_the_orbit_target_and_a_drag_right_after_a_clic
   Hand d;
   const auto v = d.free_vertex();
   d.click("strip/tool_select");  // this tool has no gizmo
-  const auto before = d.workspace().camera.destination();
+  const auto before = d.workspace().view.camera.destination();
   d.click(d.vertex(v));
   d.drag(d.vertex(v), d.vertex(v) + glm::vec2(20, 20));
   CHECK(d.moved() == std::vector<std::uint32_t>{v});
-  CHECK(d.workspace().camera.destination() == before);
+  CHECK(d.workspace().view.camera.destination() == before);
   d.frame(60);
   const glm::vec2 at = d.vertex(v);
   d.click(at);
   d.click(at);
   d.settle();
   d.frame(30);
-  const auto& port = d.workspace().viewport;
+  const auto& port = d.workspace().view.viewport;
   const glm::vec2 middle = port.origin + 0.5f * port.size;
   CHECK(glm::distance(d.vertex(v), middle) < 1.5f);
   d.drag({400, 740}, {480, 700}, 2);
@@ -322,8 +321,8 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
 TEST_CASE("at_the_start_every_vertex_of_the_dragons_cage_can_be_dragged_at_once") {
   Hand d;
   for (std::uint32_t v = 0; v < d.pose().size(); ++v)
-    CHECK_FALSE(
-        interact::is_crowded(d.document(), d.workspace().camera, d.workspace().viewport, d.vertex(v)));
+    CHECK_FALSE(interact::is_crowded(d.document(), d.workspace().view.camera, d.workspace().view.viewport,
+                                     d.vertex(v)));
 }
 
 TEST_CASE("sets_and_hiding_work_by_keys_and_buttons") {
@@ -370,14 +369,14 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.press_key('D');
   d.frame(2);
   CHECK_FALSE(workspace::gizmo_of(d.workspace()));
-  const glm::vec2 middle = d.workspace().viewport.origin + 0.5f * d.workspace().viewport.size;
+  const glm::vec2 middle = d.workspace().view.viewport.origin + 0.5f * d.workspace().view.viewport.size;
   d.move(middle);
-  const float radius = d.workspace().brush.radius;
+  const float radius = d.workspace().view.brush.radius;
   d.key(Driver::left_shift, true);
   d.wheel(3);
   d.key(Driver::left_shift, false);
   d.frame(2);
-  CHECK(d.workspace().brush.radius > 1.2f * radius);
+  CHECK(d.workspace().view.brush.radius > 1.2f * radius);
   d.drag(middle, middle + glm::vec2(60, 10));
   d.settle();
   const auto painted = d.document().mask;
@@ -398,7 +397,7 @@ TEST_CASE("painted_vertices_stay_when_the_cage_moves") {
   d.button(0, false);
   CHECK(d.document().mask == painted);
   d.click("brush_share");  // a click in the center sets the middle value
-  CHECK(d.workspace().brush.share == doctest::Approx(0.5).epsilon(0.1));
+  CHECK(d.workspace().view.brush.share == doctest::Approx(0.5).epsilon(0.1));
   d.click("mask_clear");
   CHECK_FALSE(d.document().mask);
 }

@@ -13,7 +13,7 @@ using test::Driver, test::small_options, test::SmallScene;
 namespace {
 
 glm::vec2 bare_place(Driver& d) {
-  const auto& v = d.workspace().viewport;
+  const auto& v = d.workspace().view.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
 }
 
@@ -39,7 +39,8 @@ private:
   glm::vec2 anywhere() { return {below(700), below(420)}; }
   glm::vec2 near_vertex() {
     const auto count = static_cast<int>(d.document().pose.positions.size());
-    const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
+    const interact::Projector project(d.document().space, d.workspace().view.camera,
+                                      d.workspace().view.viewport);
     const auto at = project(d.document().pose.positions[static_cast<std::size_t>(below(count))]);
     return at ? glm::round(glm::vec2(*at)) : anywhere();
   }
@@ -55,9 +56,9 @@ private:
     const workspace::Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     auto& w = d.workspace();
     if (command.enabled(w) && command.group != "File") command.run(w);
-    w.requests = {};
-    w.browser.open = w.full_screen = false;
-    w.question.reset();
+    w.jobs.requests = {};
+    w.files.browser.open = w.view.full_screen = false;
+    w.files.question.reset();
     d.frame();
   }
 
@@ -129,12 +130,12 @@ TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
     SmallScene scene(options, test::with_pixels);
     Driver& d = scene.d;
     d.workspace().preferences.coarse_motion = true;
-    d.workspace().view.panels = false;
+    d.workspace().view.options.panels = false;
     std::vector<render::Image> pictures;
     for (int step = 0; step < 3; ++step) {
-      auto pose = d.workspace().camera.pose();
+      auto pose = d.workspace().view.camera.pose();
       pose.yaw += 0.1F;
-      d.workspace().camera.set_pose(pose);
+      d.workspace().view.camera.set_pose(pose);
       d.frame();
     }
     CHECK(d.viewer().view_fineness() == app::Fineness::coarse);

@@ -24,11 +24,11 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
 // Returns the view after it stopped changing. Panels are black, because their timings always differ.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
-  d.workspace().has_user = false;  // hides messages, which disappear after some time
+  d.workspace().panels.has_user = false;  // hides messages, which disappear after some time
   d.settle();
-  d.workspace().has_user = true;
+  d.workspace().panels.has_user = true;
   render::Image picture = d.picture();
-  const auto& v = d.workspace().viewport;
+  const auto& v = d.workspace().view.viewport;
   for (int y = 0; y < picture.height; ++y) {
     for (int x = 0; x < picture.width; ++x) {
       const glm::vec2 in_view = glm::vec2(x, y) - v.origin;

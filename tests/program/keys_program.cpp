@@ -26,7 +26,7 @@ void open_list(Driver& d) {
   d.frame(2);
   d.click("menu/help");
   d.frame(2);
-  REQUIRE(d.workspace().key_list.open);
+  REQUIRE(d.workspace().panels.key_list.open);
 }
 
 bool says(const std::vector<ui::MouseLine>& lines, const std::string& words) {
@@ -45,12 +45,12 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   d.type("wireframe");
   d.click("key/toggle_wireframe");
   d.frame();
-  REQUIRE(d.workspace().interaction.setting_key == "toggle_wireframe");
-  const bool grid = d.workspace().view.grid;
+  REQUIRE(d.workspace().view.interaction.setting_key == "toggle_wireframe");
+  const bool grid = d.workspace().view.options.grid;
   d.press_key('G');
-  CHECK(d.workspace().key_list.open);
-  CHECK(d.workspace().key_list.typed == "wireframe");
-  CHECK(d.workspace().view.grid == grid);
+  CHECK(d.workspace().panels.key_list.open);
+  CHECK(d.workspace().panels.key_list.typed == "wireframe");
+  CHECK(d.workspace().view.options.grid == grid);
   CHECK(key_of(d, "toggle_wireframe") == "G");
   CHECK(key_of(d, "toggle_grid").empty());
   CHECK(d.workspace().messages.all().back().text.find("It was taken from \"Show grid\"") !=
@@ -61,9 +61,9 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   CHECK(key_of(d, "toggle_grid") == "G");
   d.click("close_keys");
   d.frame(2);
-  CHECK_FALSE(d.workspace().key_list.open);
+  CHECK_FALSE(d.workspace().panels.key_list.open);
   d.press_key('G');
-  CHECK(d.workspace().view.grid != grid);
+  CHECK(d.workspace().view.options.grid != grid);
 }
 
 TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes_a_key") {
@@ -75,7 +75,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("key/undo");
   d.frame();
   d.press_key(workspace::Key::escape);
-  CHECK(d.workspace().key_list.open);
+  CHECK(d.workspace().panels.key_list.open);
   CHECK(key_of(d, "undo") == "Ctrl+Z");
   d.click("key/undo");
   d.frame();
@@ -89,7 +89,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   CHECK(keymap(d) == changed);
   d.press_key(workspace::Key::escape);
   d.frame();
-  CHECK_FALSE(d.workspace().key_list.open);
+  CHECK_FALSE(d.workspace().panels.key_list.open);
 }
 
 TEST_CASE("mouse_help_matches_the_preset") {
@@ -99,13 +99,13 @@ TEST_CASE("mouse_help_matches_the_preset") {
   CHECK(says(ui::mouse_lines(keymap(d)), "Left drag elsewhere: orbit"));
   CHECK(says(ui::mouse_lines(keymap(d)), "Right drag: pan"));
   CHECK(ui::empty_space_words(keymap(d)).find("on empty space orbits") == 0);
-  const auto still = d.workspace().camera.pose();
+  const auto still = d.workspace().view.camera.pose();
   d.drag({420, 720}, {470, 700});
-  const auto turned = d.workspace().camera.pose();
+  const auto turned = d.workspace().view.camera.pose();
   CHECK(turned.yaw != still.yaw);
   d.drag({420, 720}, {470, 700}, 1);
-  CHECK(d.workspace().camera.pose().yaw == turned.yaw);
-  CHECK(d.workspace().camera.pose().target != turned.target);
+  CHECK(d.workspace().view.camera.pose().yaw == turned.yaw);
+  CHECK(d.workspace().view.camera.pose().target != turned.target);
   choose_preset(d, workspace::KeyPreset::maya);
   CHECK(says(ui::mouse_lines(keymap(d)), "Alt+left, middle, right drag: orbit, pan, zoom"));
   choose_preset(d, workspace::KeyPreset::viete);

@@ -29,7 +29,7 @@ void choose_map(Driver& d, const char* word) {
 std::vector<mesh::Point> shown(Driver& d) {
   std::vector<mesh::Point> points;
   for (std::size_t v = 0; v < d.document().model.surface->positions.size(); ++v)
-    points.push_back(d.workspace().posed.at(*d.document().model.surface, v));
+    points.push_back(d.workspace().frame.posed.at(*d.document().model.surface, v));
   return points;
 }
 
@@ -40,7 +40,7 @@ double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mes
 
 // Returns the largest error of a view's vertices, compared with double, in diagonals of the model.
 double error_of_side(Driver& d, std::size_t side) {
-  const auto& view = d.workspace().split.sides()[side];
+  const auto& view = d.workspace().view.split.sides()[side];
   base::WorkerPool pool;
   const auto exact = deform::deform_exactly(*d.document().model.surface, d.document().cage, view.scheme,
                                             d.document().pose, view.method, pool)
@@ -66,10 +66,10 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     std::string word(choice.word);
     std::ranges::replace(word, '-', '_');
     choose_map(d, word.c_str());
-    const auto& map = d.workspace().split.views[0].shown;
+    const auto& map = d.workspace().view.split.views[0].shown;
     REQUIRE(map.values);
     CHECK(map.values->size() == d.document().model.surface->positions.size());
-    CHECK(map.stats.field == d.workspace().view.field);
+    CHECK(map.stats.field == d.workspace().view.options.field);
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
   }
@@ -78,55 +78,55 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
   choose_map(d, "none");
   d.move({1, 1});
   d.settle();
-  CHECK(d.workspace().split.views[0].shown.values == nullptr);
+  CHECK(d.workspace().view.split.views[0].shown.values == nullptr);
 }
 
 TEST_CASE("a_map_follows_a_drag_and_its_range_can_be_fixed") {
   Driver d;
   d.open_dragon();
   choose_map(d, "displacement");
-  CHECK(d.workspace().split.views[0].shown.stats.most < 1e-6);
+  auto& view = d.workspace().view;
+  CHECK(view.split.views[0].shown.stats.most < 1e-6);
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(120, 40));
-  const double dragged = d.workspace().split.views[0].shown.stats.most;  // during the drag
+  const double dragged = view.split.views[0].shown.stats.most;  // during the drag
   CHECK(dragged > 0.01);
   d.button(0, false);
   d.settle();
-  const auto stats = d.workspace().split.views[0].shown.stats;
+  const auto stats = view.split.views[0].shown.stats;
   d.click("hold_map_range");
   d.press_key('Z', true);
   d.settle();
-  CHECK(d.workspace().split.views[0].shown.stats.most < 1e-6);
-  CHECK(d.workspace().split.views[0].shown.stats.high == stats.high);
+  CHECK(view.split.views[0].shown.stats.most < 1e-6);
+  CHECK(view.split.views[0].shown.stats.high == stats.high);
   d.click("hold_map_range");
   d.press_key('Z', true, true);
   d.settle();
-  CHECK(d.workspace().split.views[0].shown.stats.high == stats.high);
+  CHECK(view.split.views[0].shown.stats.high == stats.high);
   // The worst vertex is in the center of the view.
   d.click("frame_worst");
   d.settle();
-  const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
-  const auto place = d.workspace().posed.at(*d.document().model.surface, stats.worst);
-  CHECK(glm::distance(glm::vec2(*project(place)), d.workspace().viewport.middle()) < 3);
+  const auto place = d.workspace().frame.posed.at(*d.document().model.surface, stats.worst);
+  CHECK(glm::distance(d.on_screen(place), view.viewport.middle()) < 3);
 }
 
 TEST_CASE("influence_is_one_where_all_goes_along_and_of_a_pin_it_is_its_reach") {
   Driver d;
   d.open_dragon("", test::bundled_dragon);
   choose_map(d, "influence");
-  CHECK(d.workspace().split.views[0].shown.stats.most == 0);
+  CHECK(d.workspace().view.split.views[0].shown.stats.most == 0);
   d.press_key('A');
   d.settle();
-  CHECK(d.workspace().split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
-  CHECK(d.workspace().split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
+  CHECK(d.workspace().view.split.views[0].shown.stats.least == doctest::Approx(1).epsilon(1e-3));
+  CHECK(d.workspace().view.split.views[0].shown.stats.most == doctest::Approx(1).epsilon(1e-3));
   // There are two pins. The influence of the second pin is 1 at this pin, and 0 at the first pin.
-  document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[100]);
-  document::add_pin(d.document(), d.workspace().posed, d.document().model.surface->positions[40000]);
+  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model.surface->positions[100]);
+  document::add_pin(d.document(), d.workspace().frame.posed, d.document().model.surface->positions[40000]);
   d.settle();
-  const auto& values = *d.workspace().split.views[0].shown.values;
+  const auto& values = *d.workspace().view.split.views[0].shown.values;
   CHECK(double(values[40000]) == doctest::Approx(1).epsilon(1e-3));
   CHECK(std::abs(values[100]) < 1e-3);
-  CHECK(d.workspace().split.views[0].shown.stats.least > -0.5);
+  CHECK(d.workspace().view.split.views[0].shown.stats.least > -0.5);
 }
 
 TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
@@ -137,7 +137,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.click("section/Views");
   d.click("views_4");
   d.settle();
-  auto& split = d.workspace().split;
+  auto& split = d.workspace().view.split;
   REQUIRE(split.sides().size() == 3);
   std::set<std::string_view> ways;
   for (const auto& side : split.sides()) {
@@ -157,7 +157,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   workspace::enter_view(d.workspace(), 0);
   // Drags the cage in another view. Errors stay small.
   const glm::vec2 first = glm::round(d.vertex(d.free_vertex()));
-  const auto& v = d.workspace().viewport;
+  const auto& v = d.workspace().view.viewport;
   const glm::vec2 second = first + glm::vec2(0.5f * v.size.x, 0.5f * v.size.y);
   d.press_and_move(second, second + glm::vec2(40, -30));
   CHECK(d.document().selection.size() == 1);
@@ -171,7 +171,7 @@ TEST_CASE("views_side_by_side_are_each_as_exact_as_one_alone") {
   d.click("views_1");
   d.settle();
   CHECK(split.sides().empty());
-  CHECK(d.workspace().viewport.pane_size == glm::vec2(1, 1));
+  CHECK(d.workspace().view.viewport.pane_size == glm::vec2(1, 1));
 }
 
 TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document") {
@@ -179,40 +179,40 @@ TEST_CASE("views_share_a_camera_or_have_their_own_and_stay_with_another_document
   d.open_dragon();
   workspace::split_view(d.workspace(), 2);
   d.settle();
-  const auto& v = d.workspace().viewport;
+  const auto& v = d.workspace().view.viewport;
   const glm::vec2 in_first = v.origin + glm::vec2(0.1f, 0.8f) * v.size;
   const glm::vec2 in_second = in_first + glm::vec2(0.5f * v.size.x, 0);
   d.drag(in_second, in_second + glm::vec2(60, 0), 1);
   CHECK(workspace::camera_of(d.workspace(), 0) == workspace::camera_of(d.workspace(), 1));
   workspace::find_command("toggle_linked_cameras")->run(d.workspace());
   d.drag(in_second, in_second + glm::vec2(60, 0), 1);
-  const auto second = d.workspace().camera.pose();
+  const auto second = d.workspace().view.camera.pose();
   CHECK(workspace::camera_of(d.workspace(), 0) != second);
   d.move(in_first);
   d.frame(2);
-  CHECK(d.workspace().camera.pose() != second);
+  CHECK(d.workspace().view.camera.pose() != second);
   CHECK(workspace::camera_of(d.workspace(), 1) == second);
-  for (auto& side : d.workspace().split.sides()) side.field = Field::signed_difference;
+  for (auto& side : d.workspace().view.split.sides()) side.field = Field::signed_difference;
   REQUIRE(d.open({test::dragon}));
   d.settle();
-  REQUIRE(d.workspace().split.sides().size() == 1);
-  CHECK(d.workspace().split.sides()[0].shown.values);
+  REQUIRE(d.workspace().view.split.sides().size() == 1);
+  CHECK(d.workspace().view.split.sides()[0].shown.values);
   d.open_dragon("pose_coil");
-  CHECK(d.workspace().split.sides()[0].shown.stats.most > 1e-4);
+  CHECK(d.workspace().view.split.sides()[0].shown.stats.most > 1e-4);
 }
 
 TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   Driver d(test::with_pixels);
   d.open_dragon("pose_alert");
-  d.move(d.workspace().viewport.origin + glm::vec2(200, 12));
+  d.move(d.workspace().view.viewport.origin + glm::vec2(200, 12));
   d.press_key('Y', false, false, true);  // no vertex is under the pointer
-  CHECK_FALSE(d.workspace().vertex.vertex);
+  CHECK_FALSE(d.workspace().view.vertex.vertex);
   workspace::find_command("map_exp_error")->run(d.workspace());
   d.settle();
   workspace::find_command("pick_worst")->run(d.workspace());
   d.settle();
-  const auto& view = d.workspace().vertex;
-  REQUIRE(view.vertex == d.workspace().split.views[0].shown.stats.worst);
+  const auto& view = d.workspace().view.vertex;
+  REQUIRE(view.vertex == d.workspace().view.split.views[0].shown.stats.worst);
   REQUIRE(view.has_logs);
   double sum = 0;
   for (const auto& term : view.terms) sum += term.weight;
@@ -226,28 +226,28 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   REQUIRE(view.ways.size() == 4);
   for (const auto& way : view.ways) CHECK(way.error < 1e-12);
   CHECK(view.ways[3].error ==
-        doctest::Approx(std::pow(10, d.workspace().split.views[0].shown.stats.most)).epsilon(0.2));
+        doctest::Approx(std::pow(10, d.workspace().view.split.views[0].shown.stats.most)).epsilon(0.2));
   CHECK(view.ways[3].route.starts_with("degree 21"));
   const auto before = d.picture();
   d.click("drop_vertex");
   d.settle();
-  CHECK_FALSE(d.workspace().vertex.vertex);
+  CHECK_FALSE(d.workspace().view.vertex.vertex);
   CHECK(test::difference(before, d.picture(), 8) > 0.001);
   // The key inspects the vertex under the pointer, and opens the section. The numbers follow the pose.
   d.workspace().preferences.layout.sections.clear();
   d.workspace().preferences.layout.folded[static_cast<std::size_t>(workspace::Column::methods)] = true;
   d.frame(3);
-  d.move(d.workspace().viewport.middle());
+  d.move(d.workspace().view.viewport.middle());
   d.press_key('Y', false, false, true);
   d.settle();
-  REQUIRE(d.workspace().vertex.vertex);
+  REQUIRE(d.workspace().view.vertex.vertex);
   REQUIRE(d.viewer().recorder().find("drop_vertex"));
   CHECK(d.viewer().recorder().find("drop_vertex")->visible);
-  const double degrees = d.workspace().vertex.degrees;
+  const double degrees = d.workspace().view.vertex.degrees;
   d.press_key(workspace::key('R'), true);  // resets the pose
   document::reset_pose(d.document());
   d.settle();
-  CHECK(d.workspace().vertex.degrees == 0);
+  CHECK(d.workspace().view.vertex.degrees == 0);
   CHECK(degrees > 0);
 }
 
@@ -264,7 +264,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   REQUIRE(document::set_weight(d.document(), d.workspace().playback.vectors, 0, 0.5));
   d.settle();
   workspace::split_view(d.workspace(), 2);
-  auto& side = d.workspace().split.sides()[0];
+  auto& side = d.workspace().view.split.sides()[0];
   side.scheme = d.document().scheme;
   side.other_blending = true;
   d.settle();
@@ -283,11 +283,11 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
 TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why") {
   Driver d;
   d.open_dragon();
-  d.workspace().view.field = Field::influence;
+  d.workspace().view.options.field = Field::influence;
   d.document().selection = document::Selection(document::ElementKind::probe);
   d.settle();
-  CHECK(d.workspace().split.views[0].shown.stats.most == 0);
-  CHECK(d.workspace().split.views[0].shown.problem.empty());
+  CHECK(d.workspace().view.split.views[0].shown.stats.most == 0);
+  CHECK(d.workspace().view.split.views[0].shown.problem.empty());
   // A pin is at a vertex that has no triangle.
   document::Document& document = d.document();
   mesh::Surface loose = *document.model.surface;
@@ -295,11 +295,11 @@ TEST_CASE("influence_of_no_probe_is_none_and_a_map_that_cannot_be_made_says_why"
   const test::TemporaryFolder folder;
   formats::write(folder / "loose.ply", loose);
   REQUIRE(d.open({folder / "loose.ply"}));
-  document::add_pin(document, d.workspace().posed, {0, 0, 0});
+  document::add_pin(document, d.workspace().frame.posed, {0, 0, 0});
   document.changed_probes().all[0].pin = deform::Pin{static_cast<std::uint32_t>(loose.positions.size() - 1)};
   d.settle();
-  CHECK_FALSE(d.workspace().split.views[0].shown.problem.empty());
-  CHECK(d.workspace().split.views[0].shown.values == nullptr);
+  CHECK_FALSE(d.workspace().view.split.views[0].shown.problem.empty());
+  CHECK(d.workspace().view.split.views[0].shown.values == nullptr);
 }
 
 TEST_CASE("while_the_cage_itself_is_changed_all_views_stay_at_rest") {

@@ -22,7 +22,7 @@ bool is_seen(Driver& d, const std::string& widget) {
 }
 
 glm::vec2 empty_place(Driver& d) {
-  const auto& v = d.workspace().viewport;
+  const auto& v = d.workspace().view.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 70);
 }
 
@@ -43,16 +43,43 @@ void open_cube(Driver& d, const std::filesystem::path& folder) {
   d.frame(3);
 }
 
+// Types a path in the file browser. Waits until the program has read, written or refused the file.
+void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
+  workspace::find_command(command)->run(d.workspace());
+  d.frame(3);
+  REQUIRE(d.workspace().files.browser.open);
+  d.type(file.string());
+  d.press_key(workspace::Key::enter);
+  if (d.workspace().files.browser.warned == file.string())
+    d.press_key(workspace::Key::enter);  // overwrites the file
+  REQUIRE(d.until([&] { return d.workspace().files.browser.asked.empty() && !d.viewer().exporting(); }));
+  d.frame(2);
+}
+
+void check_refused(Driver& d, const std::filesystem::path& file) {
+  const auto& browser = d.workspace().files.browser;
+  CHECK(browser.open);
+  CHECK(browser.path == file);
+  REQUIRE(d.viewer().recorder().find("file_problem"));
+  CHECK(d.viewer().recorder().find("file_problem")->y0 >= d.viewer().recorder().find("file_path")->y1);
+  CHECK(browser.problem.find("--") == std::string::npos);
+  CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
+  CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
+  d.press_key(workspace::Key::escape);
+  d.frame(2);
+  CHECK_FALSE(browser.open);
+}
+
 }  // namespace
 
 TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narrower") {
   Driver d;
   d.open_dragon();
-  const auto before = d.workspace().viewport;
+  const auto before = d.workspace().view.viewport;
   d.drag({before.origin.x + 3, 60}, {before.origin.x + 83, 60});
-  CHECK(d.workspace().viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
-  CHECK(d.workspace().viewport.size.x < before.size.x - 70);
-  const float end = d.workspace().viewport.origin.x + d.workspace().viewport.size.x;
+  CHECK(d.workspace().view.viewport.origin.x == doctest::Approx(before.origin.x + 80).epsilon(0.02));
+  CHECK(d.workspace().view.viewport.size.x < before.size.x - 70);
+  const float end = d.workspace().view.viewport.origin.x + d.workspace().view.viewport.size.x;
   d.drag({end - 3, 60}, {end - 43, 60});
   CHECK(layout(d).width[1] == doctest::Approx(360).epsilon(0.02));
   CHECK(d.document().selection.empty());
@@ -61,7 +88,7 @@ TEST_CASE("dragging_the_inner_edge_of_a_column_makes_it_wider_and_the_view_narro
     d.click("tab/methods");
     d.frame();
     CHECK(is_seen(d, "method_diag") == shown);
-    CHECK((d.workspace().viewport.size.x > 800) == !shown);
+    CHECK((d.workspace().view.viewport.size.x > 800) == !shown);
   }
 }
 
@@ -74,7 +101,7 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
     d.click("tab/methods");
     d.press_key(workspace::key('T'));
     d.frame(2);
-    d.workspace().requests.quit = true;
+    d.workspace().jobs.requests.quit = true;
     d.frame(2);
   }
   Driver d(remembering(folder / "state"));
@@ -83,7 +110,7 @@ TEST_CASE("columns_sections_theme_and_recent_files_are_as_they_were_left") {
   d.settle();
   CHECK(d.document().model.path == test::dragon);
   CHECK(d.document().cage_file.path == test::dragon_cage);
-  CHECK_FALSE(d.workspace().view.dark);
+  CHECK_FALSE(d.workspace().view.options.dark);
   CHECK_FALSE(d.viewer().recorder().find("method_diag"));
   d.click("tab/methods");
   d.frame(2);
@@ -96,10 +123,10 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
   d.press_key(workspace::Key::f2);
   d.settle();
   const auto with_line = d.picture();
-  d.workspace().has_user = false;
+  d.workspace().panels.has_user = false;
   d.settle();
   CHECK(test::difference(with_line, d.picture(), 0) > 0);
-  d.workspace().has_user = true;
+  d.workspace().panels.has_user = true;
   d.press_key(workspace::Key::f2);
   d.frame(2);
   CHECK(is_seen(d, "open_model"));
@@ -108,11 +135,11 @@ TEST_CASE("hidden_panels_show_a_hint_to_restore_them") {
 TEST_CASE("a_menu_runs_a_command") {
   Driver d;
   d.open_dragon();
-  CHECK(d.workspace().view.grid);
+  CHECK(d.workspace().view.options.grid);
   d.click("menu/View");
   d.frame(2);
   d.click("menu/toggle_grid");
-  CHECK_FALSE(d.workspace().view.grid);
+  CHECK_FALSE(d.workspace().view.options.grid);
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
   d.click("menu/Deform");
@@ -158,22 +185,22 @@ TEST_CASE("the_menus_name_what_is_undone_and_list_edits_and_recent_files") {
 TEST_CASE("a_right_click_opens_a_menu_and_a_right_drag_orbits") {
   Driver d;
   d.open_dragon();
-  const auto camera = d.workspace().camera.pose();
+  const auto camera = d.workspace().view.camera.pose();
   const auto v = d.free_vertex();
   d.click(d.vertex(v), 1);
   d.frame(2);
   CHECK(d.document().selection.contains(v));
-  CHECK(d.workspace().camera.pose() == camera);
+  CHECK(d.workspace().view.camera.pose() == camera);
   d.click("menu/select_all");
   CHECK(d.document().selection.size() == d.document().pose.positions.size());
   d.frame(2);
   d.drag(empty_place(d), empty_place(d) + glm::vec2(40, 5), 1);
   d.frame(2);
-  CHECK_FALSE(d.workspace().camera.pose() == camera);
+  CHECK_FALSE(d.workspace().view.camera.pose() == camera);
   CHECK_FALSE(d.viewer().recorder().find("menu/select_all"));
   // The menu adds a probe at the place where the menu was opened.
-  d.workspace().view.cage = false;
-  const auto& view = d.workspace().viewport;
+  d.workspace().view.options.cage = false;
+  const auto& view = d.workspace().view.viewport;
   d.click(view.origin + glm::vec2(0.5f, 0.62f) * view.size, 1);
   d.frame(2);
   d.click("menu/add_probe");
@@ -189,9 +216,9 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   d.type("theme");
   d.frame(2);
   CHECK(is_seen(d, "palette/toggle_theme"));
-  const bool dark = d.workspace().view.dark;
+  const bool dark = d.workspace().view.options.dark;
   d.press_key(workspace::Key::enter);
-  CHECK(d.workspace().view.dark != dark);
+  CHECK(d.workspace().view.options.dark != dark);
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("palette_text"));
   d.press_key(workspace::Key::f3);
@@ -201,17 +228,17 @@ TEST_CASE("the_palette_runs_commands_by_letters_arrow_keys_and_enter") {
   const auto found = workspace::find_commands(d.workspace(), "save");
   REQUIRE(found.size() > 2);
   d.press_key(workspace::Key::down);
-  CHECK(d.workspace().palette.highlighted == 1);
+  CHECK(d.workspace().panels.palette.highlighted == 1);
   d.press_key(workspace::Key::up);
   d.press_key(workspace::Key::up);
-  CHECK(d.workspace().palette.highlighted == found.size() - 1);
+  CHECK(d.workspace().panels.palette.highlighted == found.size() - 1);
   d.press_key(workspace::Key::down);
   CHECK_FALSE(found.front()->enabled(d.workspace()));
   d.press_key(workspace::Key::enter);  // there is nothing to save
-  CHECK(d.workspace().palette.open);
-  CHECK_FALSE(d.workspace().browser.open);
+  CHECK(d.workspace().panels.palette.open);
+  CHECK_FALSE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::escape);
-  CHECK_FALSE(d.workspace().palette.open);
+  CHECK_FALSE(d.workspace().panels.palette.open);
 }
 
 TEST_CASE("a_message_moves_no_button") {
@@ -246,7 +273,7 @@ TEST_CASE("an_error_is_shown_until_it_is_dismissed") {
     CHECK(d.workspace().messages.all().empty());
     d.press_key(workspace::Key::escape);
     d.frame(2);
-    CHECK_FALSE(d.workspace().show_messages);
+    CHECK_FALSE(d.workspace().panels.show_messages);
   }
 }
 
@@ -255,7 +282,7 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
   std::filesystem::create_directories(folder / "a_folder");
   Driver d;
   d.open_dragon();
-  d.workspace().saved.session = folder / "session.viete";  // exports suggest the folder of the session
+  d.workspace().files.saved.session = folder / "session.viete";  // exports suggest the folder of the session
   for (const char* name : {"first.obj", "second.obj"}) {
     d.press_key(workspace::key('P'), true, true);
     d.frame(3);
@@ -269,47 +296,16 @@ TEST_CASE("in_a_save_dialog_typing_replaces_the_name_a_button_its_format_and_unk
   d.type("arm.xyz");
   d.press_key(workspace::Key::enter);
   d.frame(2);
-  CHECK(d.workspace().browser.open);
-  CHECK(d.workspace().browser.path == "arm.xyz");
+  CHECK(d.workspace().files.browser.open);
+  CHECK(d.workspace().files.browser.path == "arm.xyz");
   CHECK(d.viewer().recorder().find("file_problem"));
   d.click("format_ply");
   d.press_key(workspace::Key::enter);
   d.frame(2);
-  CHECK_FALSE(d.workspace().browser.open);
+  CHECK_FALSE(d.workspace().files.browser.open);
   d.viewer().finish_exports();
   CHECK(std::filesystem::exists(folder / "arm.ply"));
 }
-
-namespace {
-
-// Types a path in the file browser. Waits until the program has read, written or refused the file.
-void ask_for(Driver& d, const char* command, const std::filesystem::path& file) {
-  workspace::find_command(command)->run(d.workspace());
-  d.frame(3);
-  REQUIRE(d.workspace().browser.open);
-  d.type(file.string());
-  d.press_key(workspace::Key::enter);
-  if (d.workspace().browser.warned == file.string())
-    d.press_key(workspace::Key::enter);  // overwrites the file
-  REQUIRE(d.until([&] { return d.workspace().browser.asked.empty() && !d.viewer().exporting(); }));
-  d.frame(2);
-}
-
-void check_refused(Driver& d, const std::filesystem::path& file) {
-  const auto& browser = d.workspace().browser;
-  CHECK(browser.open);
-  CHECK(browser.path == file);
-  REQUIRE(d.viewer().recorder().find("file_problem"));
-  CHECK(d.viewer().recorder().find("file_problem")->y0 >= d.viewer().recorder().find("file_path")->y1);
-  CHECK(browser.problem.find("--") == std::string::npos);
-  CHECK_FALSE(browser.problem.starts_with(file.string() + ": "));
-  CHECK_MESSAGE(d.workspace().messages.all().empty(), browser.problem);
-  d.press_key(workspace::Key::escape);
-  d.frame(2);
-  CHECK_FALSE(browser.open);
-}
-
-}  // namespace
 
 TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reason_below") {
   const test::TemporaryFolder folder;
@@ -349,7 +345,7 @@ TEST_CASE("a_refused_or_failed_file_keeps_its_dialog_with_the_path_and_the_reaso
   }
   check_refused(d, top / "out.obj");
   ask_for(d, "save_model", top / "out.obj");
-  CHECK_FALSE(d.workspace().browser.open);
+  CHECK_FALSE(d.workspace().files.browser.open);
   CHECK(std::filesystem::exists(top / "out.obj"));
 }
 
@@ -358,7 +354,7 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
   Driver d;
   d.open_dragon();
   d.drag(empty_place(d), empty_place(d) + glm::vec2(150, 60), 2);
-  document::Handling& hand = d.workspace().handling;
+  document::Handling& hand = d.workspace().view.handling;
   hand.mirror = document::MirrorPlane::x;
   hand.pivot = document::Pivot::point, hand.point = mesh::Point{0.25, 1, -3};
   d.workspace().messages.warn("The cage is open", {.scope = workspace::Scope::cage});
@@ -368,7 +364,7 @@ TEST_CASE("a_new_model_starts_with_the_first_view_and_without_mirror_and_pivot_o
   for (const auto& m : d.workspace().messages.all()) CHECK(m.text != "The cage is open");
   CHECK(hand.mirror == document::MirrorPlane::x);
   open_cube(d, folder.path());
-  const document::CameraPose home, now = d.workspace().camera.pose();
+  const document::CameraPose home, now = d.workspace().view.camera.pose();
   CHECK(now.yaw == doctest::Approx(home.yaw));
   CHECK(now.pitch == doctest::Approx(home.pitch));
   CHECK(hand.mirror == document::MirrorPlane::none);
@@ -389,7 +385,8 @@ TEST_CASE("after_a_resize_frames_go_on_until_the_panels_have_their_sizes") {
       if (!before.contains(name)) continue;  // skips new widgets
       CHECK_MESSAGE(std::abs(before[name].x1 - rect.x1) + std::abs(before[name].y0 - rect.y0) < 0.01f, name);
     }
-    if (!d.workspace().browser.open) d.press_key('O', true);  // the file browser stays open in later rounds
+    if (!d.workspace().files.browser.open)
+      d.press_key('O', true);  // the file browser stays open in later rounds
     d.frame(3);
     for (const char* name : {"file_path", "file_choose"}) {
       const auto rect = d.viewer().recorder().find(name);

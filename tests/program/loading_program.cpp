@@ -36,9 +36,9 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
     d.settle();
     drag_some_vertex(d, {20, 10});
     surface = d.document().model.surface.get();
-    d.workspace().requests.open = request;
+    d.workspace().jobs.requests.open = request;
     if (!sees_loading_bar(d)) continue;
-    CHECK(d.workspace().loading.what == "Reading large.obj");
+    CHECK(d.workspace().jobs.loading.what == "Reading large.obj");
     CHECK(d.document().model.surface.get() == surface);
     d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), true));
     d.viewer().input().push(platform::InputEvent::key(static_cast<int>(workspace::Key::escape), false));
@@ -48,11 +48,11 @@ TEST_CASE("a_large_file_is_read_aside_with_progress_and_can_be_cancelled") {
   CHECK(test::edit_count(d.document().history) == 1);
   CHECK(d.workspace().messages.all().back().text.find("Cancelled opening") != std::string::npos);
 
-  d.workspace().requests.open = request;
+  d.workspace().jobs.requests.open = request;
   double last = 0;
   d.frame();
   REQUIRE(d.until([&] {
-    const auto& loading = d.workspace().loading;
+    const auto& loading = d.workspace().jobs.loading;
     if (loading.running) CHECK(loading.done >= last);
     last = std::max(last, loading.done);
     return !d.viewer().loading();

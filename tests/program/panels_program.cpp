@@ -70,22 +70,22 @@ void check_questions(Driver& d) {
             "here for recovery: Not a directory; save often"),
         workspace::ask_before_opening(name, "There is no home folder for backups."),
         workspace::ask_before_replacing("/home/somebody/a_walk_with_a_long_name.viete")}) {
-    w.question = question;
+    w.files.question = question;
     check(d, question.title.c_str());
     REQUIRE(d.viewer().recorder().find("question_cancel"));
   }
-  w.question.reset();
+  w.files.question.reset();
 }
 
 void check_notices(Driver& d) {
   auto& w = d.workspace();
-  w.recovery_files = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon"},
+  w.recovery.files = {{"/a.viete", "walk.viete", 0, "/home/somebody/animations/of/a/dragon"},
                       {"/b.viete", "b", 0}};
-  w.offers_recovery = true;
+  w.recovery.offered = true;
   check(d, "recovery files");
-  w.recovery_files.pop_back();
+  w.recovery.files.pop_back();
   check(d, "one recovery file");
-  w.recovery_files.clear();
+  w.recovery.files.clear();
 }
 
 void check_time(Driver& d) {
@@ -94,7 +94,7 @@ void check_time(Driver& d) {
   w.document.frame = 1;
   document::set_key(w.document, 1);
   document::set_key(w.document, 30);
-  document::set_camera_key(w.document, 10, w.camera.pose());
+  document::set_camera_key(w.document, 10, w.view.camera.pose());
   w.preferences.layout.timeline = true;
   d.frame(3);
   check(d, "timeline");
@@ -107,7 +107,7 @@ void visit_panels(Driver& d) {
   check(d, "empty");
   REQUIRE(d.open({test::dragon, cage}));
   d.settle();
-  d.workspace().view.model = false;  // not needed for the layout
+  d.workspace().view.options.model = false;  // not needed for the layout
   d.press_key(workspace::key('A'));
   d.workspace().preferences.layout.sections["Checks"] = true;
   d.frame(2);
@@ -153,9 +153,9 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
     d.open_dragon();
     const std::string name = "a_model_whose_name_somebody_took_some_time_to_think_about_and_then_more.ply";
     auto& w = d.workspace();
-    w.recovery_files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
-    w.offers_recovery = true;
-    w.question = workspace::ask_before_closing(
+    w.recovery.files = {{"/a.viete", name, 0}, {"/b.viete", "b", 0}};
+    w.recovery.offered = true;
+    w.files.question = workspace::ask_before_closing(
         workspace::name_of_work(w), "/" + std::string(300, 'x') + ": unsaved edits cannot be saved here");
     d.frame(5);
     CAPTURE(size.x);
@@ -168,13 +168,13 @@ TEST_CASE("questions_and_notices_fit_into_the_smallest_window_and_cover_neither_
       CHECK(rect.x0 >= 0);
       CHECK(rect.x1 <= static_cast<float>(size.x));
       CHECK(rect.y0 >= 0);
-      CHECK(rect.y1 <= (on_notice_bar(widget) ? w.viewport.origin.y : static_cast<float>(size.y)));
+      CHECK(rect.y1 <= (on_notice_bar(widget) ? w.view.viewport.origin.y : static_cast<float>(size.y)));
     }
     CHECK(seen == 6);
-    w.question.reset();
+    w.files.question.reset();
     d.frame(3);
     d.click("put_off_leftovers");
     d.frame(3);
-    CHECK(w.viewport.origin.y == workspace::PanelLayout::menu_height);
+    CHECK(w.view.viewport.origin.y == workspace::PanelLayout::menu_height);
   }
 }

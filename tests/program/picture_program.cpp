@@ -54,8 +54,8 @@ void compare(const Picture& p) {
   auto options = Driver::default_options(p.size);
   options.scale = p.scale;
   Driver d(options, test::with_pixels);
-  d.workspace().has_user = false;  // hides messages
-  auto& view = d.workspace().view;
+  d.workspace().panels.has_user = false;  // hides messages
+  auto& view = d.workspace().view.options;
   view.hints = view.axes = false;
   view.panels = p.panels;
   view.dark = p.dark;
@@ -90,8 +90,8 @@ std::function<void(Driver&)> dragon(const char* pose, std::vector<const char*> c
 std::function<void(Driver&)> handles(const char* kind, const char* tool) {
   return [=](Driver& d) {
     auto& w = d.workspace();
-    w.view.axes = true;
-    w.view.model = w.view.grid = false;
+    w.view.options.axes = true;
+    w.view.options.model = w.view.options.grid = false;
     d.open_dragon("", test::bundled_dragon);
     test::run_command(w, kind);
     test::run_command(w, tool);
@@ -152,7 +152,7 @@ void open_bent_sheet(Driver& d, const fs::path& folder) {
 
 void show_textured_sheet(Driver& d) {
   const test::TemporaryFolder folder;
-  d.workspace().view.cage = false;
+  d.workspace().view.options.cage = false;
   open_bent_sheet(d, folder.path());
   CHECK(test::run_command(d.workspace(), "shading_file"));
   d.settle();
@@ -171,7 +171,7 @@ void begin_a_box(Driver& d) {
 void paint_a_stroke(Driver& d) {
   d.open_dragon("", test::bundled_dragon);
   d.press_key('D');
-  d.workspace().brush.radius = 20;
+  d.workspace().view.brush.radius = 20;
   d.drag({140, 100}, {180, 115});
   d.settle();
 }
@@ -223,19 +223,20 @@ void put_numbers(Driver& d) {
   auto& w = d.workspace();
   d.settle();
   w.about = {"1.2.3", "Release, GCC 12", "avx2", "a graphics card"};
-  w.methods = {.samples = {{{120, 3e-15, 2e-16}, {40, 2e-9, 4e-14}, {30, 6e-14, 7e-16}, {6, 8e-16, 1e-16}}},
-               .matrices = 2048};
-  w.method_times = {.links = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                               {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                               {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
-                               {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
-                    .measured = true};
-  w.split.views[0].stats.clear();
-  w.split.views[0].stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
-                              .upload = 0.3,
-                              .draw = 2,
-                              .panels = 0.4,
-                              .frame = 3.5});
+  w.frame.methods = {
+      .samples = {{{120, 3e-15, 2e-16}, {40, 2e-9, 4e-14}, {30, 6e-14, 7e-16}, {6, 8e-16, 1e-16}}},
+      .matrices = 2048};
+  w.frame.method_times = {.links = {{{{0.01, 0.02, 20, 19.4, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                     {{0.01, 0.02, 20, 18.1, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                     {{0.01, 0.02, 20, 5.6, 1.2, 0, 0, 0, 0, 0, 0.1}},
+                                     {{0.01, 0.02, 0, 0, 0, 0.05, 0.2, 0, 0, 0, 0.1}}}},
+                          .measured = true};
+  w.view.split.views[0].stats.clear();
+  w.view.split.views[0].stats.add({.links = {{0.01, 0.02, 0.03, 0.04, 0.05, 0.2, 0.1}},
+                                   .upload = 0.3,
+                                   .draw = 2,
+                                   .panels = 0.4,
+                                   .frame = 3.5});
   d.frame(2);
 }
 
@@ -256,14 +257,14 @@ void show_checks(Driver& d) {
 }
 
 void show_keys(Driver& d) {
-  d.workspace().view.panels = false;
+  d.workspace().view.options.panels = false;
   d.press_key(workspace::Key::f1);
   put_numbers(d);
 }
 
 void show_browser(Driver& d) {
   d.frame();
-  auto& browser = d.workspace().browser;
+  auto& browser = d.workspace().files.browser;
   browser.open = true;
   browser.path = browser.folder = "/home/ada/models";
   browser.entries = {{"cages", true}, {"armadillo.ply", false, 7'200'000}, {"bunny.obj", false, 812'000}};

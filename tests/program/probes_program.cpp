@@ -116,7 +116,7 @@ TEST_CASE("probes_are_set_in_their_panel_and_stay_when_a_cage_is_opened") {
 TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   test::SmallScene small(Driver::default_options({400, 300}), test::with_pixels);
   Driver& d = small.d;
-  d.workspace().view.panels = d.workspace().view.cage = false;
+  d.workspace().view.options.panels = d.workspace().view.options.cage = false;
   const auto picture = [&] {
     d.settle();
     return d.picture();
@@ -129,7 +129,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   CHECK(test::difference(rest, posed, 8) > 0.01);
   d.press_key('N');
   CHECK(test::difference(rest, picture(), 8) < 0.01);
-  CHECK(d.workspace().posed.vertices.empty());
+  CHECK(d.workspace().frame.posed.vertices.empty());
   // Keeps a pose that was made in the meantime.
   for (auto& p : pose.positions) p[0] += 0.3;
   document::set_pose(d.document(), pose);

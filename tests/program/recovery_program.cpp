@@ -64,11 +64,11 @@ TEST_CASE("one_click_answers_for_all_recovered_edits_and_a_broken_file_stays_off
   {
     Driver d(remembering(state));
     d.frame(3);
-    REQUIRE(d.workspace().recovery_files.size() == 2);
+    REQUIRE(d.workspace().recovery.files.size() == 2);
     d.click("restore_leftover");
     d.settle();
     CHECK(d.workspace().messages.all().back().severity == workspace::Severity::error);
-    CHECK(d.workspace().recovery_files.size() == 2);
+    CHECK(d.workspace().recovery.files.size() == 2);
     d.click("put_off_leftovers");
     d.frame(3);
     CHECK_FALSE(d.viewer().recorder().find("restore_leftover"));
@@ -112,12 +112,12 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   drag_some_vertex(d, {-20, 10});
   const auto ask = [&] {
     quit(d);
-    REQUIRE(d.workspace().question);
-    REQUIRE(d.workspace().question->kind == workspace::Question::Kind::close);
+    REQUIRE(d.workspace().files.question);
+    REQUIRE(d.workspace().files.question->kind == workspace::Question::Kind::close);
     CHECK_FALSE(d.viewer().closed());
   };
   ask();
-  CHECK(d.workspace().question->why.find(recovery.string()) != std::string::npos);
+  CHECK(d.workspace().files.question->why.find(recovery.string()) != std::string::npos);
   const auto posed = d.document().pose.positions;
   d.press_key(workspace::key('Z'), true);  // has no effect while the question is open
   d.press_key(workspace::Key::delete_key);
@@ -127,7 +127,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   constexpr int tab = 258, right = 262, left = 263;
   const auto press = [&](int key, int chosen) {
     d.press_key(key);
-    CHECK(d.workspace().question->chosen == chosen);
+    CHECK(d.workspace().files.question->chosen == chosen);
   };
   press(tab, 1);
   press(left, 0);
@@ -135,23 +135,23 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   press(right, 0);
   d.press_key(workspace::Key::escape);
   d.frame(3);
-  CHECK_FALSE(d.workspace().question);
+  CHECK_FALSE(d.workspace().files.question);
   CHECK_FALSE(d.viewer().closed());
   CHECK(workspace::has_unsaved_edits(d.workspace()));
 
   ask();
   d.press_key(workspace::Key::enter);  // the button Save
   d.frame(3);
-  REQUIRE(d.workspace().browser.open);
+  REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::escape);
   d.frame(3);
-  CHECK_FALSE(d.workspace().after_saving);
+  CHECK_FALSE(d.workspace().files.after_saving);
   CHECK_FALSE(d.viewer().closed());
 
   ask();
   d.click("question_save");
   d.frame(3);
-  REQUIRE(d.workspace().browser.open);
+  REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::enter);
   d.frame(3);
   CHECK(files::read_session(folder / "small.viete").pose.positions == posed);
@@ -164,7 +164,7 @@ TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const SmallModel small(folder);
   Driver d(remembering(folder / "state", {640, 400}));
   REQUIRE(d.open({small.model, small.cage}));
-  d.workspace().view.panels = false;
+  d.workspace().view.options.panels = false;
   d.settle();
   const int log = open((folder / "log").c_str(), O_WRONLY | O_CREAT | O_APPEND, 0600);
   const auto say = [&](const char* what, double x) {

@@ -11,7 +11,7 @@ namespace {
 render::Image picture_by(ContextKind kind) {
   Driver d(Driver::default_options(), test::WithPixels{kind});
   d.open_dragon();
-  d.workspace().view.panels = false;
+  d.workspace().view.options.panels = false;
   d.settle();
   return d.picture();
 }

@@ -51,10 +51,10 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   auto options = Driver::default_options({800, 500});
   options.samples = 4;
   Driver d(options, test::with_pixels);
-  d.workspace().view.panels = false;
+  d.workspace().view.options.panels = false;
   d.open_dragon();
   drag_some_vertex(d, {40, 30});
-  d.workspace().tools = false;
+  d.workspace().view.tools = false;
   const auto before = rest_picture(d);
   REQUIRE(workspace::save_session(d.workspace(), folder / "a.viete"));
   folder.done("render a.viete --show-cage -o a.png");
@@ -64,7 +64,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   const auto written = formats::read(folder / "a.obj").surface.positions;
   CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);
-  d.workspace().requests.save_model = folder / "window.obj";
+  d.workspace().jobs.requests.save_model = folder / "window.obj";
   d.frame();
   d.viewer().finish_exports();
   CHECK(largest_distance(written, formats::read(folder / "window.obj").surface.positions) <
@@ -152,7 +152,7 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   const auto posed = d.document().pose.positions;
   d.press_key(workspace::key('S'), true);
   d.frame(2);
-  REQUIRE(d.workspace().browser.open);
+  REQUIRE(d.workspace().files.browser.open);
   d.press_key(workspace::Key::enter);
   d.frame(2);
   CHECK(fs::exists(folder / "small.viete"));
@@ -165,9 +165,9 @@ TEST_CASE("a_session_is_saved_and_opened_with_the_keyboard_alone") {
   d.type("small.v");
   d.press_key(workspace::Key::enter);
   d.settle();
-  CHECK_FALSE(d.workspace().browser.open);
+  CHECK_FALSE(d.workspace().files.browser.open);
   CHECK(d.document().pose.positions == posed);
-  CHECK(d.workspace().saved.session.filename() == "small.viete");
+  CHECK(d.workspace().files.saved.session.filename() == "small.viete");
 }
 
 TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace") {
@@ -178,13 +178,13 @@ TEST_CASE("the_list_is_walked_with_arrows_and_folders_with_enter_and_backspace")
   d.workspace().preferences.folder = folder.path();
   d.press_key(workspace::key('O'), true);
   d.frame(2);
-  const fs::path top = d.workspace().browser.folder;
+  const fs::path top = d.workspace().files.browser.folder;
   d.press_key(workspace::Key::enter);
   d.frame(2);
-  CHECK(d.workspace().browser.folder == top / "a_folder");
+  CHECK(d.workspace().files.browser.folder == top / "a_folder");
   d.press_key(workspace::Key::backspace);
   d.frame(2);
-  CHECK(d.workspace().browser.folder == top);
+  CHECK(d.workspace().files.browser.folder == top);
   d.press_key(workspace::Key::down);
   d.press_key(workspace::Key::enter);
   d.settle();

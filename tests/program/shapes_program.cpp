@@ -28,7 +28,7 @@ struct ShapeHand : Driver {
       settle();
     }
     write(left, 1.2), write(right, -1.2);
-    workspace().requests.open = files::OpenRequest{What::dropped, {right, left}};
+    workspace().jobs.requests.open = files::OpenRequest{What::dropped, {right, left}};
     frame();
     REQUIRE(until([&] { return document().library.poses.size() == 2; }));
     settle();
@@ -63,7 +63,7 @@ TEST_CASE("a_slider_turns_the_model_and_what_is_drawn_is_what_is_written") {
     CHECK(d.drawn_error() < 2e-5);
     CHECK(workspace::has_unsaved_edits(d.workspace()));
     const auto file = d.folder / "out.ply";
-    d.workspace().requests.save_model = file;
+    d.workspace().jobs.requests.save_model = file;
     d.frame();
     REQUIRE(d.until([&] { return !d.viewer().exporting(); }));
     const double off = test::largest_distance(formats::read(file).surface.positions, d.exact_positions());
@@ -94,7 +94,7 @@ TEST_CASE("a_pin_is_placed_by_a_key_dragged_by_the_mouse_and_the_sliders_move_wi
   CHECK(std::abs(d.pose(0).weight) + std::abs(d.pose(1).weight) > 0.05);
   d.button(0, false);
   d.settle();
-  CHECK_FALSE(d.workspace().pins.is_due());
+  CHECK_FALSE(d.workspace().frame.pins.is_due());
   const auto& shape = *d.document().shape;
   CHECK(mesh::norm(shape[pin.pin->vertex] - (pin.place + pin.pose.move)) < 1e-6);
   CHECK(glm::distance(d.on_screen(shape[pin.pin->vertex]), from + glm::vec2(-50, 10)) < 4);

@@ -26,7 +26,7 @@ const char* const fields_of_time[] = {"time/frame",  "time/first",     "time/las
 
 bool is_inside(Driver& d, const std::string& widget) {
   const auto rect = d.viewer().recorder().find(widget);
-  const glm::vec2 end = d.workspace().viewport.window;
+  const glm::vec2 end = d.workspace().view.viewport.window;
   return rect && rect->visible && rect->x0 >= 0 && rect->y0 >= 0 && rect->x1 <= end.x && rect->y1 <= end.y;
 }
 

@@ -47,7 +47,7 @@ struct Timed : Driver {
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
     REQUIRE(rect);
-    const auto share = static_cast<float>(workspace().time_view.seen.share_of(at));
+    const auto share = static_cast<float>(workspace().view.time.seen.share_of(at));
     return {rect->x0 + share * (rect->x1 - rect->x0), rect->y0 + y * (rect->y1 - rect->y0)};
   }
 };
@@ -83,7 +83,7 @@ TEST_CASE("poses_are_kept_mixed_by_sliders_and_numbers_applied_renamed_and_moved
   CHECK(d.pose() == rest);
 
   d.click("pose/1");
-  CHECK(d.workspace().chosen_pose == 1);
+  CHECK(d.workspace().view.chosen_pose == 1);
   d.click("apply_pose");
   CHECK(d.pose() == flight);
   d.click("pose_name/1");

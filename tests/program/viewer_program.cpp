@@ -4,7 +4,6 @@
 #include "document/pose_edit.h"
 #include "formats/read.h"
 #include "formats/write.h"
-#include "interact/cursor_projection.h"
 #include "program/kept_work.h"
 #include "program/small_scene.h"
 #include "support/commands.h"
@@ -75,17 +74,15 @@ TEST_CASE("a_cage_vertex_is_dragged_and_the_mesh_follows_in_the_same_frame") {
   d.button(0, false);
   d.frame(2);
   CHECK(test::edit_count(d.document().history) == 1);
-  CHECK_FALSE(d.workspace().view.hints);
+  CHECK_FALSE(d.workspace().view.options.hints);
 
   // Pixels have changed around the vertex that moved farthest.
   const auto after = positions(d);
   std::size_t farthest = 0;
   const auto shift = [&](std::size_t i) { return mesh::norm(after[i] - rest[i]); };
-  for (std::size_t i = 0; i < after.size(); ++i) {
+  for (std::size_t i = 0; i < after.size(); ++i)
     if (shift(i) > shift(farthest)) farthest = i;
-  }
-  const interact::Projector project(d.document().space, d.workspace().camera, d.workspace().viewport);
-  const glm::ivec2 at(*project(after[farthest]));
+  const glm::ivec2 at(d.on_screen(after[farthest]));
   const auto picture = d.picture();
   int changed = 0;
   for (int y = at.y - 12; y <= at.y + 12; ++y) {
@@ -127,7 +124,8 @@ TEST_CASE("a_model_of_any_size_looks_the_same") {
     for (auto& p : cage.positions) p = {scale * p[0], scale * p[1], scale * p[2]};
     formats::write(folder / "cage.obj", cage);
     Driver d(Driver::default_options({400, 300}), test::with_pixels);
-    d.workspace().view.panels = d.workspace().view.hints = d.workspace().view.grid = false;
+    d.workspace().view.options.panels = d.workspace().view.options.hints = d.workspace().view.options.grid =
+        false;
     REQUIRE(d.open({folder / "cage.obj"}));
     d.settle();
     pictures.push_back(d.picture());
@@ -190,16 +188,16 @@ TEST_CASE("weights_enable_the_settings_that_apply_to_them") {
 TEST_CASE("the_camera_follows_wheel_middle_drag_and_keys_and_panels_keep_their_own") {
   Driver d;
   d.open_dragon();
-  const auto start = d.workspace().camera.pose();
+  const auto start = d.workspace().view.camera.pose();
   d.move({160, 500});  // the pointer is over a panel
   d.wheel(-3);
   d.drag({160, 300}, {160, 340}, 2);
-  CHECK(d.workspace().camera.pose() == start);
+  CHECK(d.workspace().view.camera.pose() == start);
   d.move({800, 400});
   d.wheel(2);
-  CHECK(d.workspace().camera.pose().distance < start.distance);
+  CHECK(d.workspace().view.camera.pose().distance < start.distance);
   d.drag({800, 100}, {860, 130}, 2);
-  CHECK(d.workspace().camera.pose().yaw != start.yaw);
+  CHECK(d.workspace().view.camera.pose().yaw != start.yaw);
   d.press_key(workspace::Key::home);
   d.settle();
   for (std::uint32_t v = 0; v < d.document().pose.positions.size(); ++v) {
@@ -213,8 +211,8 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
   options.probe = true;
   test::SmallScene small(options);
   Driver& d = small.d;
-  REQUIRE(d.until([&] { return d.workspace().methods.matrices > 0; }));
-  const auto& stats = d.workspace().methods;
+  REQUIRE(d.until([&] { return d.workspace().frame.methods.matrices > 0; }));
+  const auto& stats = d.workspace().frame.methods;
   for (const auto& sample : stats.samples) CHECK(sample.ns_per_matrix > 0);
   CHECK(stats.samples[3].worst_error < 1e-14);
   for (const auto& way : deform::all_ways()) {
@@ -223,6 +221,6 @@ TEST_CASE("methods_and_the_error_of_the_frame_are_measured_in_the_background") {
     d.settle();
     const double error = d.viewer().deformer()->sampled_error();
     CHECK(error > 0);
-    CHECK(d.until([&] { return d.workspace().split.views[0].fused_error == error; }));
+    CHECK(d.until([&] { return d.workspace().view.split.views[0].fused_error == error; }));
   }
 }

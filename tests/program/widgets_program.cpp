@@ -21,8 +21,8 @@ namespace {
 // Returns all data that sliders can change.
 auto state(const workspace::Workspace& w) {
   return std::tuple(w.document.scheme, w.document.library, w.document.timeline, w.document.pose.positions,
-                    w.document.pose.turns, w.document.probes, w.handling, w.preferences.layout,
-                    w.brush.radius, w.brush.share, w.document.history.undo_label(),
+                    w.document.pose.turns, w.document.probes, w.view.handling, w.preferences.layout,
+                    w.view.brush.radius, w.view.brush.share, w.document.history.undo_label(),
                     w.document.history.can_redo());
 }
 
@@ -34,7 +34,7 @@ bool has_tooltip() {
 struct Held : Driver {
   Held() : Driver(default_options({1440, 1000})) {
     open_dragon("pose_alert");
-    workspace().view.model = false;  // faster without the model
+    workspace().view.options.model = false;  // faster without the model
     for (const char* section : {"Poses", "Probes"}) workspace().preferences.layout.sections[section] = true;
     workspace().preferences.layout.sections["Model"] = workspace().preferences.layout.sections["Display"] =
         false;
@@ -108,7 +108,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   const auto type = [&](const std::string& slider, const std::string& text, bool twice = true) {
     CAPTURE(slider);
     begin(slider, twice);
-    const interact::Tool tool = d.workspace().tool;
+    const interact::Tool tool = d.workspace().view.tool;
     const auto kind = d.document().selection.kind();
     const auto method = d.document().method;
     for (const char c : text) {
@@ -118,10 +118,10 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
     }
     d.press_key(workspace::Key::enter);
     d.frame(3);
-    CHECK(d.workspace().tool == tool);
+    CHECK(d.workspace().view.tool == tool);
     CHECK(d.document().selection.kind() == kind);
     CHECK(d.document().method == method);
-    CHECK(d.workspace().typed_slider.name.empty());
+    CHECK(d.workspace().panels.typed_slider.name.empty());
   };
   auto& scheme = d.document().scheme;
   const auto pose_weight = [&] { return d.document().library.poses[0].weight; };
@@ -138,12 +138,12 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
       {"", "stretch", "1000", [&] { return scheme.amounts.stretch; }, deform::number("stretch").largest},
       {"", "pose_weight/0", "12.5", pose_weight, 0.125},
       {"", "pose_weight/0", "999", pose_weight, document::PoseLibrary::largest_weight, false},
-      {"", "soft_radius", "0.5", [&] { return w.handling.soft.radius; }, 0.5 / diagonal},
+      {"", "soft_radius", "0.5", [&] { return w.view.handling.soft.radius; }, 0.5 / diagonal},
       {"toggle_stitched", "iterations", "7", [&] { return double(scheme.iterations); }, 7},
       {"", "pins", "4", [&] { return scheme.holding.radius; }, 0.04},
       {"", "hold", "500", [&] { return scheme.holding.weight; }, 1},
-      {"tool_paint", "brush_radius", "77", [&] { return double(w.brush.radius); }, 77},
-      {"", "brush_share", "35", [&] { return double(w.brush.share); }, 0.35, false}};
+      {"tool_paint", "brush_radius", "77", [&] { return double(w.view.brush.radius); }, 77},
+      {"", "brush_share", "35", [&] { return double(w.view.brush.share); }, 0.35, false}};
   for (const auto& c : cases) {
     if (*c.command) d.run(c.command);
     type(c.slider, c.text, c.twice);
@@ -161,7 +161,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   d.press_key(workspace::Key::escape);
   d.frame(3);
   CHECK(state(d.workspace()) == before);
-  CHECK(d.workspace().typed_slider.name.empty());
+  CHECK(d.workspace().panels.typed_slider.name.empty());
   d.frame(30);
   d.click("turn");
   CHECK(scheme.amounts.turn == doctest::Approx(1));
@@ -196,7 +196,7 @@ TEST_CASE("fields_of_places_show_as_many_digits_as_there_is_room_for") {
     d.document().changed_pose().positions[0][0] = x;
     d.frame(3);
     d.click("transform_x");
-    const std::string text = d.workspace().typed.at("transform_x").text;
+    const std::string text = d.workspace().panels.typed.at("transform_x").text;
     const auto rect = d.viewer().recorder().find("transform_x");
     CHECK(ImGui::CalcTextSize(text.c_str()).x <=
           rect->x1 - rect->x0 - 2 * ImGui::GetStyle().FramePadding.x + 0.01f);
@@ -251,7 +251,7 @@ TEST_CASE("in_a_file_dialog_a_click_selects_and_two_open") {
   REQUIRE(d.open({test::dragon}));
   d.settle();
   d.frame(30);
-  workspace::FileBrowser& browser = d.workspace().browser;
+  workspace::FileBrowser& browser = d.workspace().files.browser;
   workspace::show(browser, workspace::FileBrowser::Purpose::cage, folder.path());
   d.frame(3);
   d.click("file/inner");
@@ -285,7 +285,7 @@ TEST_CASE("a_file_is_replaced_by_a_second_enter_and_not_by_two_clicks") {
   test::put_file(folder / "precious.obj", precious);
   Driver d;
   d.open_dragon();
-  workspace::FileBrowser& browser = d.workspace().browser;
+  workspace::FileBrowser& browser = d.workspace().files.browser;
   workspace::show(browser, workspace::FileBrowser::Purpose::save_model, folder.path(), "new.obj");
   d.frame(30);
   for (int i = 0; i < 2; ++i) d.click("file/precious.obj");
@@ -324,7 +324,7 @@ TEST_CASE("methods_timings_and_deformer_are_visible_at_the_first_start_without_a
     // If all sections are folded, the left column has at most 20 controls.
     std::size_t controls = 0;
     for (const auto& [name, rect] : recorder.all())
-      controls += rect.x1 <= d.workspace().viewport.origin.x && !name.starts_with("menu/");
+      controls += rect.x1 <= d.workspace().view.viewport.origin.x && !name.starts_with("menu/");
     CHECK(controls <= 20);
   }
 }
@@ -334,7 +334,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   options.probe = true;
   Driver d(options);
   d.open_dragon("pose_alert", test::bundled_dragon);
-  const auto& times = d.workspace().method_times;
+  const auto& times = d.workspace().frame.method_times;
   REQUIRE(d.until([&] { return times.measured; }));
   for (const auto& links : times.links) CHECK(links.total() > 0);
   for (const std::size_t staged : {0, 1, 2}) CHECK(times.links[staged][deform::Link::exp] > 0);
@@ -343,7 +343,7 @@ TEST_CASE("every_method_is_timed_in_the_background_when_the_pose_rests_and_none_
   d.click("method_diag");
   REQUIRE(d.until([&] { return d.viewer().deformer()->ran() == deform::EngineKind::staged; }));
 
-  d.workspace().method_times = {};
+  d.workspace().frame.method_times = {};
   const glm::vec2 at = glm::round(d.vertex(d.free_vertex()));
   d.press_and_move(at, at + glm::vec2(40, 20));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(1);
@@ -358,7 +358,7 @@ TEST_CASE("the_first_start_asks_once_for_the_keymap") {
     Driver d(Driver::default_options({1024, 640}));
     d.open_dragon();
     CHECK_FALSE(d.viewer().recorder().find("ask_keys/blender"));
-    d.workspace().ask_keys = true;
+    d.workspace().panels.ask_keys = true;
     d.frame(3);
     d.click(chooses ? "ask_keys/blender" : "ask_keys/close");
     d.frame(2);
@@ -382,11 +382,11 @@ TEST_CASE("possible_folds_are_listed_in_the_checks_and_marked_on_the_cage") {
     if (p[0] > middle) p = {p[0], -p[1], -p[2]};
   document::set_pose(d.document(), pose);
   d.settle();
-  REQUIRE_FALSE(d.workspace().pose_report.torn.empty());
+  REQUIRE_FALSE(d.workspace().frame.report.torn.empty());
   CHECK(d.viewer().recorder().find("pose_note/0"));
   CHECK(d.workspace().messages.all().empty());
   const auto with = d.picture();
-  d.workspace().pose_report.torn.clear();
+  d.workspace().frame.report.torn.clear();
   d.frame();
   CHECK(test::difference(with, d.picture(), 0) > 0);  // the marks are visible
   document::reset_pose(d.document());
@@ -408,7 +408,7 @@ TEST_CASE("notices_are_whole_and_cover_no_tool") {
     const auto rect = d.viewer().recorder().find("toast/0");
     REQUIRE(rect);
     CHECK(rect->x0 >= tool->x1);
-    CHECK(rect->x1 <= w.viewport.origin.x + w.viewport.size.x);
+    CHECK(rect->x1 <= w.view.viewport.origin.x + w.view.viewport.size.x);
     CHECK(rect->y1 - rect->y0 < 60);  // at most two lines
   }
 }

@@ -36,7 +36,7 @@ TEST_CASE("an_unknown_command_is_not_found_a_disabled_one_does_nothing_and_a_tog
   Workspace empty;
   for (const bool on : {true, false}) {
     CHECK(find_command("toggle_grid")->on(empty) == on);
-    empty.view.grid = false;
+    empty.view.options.grid = false;
   }
   CHECK(find_command("no_such") == nullptr);
   CHECK_FALSE(test::run_command(empty, "undo"));
@@ -190,11 +190,11 @@ TEST_CASE("all_none_invert_and_linked_work_on_the_chosen_kind") {
     CHECK(test::run_command(w, "invert_selection"));
     CHECK(w.document.selection.empty());
     CHECK_FALSE(test::run_command(w, "select_linked"));
-    w.interaction.hovered = 3;
+    w.view.interaction.hovered = 3;
     CHECK(test::run_command(w, "select_linked"));
     CHECK(w.document.selection.size() == count);
     CHECK(test::run_command(w, "select_none"));
-    w.interaction.hovered.reset();
+    w.view.interaction.hovered.reset();
   }
 }
 

@@ -42,7 +42,7 @@ struct Played {
     record_edit(document(), "move by hand");
     document().pose = pose;
   }
-  void hold_something() { w.interaction.brushing = SelectMode::replace; }
+  void hold_something() { w.view.interaction.brushing = SelectMode::replace; }
   std::size_t edits() const { return test::edit_count(w.document.history); }
   bool stands_at(double degrees) const {
     return distance(positions(), turned_cube(degrees).positions) < 1e-12;
@@ -56,7 +56,7 @@ TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
   p.timeline().cameras = {{1, {.distance = 3}}, {11, {.distance = 12}}};
   go_to_frame(p.w, 6);
   CHECK(p.stands_at(90));
-  CHECK(p.w.camera.pose().distance == doctest::Approx(6));
+  CHECK(p.w.view.camera.pose().distance == doctest::Approx(6));
   go_to_frame(p.w, 11);
   CHECK(p.positions() == turned_cube(180).positions);
   go_to_frame(p.w, 3.5);
@@ -149,7 +149,7 @@ TEST_CASE("a_key_that_is_set_opens_the_timeline_and_says_where") {
   go_to_frame(p.w, 40);
   CHECK(opens_by("set_key"));
   CHECK(said() == "Key set at frame 40.");
-  CHECK(p.w.time_view.seen.last >= 40);
+  CHECK(p.w.view.time.seen.last >= 40);
   CHECK(opens_by("turntable"));
   CHECK(said() == "Camera keys set from frame 1 to 40.");
 }
@@ -279,14 +279,14 @@ TEST_CASE("the_timeline_is_ignored_during_drags_and_cage_editing") {
   CHECK(p.document().frame == 1);
   start_playing(p.w);
   CHECK_FALSE(p.w.playback.playing);
-  p.w.interaction.brushing.reset();
+  p.w.view.interaction.brushing.reset();
   start_playing(p.w);
   p.pass(0.1);
   CHECK(p.w.playback.playing);
   p.hold_something();
   p.pass(0.1);
   CHECK_FALSE(p.w.playback.playing);
-  p.w.interaction.brushing.reset();
+  p.w.view.interaction.brushing.reset();
   begin_cage_editing(p.document());
   p.pass(0);
   const double frame = p.document().frame;

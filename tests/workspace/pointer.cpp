@@ -25,10 +25,10 @@ struct Mouse : test::Mouse {
 TEST_CASE("hovering_finds_the_vertex_and_panels_hide_it") {
   Mouse m;
   m.move(m.vertex(3));
-  CHECK(m.w.interaction.hovered == 3u);
+  CHECK(m.w.view.interaction.hovered == 3u);
   m.input.over_view = false;
   m.step();
-  CHECK_FALSE(m.w.interaction.hovered);
+  CHECK_FALSE(m.w.view.interaction.hovered);
 }
 
 TEST_CASE("clicks_select_shift_adds_ctrl_removes_and_empty_space_clears") {
@@ -50,7 +50,7 @@ TEST_CASE("clicks_select_shift_adds_ctrl_removes_and_empty_space_clears") {
 TEST_CASE("a_dragged_vertex_follows_the_cursor_to_the_pixel_in_both_cameras") {
   for (const bool orthographic : {false, true}) {
     Mouse m;
-    m.w.camera.set_orthographic(orthographic);
+    m.w.view.camera.set_orthographic(orthographic);
     const glm::vec2 from = m.vertex(7), to = from + glm::vec2(61, -47);
     m.drag(from, to);
     CHECK(glm::distance(m.vertex(7), to) < 0.01f);
@@ -82,7 +82,7 @@ TEST_CASE("a_drag_on_empty_space_selects_a_box") {
   Mouse m;
   m.drag({205, 5}, {995, 775});
   CHECK(m.selected().size() == 8);
-  CHECK_FALSE(m.w.interaction.box);
+  CHECK_FALSE(m.w.view.interaction.box);
   m.input.ctrl = true;
   const glm::vec2 v = m.vertex(7);
   m.drag(v + glm::vec2(12, 12), v - glm::vec2(12, 12));
@@ -93,25 +93,25 @@ TEST_CASE("a_drag_on_empty_space_selects_a_box") {
 TEST_CASE("middle_right_and_alt_left_drags_orbit_shift_pans_ctrl_zooms") {
   for (const int button : {middle_button, right_button}) {
     Mouse m;
-    const CameraPose before = m.w.camera.pose();
+    const CameraPose before = m.w.view.camera.pose();
     m.drag({500, 300}, {560, 320}, button);
-    CHECK(m.w.camera.pose().yaw != before.yaw);
-    CHECK(m.w.camera.pose().distance == before.distance);
-    const float yaw = m.w.camera.pose().yaw;
+    CHECK(m.w.view.camera.pose().yaw != before.yaw);
+    CHECK(m.w.view.camera.pose().distance == before.distance);
+    const float yaw = m.w.view.camera.pose().yaw;
     m.input.shift = true;
     m.drag({500, 300}, {560, 320}, button);
-    CHECK(m.w.camera.pose().yaw == yaw);
-    CHECK(m.w.camera.pose().target != before.target);
+    CHECK(m.w.view.camera.pose().yaw == yaw);
+    CHECK(m.w.view.camera.pose().target != before.target);
     m.input.shift = false;
     m.input.ctrl = true;
     m.drag({500, 300}, {500, 260}, button);
-    CHECK(m.w.camera.pose().distance < before.distance);
+    CHECK(m.w.view.camera.pose().distance < before.distance);
   }
   Mouse m;
   m.input.alt = true;
-  const float yaw = m.w.camera.pose().yaw;
+  const float yaw = m.w.view.camera.pose().yaw;
   m.drag(m.vertex(7), m.vertex(7) + glm::vec2(40, 0));
-  CHECK(m.w.camera.pose().yaw != yaw);
+  CHECK(m.w.view.camera.pose().yaw != yaw);
   CHECK_FALSE(differs_from_rest(m.w.document));
 }
 
@@ -129,7 +129,7 @@ TEST_CASE("a_press_over_a_panel_or_on_a_hidden_cage_drags_nothing") {
   for (const bool panel : {true, false}) {
     Mouse m;
     m.input.over_view = !panel;
-    m.w.view.cage = panel;
+    m.w.view.options.cage = panel;
     m.drag(m.vertex(7), m.vertex(7) + glm::vec2(50, 0));
     CHECK_FALSE(differs_from_rest(m.w.document));
     CHECK(m.selected().empty());
@@ -141,8 +141,8 @@ TEST_CASE("edges_are_hovered_clicked_and_dragged") {
   m.w.document.selection = Selection(ElementKind::edge);
   const glm::vec2 middle = 0.5f * (m.vertex(5) + m.vertex(7));
   m.move(middle);
-  REQUIRE(m.w.interaction.hovered);
-  CHECK(m.w.document.cage->edges[*m.w.interaction.hovered] == mesh::Edge{5, 7});
+  REQUIRE(m.w.view.interaction.hovered);
+  CHECK(m.w.document.cage->edges[*m.w.view.interaction.hovered] == mesh::Edge{5, 7});
   m.drag(middle, middle + glm::vec2(30, 10));
   CHECK(m.selected().size() == 1);
   CHECK(glm::distance(0.5f * (m.vertex(5) + m.vertex(7)), middle + glm::vec2(30, 10)) < 2);
@@ -152,7 +152,7 @@ TEST_CASE("edges_are_hovered_clicked_and_dragged") {
 TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
   Mouse m;
   m.w.document.selection = Selection(ElementKind::edge);
-  m.w.tool = Tool::rotate;
+  m.w.view.tool = Tool::rotate;
   m.click(0.5f * (m.vertex(5) + m.vertex(7)));
   const std::vector<std::uint32_t> selected = m.selected();
   REQUIRE(selected.size() == 1);
@@ -163,7 +163,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
       const glm::vec2 way = glm::normalize(point.at - gizmo.center);
       for (const float off : {-11.0f, 11.0f}) {
         const glm::vec2 at = point.at + off * way;
-        const auto edge = pick_element(m.w.document, m.w.camera, m.w.viewport, at);
+        const auto edge = pick_element(m.w.document, m.w.view.camera, m.w.view.viewport, at);
         if (!point.front || pick_handle(gizmo, at) || !edge || edge->index == selected.front()) continue;
         ++tried;
         m.drag(at, at + 25.0f * glm::vec2(-way.y, way.x));
@@ -180,7 +180,7 @@ TEST_CASE("near_a_ring_the_ring_is_dragged_and_no_edge_that_passes_there") {
 TEST_CASE("a_face_must_be_selected_before_it_is_dragged_and_a_drag_on_another_draws_a_box") {
   Mouse m;
   m.w.document.selection = Selection(ElementKind::face);
-  m.w.tool = Tool::select;
+  m.w.view.tool = Tool::select;
   const glm::vec2 inside = (m.vertex(4) + m.vertex(5) + m.vertex(6)) / 3.0f;
   m.drag(inside, inside + glm::vec2(30, 10));
   CHECK_FALSE(differs_from_rest(m.w.document));
@@ -196,8 +196,8 @@ TEST_CASE("a_handle_of_the_gizmo_is_hovered_and_used_and_a_click_on_it_keeps_the
   m.click(m.vertex(7));
   const Gizmo gizmo = *gizmo_of(m.w);
   m.move(gizmo.arms[1].tip);
-  CHECK(m.w.interaction.handle == Constraint{Constraint::Kind::axis, 1});
-  CHECK_FALSE(m.w.interaction.hovered);
+  CHECK(m.w.view.interaction.handle == Constraint{Constraint::Kind::axis, 1});
+  CHECK_FALSE(m.w.view.interaction.hovered);
   m.click(gizmo.arms[1].tip);
   CHECK(m.selected() == std::vector<std::uint32_t>{7});
   m.drag(gizmo.arms[1].tip, gizmo.arms[1].tip + glm::vec2(20, -40));
@@ -217,7 +217,7 @@ TEST_CASE("numbers_typed_during_a_drag_set_it_and_enter_keeps_it") {
   m.input.enter = true;
   m.step();
   m.input.enter = false;
-  CHECK_FALSE(m.w.interaction.drag);
+  CHECK_FALSE(m.w.view.interaction.drag);
   m.move({300, 300});
   m.release();
   CHECK(m.w.document.pose.positions[7] == mesh::Point{1.5, 1.5, 1.75});
@@ -240,16 +240,16 @@ TEST_CASE("the_axis_widget_takes_clicks_for_views_and_drags_for_orbits") {
   Mouse m;
   const AxisWidget axes = *axis_widget_of(m.w);
   m.move(axes.center);
-  CHECK(m.w.interaction.over_axes);
+  CHECK(m.w.view.interaction.over_axes);
   const AxisBall& ball = axes.balls.back();
   m.click(ball.at);
-  m.w.camera.animate(1);
-  CHECK(m.w.camera.forward()[ball.axis] == doctest::Approx(ball.positive ? -1 : 1));
-  const float yaw = m.w.camera.pose().yaw;
+  m.w.view.camera.animate(1);
+  CHECK(m.w.view.camera.forward()[ball.axis] == doctest::Approx(ball.positive ? -1 : 1));
+  const float yaw = m.w.view.camera.pose().yaw;
   m.drag(axes.center, axes.center + glm::vec2(-50, 0));
-  CHECK(m.w.camera.pose().yaw != yaw);
-  CHECK_FALSE(m.w.camera.moving());
-  m.w.view.axes = false;
+  CHECK(m.w.view.camera.pose().yaw != yaw);
+  CHECK_FALSE(m.w.view.camera.moving());
+  m.w.view.options.axes = false;
   CHECK_FALSE(axis_widget_of(m.w));
 }
 
@@ -261,7 +261,7 @@ TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
     const auto last = std::uint32_t(m.w.document.cage->edges.size() - 1);
     const auto [a, b] = m.w.document.cage->edges[last];
     m.move(0.5f * (m.vertex(a) + m.vertex(b)));
-    REQUIRE(m.w.interaction.hovered);
+    REQUIRE(m.w.view.interaction.hovered);
     m.press();
     select_kind(m.w.document, ElementKind::vertex);
     if (dragged) m.move(m.input.position + glm::vec2(40, 0));
@@ -274,7 +274,7 @@ TEST_CASE("another_kind_of_element_chosen_between_press_and_drag_ends_it") {
 
 TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
   Mouse m;
-  m.w.handling.soft = {.on = true, .radius = 0.1};
+  m.w.view.handling.soft = {.on = true, .radius = 0.1};
   const auto moved = [&] {
     const auto &now = m.w.document.pose.positions, &rest = m.w.document.cage->surface.positions;
     std::size_t count = 0;
@@ -284,7 +284,7 @@ TEST_CASE("the_wheel_changes_the_soft_radius_during_a_drag") {
   m.begin(m.vertex(7), m.vertex(7) + glm::vec2(30, -20));
   CHECK(moved() == 1);
   for (int i = 0; i < 40; ++i) m.turn_wheel(1);
-  CHECK(m.w.handling.soft.radius > 1);
+  CHECK(m.w.view.handling.soft.radius > 1);
   CHECK(moved() > 1);
   for (int i = 0; i < 60; ++i) m.turn_wheel(-1);
   CHECK(moved() == 1);

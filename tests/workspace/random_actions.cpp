@@ -61,7 +61,7 @@ private:
 
   glm::vec2 anywhere() { return {200 + below(800), below(780)}; }
   glm::vec2 near_vertex() {
-    const Projector project(w.document.space, w.camera, w.viewport);
+    const Projector project(w.document.space, w.view.camera, w.view.viewport);
     const auto at = project(w.document.pose.positions[static_cast<std::size_t>(below(8))]);
     return at ? glm::vec2(*at) + glm::vec2(below(7) - 3, below(7) - 3) : anywhere();
   }
@@ -130,16 +130,16 @@ private:
     if (!gizmo) return select_all_now_and_then();
     const glm::vec2 ring(gizmo_view_ring, 0);
     const auto& arm = gizmo->arms[static_cast<std::size_t>(below(3))];
-    const glm::vec2 from = w.tool == Tool::rotate ? gizmo->center + ring
-                           : once_in(4)           ? gizmo->center
-                                                  : arm.tip;
+    const glm::vec2 from = w.view.tool == Tool::rotate ? gizmo->center + ring
+                           : once_in(4)                ? gizmo->center
+                                                       : arm.tip;
     drag(left_button, glm::round(from), from + glm::vec2(below(201) - 100, below(201) - 100));
   }
   void select_all_now_and_then() {
     test::run_command(w, once_in(3) ? "select_all" : "select_linked");
     static const char* const tools[] = {"tool_move", "tool_rotate", "tool_scale"};
     test::run_command(w, tools[below(3)]);
-    w.view.cage = true;
+    w.view.options.cage = true;
   }
   // Selects with random tools, also over vertices and the gizmo. Sometimes cancels a brush.
   void select_otherwise() {
@@ -153,7 +153,7 @@ private:
   }
   void use_sets() {
     auto& sets = w.document.groups.sets;
-    if (w.interaction.drag || sets.empty()) return void(test::run_command(w, "save_set"));
+    if (w.view.interaction.drag || sets.empty()) return void(test::run_command(w, "save_set"));
     const auto set = static_cast<std::size_t>(below(static_cast<int>(sets.size())));
     switch (below(4)) {
       case 0: return remove_set(w.document, set);
@@ -166,7 +166,7 @@ private:
     test::run_command(w, "select_all");
     static const Part parts[] = {&Probe::turn, &Probe::stretch, &Probe::move};
     static constexpr double radii[] = {0.1, 0.7, 2};
-    if (!w.interaction.drag && !w.document.selection.empty() &&
+    if (!w.view.interaction.drag && !w.document.selection.empty() &&
         w.document.selection.kind() == ElementKind::probe)
       set_radius(w.document, parts[below(3)], radii[below(3)]);
   }
@@ -196,7 +196,7 @@ private:
     const auto frame = [this] { return below(40) - 5; };
     const std::vector<int> some = {frame(), frame(), current_frame(d)};
     switch (below(10)) {
-      case 0: return set_camera_key(d, frame(), w.camera.pose());
+      case 0: return set_camera_key(d, frame(), w.view.camera.pose());
       case 1: return remove_keys(d, some);
       case 2: return set_easing(d, some, static_cast<Easing>(below(3)));
       case 4:
@@ -207,7 +207,7 @@ private:
           move_keys(d, before, some, std::vector{frame(), frame(), frame()});
         return;
       }
-      case 6: return once_in(5) ? set_turntable(d, w.camera.pose()) : set_key(d, frame());
+      case 6: return once_in(5) ? set_turntable(d, w.view.camera.pose()) : set_key(d, frame());
       default: return set_key(d, current_frame(d));
     }
   }
@@ -225,7 +225,7 @@ private:
     const auto all = commands();
     const Command& command = all[static_cast<std::size_t>(below(static_cast<int>(all.size())))];
     if (command.enabled(w)) command.run(w);
-    w.requests = {};
+    w.jobs.requests = {};
   }
 
   std::mt19937 random_;
@@ -267,9 +267,8 @@ TEST_CASE("thousands_of_random_actions_are_undone_to_the_last_bit_and_redone_as_
     const Everything start = of(document);
     for (int i = 0; i < 1000; ++i) person.act();
     const Everything end = of(document);
-    for (const auto& p : document.pose.positions) {
+    for (const auto& p : document.pose.positions)
       for (const double x : p) REQUIRE(std::isfinite(x));
-    }
     for (const NamedPose& named : document.library.poses) REQUIRE(in_range(*named.pose));
     poses += document.library.poses.size(), keys += document.timeline.keys.size();
     const std::size_t count = test::edit_count(document.history);

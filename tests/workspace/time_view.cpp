@@ -61,41 +61,41 @@ TEST_CASE("a_press_selects_a_key_shift_adds_one_and_elsewhere_clears") {
   Workspace w = keyed_workspace({1, 10, 20});
   press_keys(w, 10, 10, false);
   release_time(w);
-  CHECK(w.time_view.selected == std::vector{10});
+  CHECK(w.view.time.selected == std::vector{10});
   press_keys(w, 20, 20, true);
-  CHECK(w.time_view.selected == std::vector{10, 20});
+  CHECK(w.view.time.selected == std::vector{10, 20});
   press_keys(w, 10, 10, true);
-  CHECK(w.time_view.selected == std::vector{20});
+  CHECK(w.view.time.selected == std::vector{20});
   press_keys(w, 15, std::nullopt, false);
   drag(w, {5, 4, 0});
-  CHECK(w.time_view.selected == std::vector{1, 10});
+  CHECK(w.view.time.selected == std::vector{1, 10});
   press_keys(w, 15, std::nullopt, true);
   drag(w, {25});
-  CHECK(w.time_view.selected == std::vector{1, 10, 20});
+  CHECK(w.view.time.selected == std::vector{1, 10, 20});
   press_keys(w, 15, std::nullopt, false);
   release_time(w);
-  CHECK(w.time_view.selected.empty());
+  CHECK(w.view.time.selected.empty());
 }
 
 TEST_CASE("selected_keys_are_dragged_together_and_each_drag_is_one_edit") {
   Workspace w = keyed_workspace({1, 10, 20});
-  set_camera_key(w.document, 10, w.camera.pose());
+  set_camera_key(w.document, 10, w.view.camera.pose());
   const Timeline before = w.document.timeline;
   const std::size_t edits = test::edit_count(w.document.history);
-  w.time_view.selected = {10, 20};
+  w.view.time.selected = {10, 20};
   press_keys(w, 20, 20, false);
   drag(w, {22, 29, 25.2});
   CHECK(key_frames(w.document.timeline) == std::vector{1, 15, 25});
   CHECK(w.document.timeline.cameras.front().frame == 15);
-  CHECK(w.time_view.selected == std::vector{15, 25});
+  CHECK(w.view.time.selected == std::vector{15, 25});
   CHECK(test::edit_count(w.document.history) == edits + 1);
   press_keys(w, 15, 15, false);
   drag(w, {15.2});  // a click without a drag is not an edit
   CHECK(test::edit_count(w.document.history) == edits + 1);
-  w.time_view.selected = {15, 25};
+  w.view.time.selected = {15, 25};
   press_keys(w, 15, 15, false);
   drag(w, {1e9});
-  CHECK(w.time_view.selected == std::vector{Timeline::largest_frame - 10, Timeline::largest_frame});
+  CHECK(w.view.time.selected == std::vector{Timeline::largest_frame - 10, Timeline::largest_frame});
   CHECK(test::edit_count(w.document.history) == edits + 2);
   undo(w.document);
   undo(w.document);
@@ -111,7 +111,7 @@ TEST_CASE("a_drag_over_other_keys_and_back_takes_none_away") {
   CHECK(key_frames(w.document.timeline) == std::vector{1, 12, 20});
   cancel_time(w);
   CHECK(key_frames(w.document.timeline) == std::vector{1, 10, 20});
-  CHECK(w.time_view.selected == std::vector{10});
+  CHECK(w.view.time.selected == std::vector{10});
 }
 
 TEST_CASE("the_ruler_goes_to_whole_frames") {
@@ -124,21 +124,21 @@ TEST_CASE("the_ruler_goes_to_whole_frames") {
 
 TEST_CASE("panning_moves_what_is_seen_and_escape_takes_it_back") {
   Workspace w = keyed_workspace({1});
-  w.time_view.seen = {0, 100};
+  w.view.time.seen = {0, 100};
   press_pan(w, 50);
   drag_time(w, 40);
-  CHECK(w.time_view.seen == FrameWindow{10, 110});
+  CHECK(w.view.time.seen == FrameWindow{10, 110});
   cancel_time(w);
-  CHECK(w.time_view.seen == FrameWindow{0, 100});
+  CHECK(w.view.time.seen == FrameWindow{0, 100});
 }
 
 TEST_CASE("easing_is_of_the_selected_keys_or_of_the_one_before_the_frame") {
   Workspace w = keyed_workspace({1, 10, 20});
   w.document.frame = 12;
   CHECK(eased_keys(w) == std::vector{10});
-  w.time_view.selected = {1, 10, 20};  // no key follows the key at 20
+  w.view.time.selected = {1, 10, 20};  // no key follows the key at 20
   CHECK(eased_keys(w) == std::vector{1, 10});
-  w.time_view.selected = {20};
+  w.view.time.selected = {20};
   CHECK(eased_keys(w) == std::vector{10});
   w.document.frame = 0;
   CHECK(eased_keys(w).empty());
@@ -153,9 +153,9 @@ TEST_CASE("other_edits_are_disabled_while_keys_are_dragged") {
   release_time(w);
   CHECK(test::run_command(w, "undo"));
   CHECK(key_frames(w.document.timeline) == std::vector{1, 10});
-  w.time_view.selected = {1};
+  w.view.time.selected = {1};
   CHECK_FALSE(test::run_command(w, "delete_keys"));
-  w.time_view.hovered = true;
+  w.view.time.hovered = true;
   CHECK(test::run_command(w, "delete_keys"));
   CHECK(key_frames(w.document.timeline) == std::vector{10});
 }

@@ -21,8 +21,8 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   const std::string label = w.document.history.undo_label();
   begin_widget_edit(w);
   for (const double radius : {0.4, 0.2}) set_radius(w.document, radius);
-  w.handling.soft.radius = 0.7;
-  w.brush.radius = 99;
+  w.view.handling.soft.radius = 0.7;
+  w.view.brush.radius = 99;
   w.making.wish.triangles = 444;
   w.preferences.layout.width[1] = 400;
   cancel_widget_edit(w);
@@ -30,8 +30,8 @@ TEST_CASE("cancelling_a_slider_restores_every_bit") {
   CHECK(w.document.history.undo_label() == label);
   CHECK(w.document.history.can_redo());
   const Workspace fresh;
-  CHECK(w.handling == fresh.handling);
-  CHECK(w.brush.radius == fresh.brush.radius);
+  CHECK(w.view.handling == fresh.view.handling);
+  CHECK(w.view.brush.radius == fresh.view.brush.radius);
   CHECK(w.making.wish.triangles == fresh.making.wish.triangles);
   CHECK(w.preferences.layout == fresh.preferences.layout);
 }
@@ -48,10 +48,10 @@ TEST_CASE("cancelling_merged_steps_keeps_the_older_edit_and_leaves_another_docum
   undo(w.document);
   CHECK_FALSE(w.document.history.can_undo());
   begin_widget_edit(w);
-  ++w.opened;  // simulates that another document was opened
-  w.brush.radius = 99;
+  ++w.files.opened;  // simulates that another document was opened
+  w.view.brush.radius = 99;
   cancel_widget_edit(w);
-  CHECK(w.brush.radius == 99);
+  CHECK(w.view.brush.radius == 99);
 }
 
 TEST_CASE("a_repeated_message_is_counted_and_visible_again_and_the_last_200_stay") {
