@@ -83,8 +83,7 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Returns the number of grid cells along the longest side of the model's box. If not clamped, a triangle of
-  // the cage is about seven cells wide.
+  // Grid cells along the longest side of the model's box: about seven for the width of a cage triangle.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
@@ -198,8 +197,7 @@ private:
     return cage.shell();
   }
 
-  // Alternates collapses and tightening. If the cage still has too many triangles, returns false. `share` is
-  // the part of the drafts' progress that is reached at the end.
+  // If the cage still has too many triangles, returns false. The drafts' progress ends at `share`.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
@@ -214,7 +212,7 @@ private:
     return true;
   }
 
-  // Makes the margin exact. Before this step, the margin is exact only to the resolution of the grid.
+  // Before this step, the margin is exact only to the resolution of the grid.
   Shell settled(WorkingCage& cage) {
     too_near_ = keep_margin(cage, wish_.margin, stages_.until(0.85));
     cage.be_exact(wish_.margin);

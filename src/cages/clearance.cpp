@@ -113,8 +113,7 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// Returns 1 for each node that is connected with the grid's border. Each node on the connection must be
-// outside the model and farther than `least` from it.
+// Returns 1 for each node that is connected with the border by outside nodes farther than `least` away.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -195,8 +194,7 @@ private:
 };
 
 // Returns the clearance of an unreached node. `by_depth` is computed from the distance to the reached region.
-// `to_model` is exact, but has no sign. If both agree for one sign, returns `to_model` with this sign.
-// Otherwise returns the smaller value.
+// `to_model` is exact but has no sign. If they agree for one sign, returns this; otherwise the smaller one.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;

@@ -125,8 +125,7 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // Returns the half-edge to collapse. Its `to` vertex remains. If only one end is on the mirror plane, this
-  // end is the `to` vertex.
+  // The `to` vertex of the returned half-edge remains: the end on the mirror plane if only one end is there.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;

@@ -57,7 +57,6 @@ public:
     return static_cast<std::uint32_t>(positions_.size() - 1);
   }
 
-  // Adds a vertex at the mean position of the polygon's vertices.
   std::uint32_t add_middle(const Polygon& of) {
     Point sum{0, 0, 0};
     Origin origin;

@@ -136,7 +136,6 @@ namespace {
 
 using Matrix = std::array<Vec3, 3>;
 
-// Returns the eigenvectors of a symmetric matrix as columns. Uses Jacobi rotations.
 Matrix eigenvectors(Matrix a) {
   Matrix v = {{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (int sweep = 0; sweep < 12; ++sweep) {

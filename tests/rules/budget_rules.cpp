@@ -21,11 +21,11 @@ using Budget = std::map<std::string, std::size_t>;
 // Since their last rows, deform has the proxy of large models and workspace has the groups of its state.
 const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7207},      {"base", 2017},          {"bench", 5034},    {"blender", 591},
-    {"cages", 3529},   {"deform", 13069},  {"deform/sparse", 1267}, {"document", 5029}, {"files", 3818},
+    {"cages", 3522},   {"deform", 13069},  {"deform/sparse", 1267}, {"document", 5029}, {"files", 3818},
     {"formats", 8376}, {"interact", 2501}, {"library", 925},        {"mesh", 2958},     {"platform", 966},
     {"python", 1319},  {"render", 2188},   {"sym3", 6357},          {"ui", 6068},       {"workspace", 5898},
 };
-constexpr std::size_t all_lines_of_src = 79'733;
+constexpr std::size_t all_lines_of_src = 79'726;
 
 // support has the helpers of several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
