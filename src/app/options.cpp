@@ -24,7 +24,6 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-// Formats a number as text, for example "0.5" or "1,000,000".
 std::string number_text(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -349,8 +348,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-// Rewrites messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but received
-// 2" and "--compare: At least 2 required but received 1".
+// Rewrites these messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but
+// received 2" and "--compare: At least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {

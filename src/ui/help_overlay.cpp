@@ -117,7 +117,6 @@ bool is_transient_answer(const Context& ui, const workspace::Command& command) {
   return command.passing && workspace::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
-// The actions of the mouse, and information about the program.
 void mouse_rows(const Context& ui) {
   heading(ui, "Mouse");
   for (const MouseLine& line : mouse_lines(ui.workspace.preferences.keymap)) {

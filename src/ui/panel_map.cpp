@@ -57,7 +57,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// Legend sizes: for one view with a histogram, for several views without a histogram.
+// Size of the legend. whole: one view, with a histogram. small: several views, without a histogram.
 struct Size {
   float width, height, bars;
 };

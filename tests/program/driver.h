@@ -70,7 +70,7 @@ public:
   render::Image picture() { return viewer().picture(); }
 
   using What = files::OpenRequest::What;
-  /// Opens files, and runs frames until they are open. False if the program refuses them or asks a question.
+  /// Opens files, and runs frames until they are open. Returns false on a refusal or a question.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
   /// Opens the dragon and its cage, at rest or in a pose. Waits until the picture no longer changes.
   void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
@@ -151,7 +151,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// If the deformer's custom settings exist, unfolds them. Returns true if the widget then exists.
+  /// If `widget` is a custom setting of the deformer, unfolds all. Returns true if the widget exists.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
@@ -172,7 +172,7 @@ public:
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
-    const auto rect = viewer().recorder().find(item);  // may cover columns and the status bar
+    const auto rect = viewer().recorder().find(item);  // the list can cover columns and the status bar
     if (!rect || !rect->visible) return click(item);
     click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
   }

@@ -43,7 +43,7 @@ struct Timed : Driver {
     type(percent);
     press_key(workspace::Key::enter);
   }
-  // Returns the position of a frame of the track on the screen. `y` is a fraction of the track's height.
+  // Returns the screen position of a frame on the track. `y` is a fraction of the track's height.
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
     REQUIRE(rect);
