@@ -20,7 +20,7 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-constexpr double longest_wait = 1e-3;  // seconds per frame
+constexpr double longest_wait = 1e-3;  // seconds that a frame waits for a write
 constexpr double backup_timeout = 10;  // seconds to wait for a backup before the document is closed
 
 void make_folder(const fs::path& folder) {

@@ -1,4 +1,4 @@
-// Writes unsaved edits to a recovery file after each edit, so that they can be restored after a crash.
+// Writes unsaved edits to a recovery file after each edit. After a crash, these edits can be restored.
 #pragma once
 
 #include <filesystem>

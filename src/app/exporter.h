@@ -42,7 +42,7 @@ public:
   void add(files::Export what, std::vector<std::string> shown_notes = {});
   void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
-  /// Cancels the running export. When it has ended, the next export starts.
+  /// Cancels the running export. When this export has ended, the next export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   workspace::WorkState state() const;

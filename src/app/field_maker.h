@@ -22,7 +22,7 @@ struct FieldSubject {
   document::PosedModel posed, first;  ///< the model in this view; the model in the first view; empty: at rest
 };
 
-/// Computes the shown fields of all views again when their input changes. Not thread-safe.
+/// Computes the shown fields of all views, again after each change of their input. Not thread-safe.
 class FieldMaker {
 public:
   /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. The values
@@ -36,7 +36,7 @@ public:
   bool is_due(std::size_t view, const FieldSubject& subject, const workspace::FieldView& shown) const;
 
 private:
-  // The input of computed values.
+  // The input from which values were computed.
   struct Key {
     analysis::Field field = analysis::Field::none;
     unsigned long frame = 0, first = 0;

@@ -35,7 +35,7 @@ public:
   bool closed() const { return closed_; }
   /// True if the current edits have been backed up.
   bool kept() const { return autosave_.kept(); }
-  /// Backs up the current edits and waits. Returns false if that fails.
+  /// Backs up the current edits and waits. Returns false if the backup fails.
   bool keep_now(workspace::Workspace& workspace) { return autosave_.keep_now(workspace); }
   /// True if a backup has finished or failed since the last keep().
   bool has_news() const { return autosave_.has_news(); }

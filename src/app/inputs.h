@@ -65,11 +65,11 @@ CLI::Option* add_output_options(
 /// a session. Throws base::Error if settings cannot be combined.
 void check_usage(const Inputs& inputs);
 
-/// Opens the inputs, then calls `check`. Throws base::Error if this fails or a needed cage is missing.
+/// Opens the inputs, then calls `check`. Throws base::Error on failure, or if a needed cage is missing.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
-/// As above. Also calls check_output() twice: before reading, and after reading with all files that were
-/// read. `also`: one more input file.
+/// As above. Also calls check_output(): before reading, and again after reading with all read files. `also`:
+/// one more input file.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
                    const document::FileInUse& also = {});
 

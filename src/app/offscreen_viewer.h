@@ -54,7 +54,7 @@ std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files:
 void print_messages(const workspace::Workspace& workspace);
 
 struct PictureRun {
-  std::filesystem::path file;  ///< frame_####.png
+  std::filesystem::path file;  ///< pattern of the file names, such as frame_####.png
   std::vector<int> frames;
   double rate = 24;                         ///< frames of the timeline per second
   int step = 1;                             ///< the difference of successive `frames`
@@ -68,7 +68,7 @@ struct PictureRun {
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
-/// The shell command, in one line, that converts pictures without gaps to a film at the timeline's rate.
+/// Returns a shell command that converts the pictures to a film. The frame numbers must have no gaps.
 std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

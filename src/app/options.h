@@ -24,9 +24,9 @@ namespace viete::app {
 
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
                              const std::string& text);
-/// Accepts only numbers from low to high. Help and errors show the range.
+/// Accepts only numbers from `low` to `high`. Help and errors show the range.
 CLI::Option* in_range(CLI::Option* option, double low, double high);
-/// Accepts only integers from low to high. Help and errors show the range.
+/// Accepts only integers from `low` to `high`. Help and errors show the range.
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
 /// Accepts only these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
@@ -67,7 +67,7 @@ inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 void add_size_option(CLI::App& app, glm::ivec2& size);
 
 /// Wraps a text at spaces, so that lines have at most `width` characters. The first line starts at `column`;
-/// all other lines begin with `indent` spaces. A longer word gets its own line. Keeps line breaks.
+/// all other lines begin with `indent` spaces. Longer words get their own line. Keeps line breaks.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width = 80);
 
 /// The edit distance of two words: the number of insertions, deletions, replacements and swaps of

@@ -55,7 +55,7 @@ public:
   /// Handles input and commands, deforms the model, and draws the view and the panels into the framebuffer.
   /// seconds: the time since the last frame.
   void frame(float seconds);
-  /// True if a new frame would differ from the last one.
+  /// True if a new frame would differ from the last frame.
   bool wants_frame() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
@@ -82,7 +82,7 @@ public:
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
-  /// Waits until files are read, and applies them.
+  /// Waits until files are read, and applies the result.
   void finish_loading() { files_.finish_loading(workspace_); }
   void finish_exports() { files_.finish_exports(workspace_); }
   /// Waits for the binding. The next frame deforms the model.

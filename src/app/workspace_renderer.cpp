@@ -35,7 +35,7 @@ render::Paint paint_of(document::Shading shading, bool file_has_looks) {
   return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
-// For each cage vertex, returns its fraction of the motion. Empty without soft selection.
+// For each cage vertex, returns its fraction of the selection's motion. Empty without soft selection.
 std::vector<float> soft_shares(const workspace::Workspace& w) {
   if (!w.view.tools || !w.view.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);

@@ -112,7 +112,7 @@ void key_row(const Context& ui, const workspace::Keymap& plain, const workspace:
   give_back(ui, plain, command);
 }
 
-// True for answers to transient questions, which have a button but no key.
+// True for a transient command without a key, such as an answer to a question.
 bool is_transient_answer(const Context& ui, const workspace::Command& command) {
   return command.passing && workspace::text(ui.workspace.preferences.keymap.of(command)).empty();
 }

@@ -67,7 +67,7 @@ struct Legend {
   const Context& ui;
   ImDrawList& draw;
   const analysis::FieldStats& stats;
-  ImVec2 at;  // the upper left of the colours
+  ImVec2 at;  // the upper left corner of the colour bar
   Size size;
 
   float length() const { return size.width - 2 * legend_margin; }

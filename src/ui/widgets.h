@@ -49,7 +49,7 @@ ImVec2 middle_at(const Context& ui, float y);
 ImVec2 middle_of_view(const Context& ui);
 
 void text_in(ImU32 color, const std::string& text);
-/// A label before an item at this distance from the left.
+/// A label. The next item begins at `distance` from the left.
 void row_label(const char* text, float distance);
 /// Text beside a slider, right aligned at `right`.
 void value_beside(float right, const std::string& value);
@@ -104,8 +104,8 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// Like note(), with a height of at least this number of lines, so that items below do not move.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
-/// Breaks the text at spaces into lines of at most this width. A longer word gets its own line. ImGui would
-/// also break "3.7e-16" at the point.
+/// Breaks the text at spaces into lines of at most `width`. A word longer than `width` gets its own line.
+/// ImGui would also break "3.7e-16" at the point.
 std::string wrapped(const std::string& text, float width);
 /// Truncates a text to the width, with "..." at the end.
 std::string shortened(std::string text, float width);

@@ -1,4 +1,4 @@
-// viete animate: exported frames must be complete even if the program is killed, and exports can continue.
+// viete animate: formats, errors, and complete frames after the program is killed.
 #include <set>
 
 #include "base/numbered_files.h"

@@ -1,4 +1,4 @@
-// Binding in the background. During binding, the program reacts. If binding stops or fails, nothing changes.
+// Binding in the background: the program reacts during binding, and a cancelled binding changes nothing.
 #include "deform/binding.h"
 #include "formats/write.h"
 #include "program/driver.h"

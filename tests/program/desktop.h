@@ -24,8 +24,7 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-/// Waits until the condition is true. Returns false after the time limit. The default is for hanging
-/// programs.
+/// Waits until the condition is true. After the limit, returns false: only a hanging program takes so long.
 inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;

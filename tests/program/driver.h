@@ -139,7 +139,7 @@ public:
     for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
   }
 
-  /// Unfolds columns until the widget is visible.
+  /// Unfolds columns until the widget exists.
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
@@ -151,7 +151,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// If `widget` is a custom setting of the deformer, unfolds all. Returns true if the widget exists.
+  /// Unfolds the custom settings of the deformer if they contain `widget`. Returns true if `widget` exists.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
