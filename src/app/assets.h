@@ -1,4 +1,4 @@
-// Finds the files installed with the program, and describes its build.
+// Finds the files installed with the program. Describes the build of the program.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace viete::app {
 
 /// Returns the first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative
-/// to the program, source_assets(). If no folder contains it, throws base::Error.
+/// to the program, source_assets(). Throws base::Error if the model is not found.
 std::filesystem::path assets_folder();
 
 struct BundledModel {

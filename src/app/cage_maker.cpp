@@ -95,7 +95,7 @@ void CageMaker::take(workspace::Workspace& w, Made&& made) {
   document::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
                           std::move(made.notes));
   if (!w.making.closing) return;
-  // The panel is closed, so its notes are shown as messages.
+  // The panel is closed, so the notes on the cage are shown as messages.
   for (const std::string& note : w.making.notes)
     w.messages.warn("New cage: " + note + ".", {.scope = workspace::Scope::cage});
 }

@@ -47,7 +47,7 @@ public:
   bool running() const { return job_.running(); }
   workspace::WorkState state() const;
   /// If `wait`, first waits for the running export. If an export has finished, starts the next export.
-  /// Reports success or cancelling in `messages`. Returns a failure instead of reporting it.
+  /// Reports success or cancelling in `messages`. A failure is returned, but not reported.
   std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
 
 private:

@@ -22,7 +22,7 @@ struct FieldSubject {
   document::PosedModel posed, first;  ///< the model in this view; the model in the first view; empty: at rest
 };
 
-/// Computes the shown fields of all views, again after each change of their input. Not thread-safe.
+/// Computes the shown fields of all views, again after each change of the input. Not thread-safe.
 class FieldMaker {
 public:
   /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. The values

@@ -47,7 +47,7 @@ public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
   /// Call in every frame after the cage is posed. Updates the highlights of faces and edges. Returns true if
-  /// they have changed.
+  /// the highlights have changed.
   bool set(const workspace::Workspace& workspace, const render::Theme& theme);
   /// The next set() updates the highlights even if they have not changed.
   void forget() { marks_.reset(); }

@@ -61,10 +61,10 @@ void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see workspace/messages.h
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
-/// Notices at the bottom of the view. Each function returns the notice's top edge, or `bottom` if the notice
-/// is hidden. cage_offer(): the next step, to get a cage or to enclose the model. key_question(): the choice
-/// of a keymap at the first start. work_bar(): running work with progress and Cancel. map_legend(): the
-/// colours of the mesh.
+/// Notices at the bottom of the view. If a notice is shown, its function returns a smaller `bottom` for
+/// messages above the notice. cage_offer(): the next step, to get a cage or to enclose the model.
+/// key_question(): the choice of a keymap at the first start. work_bar(): running work with progress and
+/// Cancel. map_legend(): the colours of the mesh.
 float cage_offer(const Context& ui, float bottom);
 float key_question(const Context& ui, float bottom);
 float work_bar(const Context& ui, float bottom);

@@ -52,7 +52,7 @@ void axis_overlay(const Context& ui) {
 
 namespace {
 
-// Draws the brush as a circle around its point on the model.
+// Draws the brush as a circle on the screen, around the brushed point of the model.
 void brush_ring(const Context& ui, const workspace::Workspace& w) {
   const auto center =
       interact::Projector(w.document.space, w.view.camera, w.view.viewport)(*w.view.interaction.brush);
@@ -113,7 +113,7 @@ void view_overlay(const Context& ui) {
   auto& options = w.view.options;
   if (!options.panels && w.panels.has_user) restore_hint(ui);
   if (w.view.interaction.brush) brush_ring(ui, w);
-  if (w.jobs.working()) return;  // a progress bar is shown there
+  if (w.jobs.working()) return;  // the progress bar needs this place
   if (w.document.kept_pose && options.panels) return editing_hint(ui);
   const bool room =  // false if the legend, the brush or the next step needs the place
       workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);

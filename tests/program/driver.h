@@ -33,7 +33,7 @@ struct WithPixels {
 };
 inline constexpr WithPixels with_pixels;
 
-/// The program in a test. It draws only if a test needs pixels or VIETE_PICTURES is set.
+/// The program in a test. Draws only if a test needs pixels or VIETE_PICTURES is set.
 class Driver {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),

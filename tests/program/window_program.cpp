@@ -1,4 +1,4 @@
-// The window on a virtual display, with mouse and keyboard. It must have the pixels of the offscreen program.
+// Compares a window on a virtual display with the offscreen program, with mouse and keyboard.
 #include <sstream>
 
 #include "files/session.h"
