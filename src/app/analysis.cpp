@@ -25,7 +25,7 @@ namespace viete::app {
 namespace {
 
 constexpr std::size_t probed_matrices = 2048;
-constexpr double probe_seconds = 0.3;      // shortest interval between samples, which take a millisecond each
+constexpr double probe_seconds = 0.3;      // shortest interval between samples; a sample takes a millisecond
 constexpr double pose_rest_seconds = 0.5;  // after this time without motion, all methods are timed
 
 bool is_in_motion(const workspace::Workspace& w) {
@@ -62,7 +62,8 @@ bool Analysis::has_news(const workspace::Workspace& w, const LiveModel& model) c
          timer_.has_result() || timer_is_due(w, model);
 }
 
-// Discards measurements that do not belong to the current path. Scheme::amounts is not part of the path.
+// Discards measurements if surfaces, cage or scheme have changed, except amounts. If only the engine has
+// changed, discards only the sampled error.
 void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();
   const deform::Deformer* deformer = model.deformer();
@@ -195,8 +196,7 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// Before a measurement, the weights of the staged engine are computed if they fit in this many bytes. If not,
-// they are computed when a method needs them.
+// Missing staged weights are computed for a measurement if they need at most this number of bytes.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {

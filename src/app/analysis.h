@@ -1,4 +1,4 @@
-// Measures the open document in the background: defects of surfaces, and times and errors of the methods.
+// Background measurements of the open document: defects of surfaces, and time and error of each method.
 #pragma once
 
 #include <filesystem>
@@ -17,39 +17,39 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The binding of the timed frames. It includes the staged weights if they are not very large.
+  /// The timed binding. time_methods() adds missing staged weights if they need at most 256 MiB.
   std::shared_ptr<const deform::Binding> binding;
 };
 
-/// Times whole frames of all methods and returns the medians. Throws base::Error if memory is insufficient,
-/// and base::Cancelled between frames. Thread-safe.
+/// Measures the time of whole frames with each method. Returns median times. Throws base::Error if memory is
+/// insufficient. If cancelled, throws base::Cancelled before the next frame. Thread-safe.
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
-/// Times and errors of all compared methods for these matrices. Times are medians of CPU time. Errors are
-/// relative to a reference with 106 bits. If an error of a method is NaN, all its errors are NaN.
+/// Measures CPU time and error of each compared method for these matrices. Times are medians. Errors are
+/// relative to a reference with 106 bits. If one error of a method is NaN, both errors in its sample are NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
-/// Restarts measurements when their input changes, and stores the results in the workspace. Not thread-safe.
+/// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.
 class Analysis {
 public:
-  /// probe: true to measure the methods. For program and state, see create_and_show_report().
+  /// probe: if true, measures the methods. program, state: see create_and_show_report().
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
-  /// Call before each frame. Starts reports and checks, and shows their results.
+  /// Call before each frame. Starts requested reports, and checks of new surfaces. Stores finished results.
   void follow_document(workspace::Workspace& workspace);
-  /// Call after each frame. Measures times and errors of the methods.
+  /// Call after each frame. Measures times and errors of the methods. moves: true if this frame shows motion.
   void follow_frame(workspace::Workspace& workspace, LiveModel& model, bool moves);
 
-  /// Updates the vertex inspector, in less than a millisecond. Returns true if the shown data changed.
+  /// If the inspected vertex or the frame has changed, updates the vertex inspector and returns true.
   bool follow_vertex(workspace::Workspace& workspace, const LiveModel& model);
   bool vertex_is_due(const workspace::Workspace& workspace, const LiveModel& model) const;
 
-  /// True if follow_document() or follow_frame() would do something now.
+  /// True if a result is ready or a measurement is due.
   bool has_news(const workspace::Workspace& workspace, const LiveModel& model) const;
-  /// True while a computation with a progress bar runs.
+  /// True while checks or a report run. Both show a progress bar.
   bool reports() const { return checks_.running() || report_.running(); }
-  /// True if the last call changed something visible in the workspace.
+  /// True if the last follow_document() or follow_frame() changed something visible in the workspace.
   bool shows_news() const { return shows_news_; }
   /// Measures the methods in this pose and waits for the results.
   void finish_measuring(workspace::Workspace& workspace, LiveModel& model);
@@ -77,7 +77,7 @@ private:
   base::BackgroundJob<std::vector<document::Finding>> checks_;
   std::shared_ptr<const mesh::Surface> checked_model_, checked_cage_;
   unsigned long probed_ = 0;  // index of the last frame sampled by start_probe()
-  // All data that determine the accuracy of a frame, except the pose.
+  // If one of these members changes, measurements are discarded.
   struct Path {
     document::Revision surfaces = 0, cage = 0;
     deform::Scheme scheme;
@@ -85,7 +85,7 @@ private:
   };
   Path path_;
   std::optional<deform::EngineKind> engine_;
-  // The frame shown by the vertex inspector.
+  // The vertex and the frame shown by the vertex inspector.
   struct Inspected {
     std::optional<std::uint32_t> vertex;
     unsigned long frame = 0;
@@ -93,7 +93,7 @@ private:
     friend bool operator==(const Inspected&, const Inspected&) = default;
   };
   Inspected inspected_;
-  double probed_at_ = -1;    // time of the last start or result, in wall seconds
+  double probed_at_ = -1;    // when probe_ was last started or gave a result, in wall seconds
   unsigned long timed_ = 0;  // index of the frame whose pose was last timed
   double rests_since_ = 0;   // time of the last motion, in wall seconds
 };

@@ -64,7 +64,7 @@ void add_frames_option(CLI::App& command, std::optional<FrameRange>& frames) {
       ->default_str("the session's frames");
 }
 
-// Called twice: with the files of the command line before they are read, and with all files that were read.
+// Called twice: before reading, with the files of the command line, and after reading, with all read files.
 void check_output(const AnimateOptions& options, FilesInUse files, const files::FrameSteps& frames = {}) {
   const std::string extension = formats::extension_of(options.output.file);
   const bool numbered = base::NumberedName::is_pattern(options.output.file);

@@ -1,4 +1,4 @@
-// Finds the files installed with the program, and describes its build.
+// Finds the files installed with the program. Describes the build of the program.
 #pragma once
 
 #include <filesystem>
@@ -7,8 +7,8 @@
 
 namespace viete::app {
 
-/// The first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative to the
-/// program, and source_assets(). If no folder contains it, throws base::Error with the searched folders.
+/// Returns the first of these folders that contains the bundled model: $VIETE_ASSETS, ../share/viete relative
+/// to the program, source_assets(). Throws base::Error if the model is not found.
 std::filesystem::path assets_folder();
 
 struct BundledModel {
@@ -20,8 +20,8 @@ BundledModel bundled_model();
 
 std::filesystem::path program_folder();
 
-/// The page of a chapter of the manual, such as "cages", or the first page if the chapter is empty. Throws
-/// base::Error if the pages were not built, or the chapter does not exist (the message lists all chapters).
+/// Returns the manual's page of a chapter such as "cages". If `chapter` is empty, returns the first page.
+/// Throws base::Error if the pages were not built or the chapter does not exist.
 std::filesystem::path manual_page(const std::string& chapter);
 
 /// For example "0.2.0".

@@ -20,8 +20,8 @@ fs::path absolute_path_in(const char* variable) {
   return path.is_absolute() ? path : fs::path();
 }
 
-constexpr double longest_wait = 1e-3;  // seconds per frame
-constexpr double backup_timeout = 10;  // seconds before asking whether to continue without a backup
+constexpr double longest_wait = 1e-3;  // seconds that a frame waits for a write
+constexpr double backup_timeout = 10;  // seconds to wait for a backup before the document is closed
 
 void make_folder(const fs::path& folder) {
   std::error_code code;
@@ -103,7 +103,7 @@ std::string Autosave::problem() const {
   return problem_;
 }
 
-// After writing, deletes the recovery file that was restored, because the new file contains its edits.
+// After writing, deletes the restored recovery file, because the new file contains the same edits.
 void Autosave::write(workspace::Workspace& workspace) {
   kept_ = false;
   has_file_ = true;
@@ -130,7 +130,7 @@ void Autosave::take_result(workspace::Workspace& workspace, double wait_seconds)
   }
 }
 
-// Renames the previous document's recovery file, to keep it.
+// Renames the recovery file of the previous document, so that the file is not overwritten.
 bool Autosave::move_aside(workspace::Workspace& workspace) {
   kept_ = has_file_ = false;
   std::error_code code;

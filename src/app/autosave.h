@@ -1,4 +1,4 @@
-// Writes unsaved edits to a recovery file after each edit, so that they can be restored after a crash.
+// Writes unsaved edits to a recovery file after each edit. After a crash, these edits can be restored.
 #pragma once
 
 #include <filesystem>
@@ -10,32 +10,32 @@
 
 namespace viete::app {
 
-/// $XDG_STATE_HOME/viete, or ~/.local/state/viete if the variable is not an absolute path (see the XDG base
-/// directory specification). If there is no home folder, the path is empty and nothing is stored.
+/// Returns $XDG_STATE_HOME/viete. If this variable is not an absolute path, returns ~/.local/state/viete (XDG
+/// base directory specification). Without a home folder, returns an empty path: nothing is stored.
 std::filesystem::path state_folder();
 
-/// Writes the whole session to a recovery file in the background, after each finished edit and each later
-/// change of settings. If only the camera, transform settings or the current frame change, writes nothing. A
-/// frame waits at most a millisecond. The file is deleted when the edits are saved or undone. If another
-/// document is opened, the file is renamed, so that its edits stay recoverable. Recovered edits stay in their
-/// original file until the next edit. If a write fails, shows a message and tries again after the next edit.
-/// After a crash of the program, all written edits can be restored. A power loss may also lose written edits.
+/// While there are unsaved edits, writes the session to a recovery file after each finished edit or change of
+/// settings. If only the camera, transform settings or current frame change, writes nothing. Writing runs in
+/// the background; a frame waits at most a millisecond. If the edits are saved or undone, deletes the file.
+/// If another document is opened, renames the file to keep it. Recovered edits stay in their original file
+/// until the next edit. If a write fails, shows a message and tries again after the next edit. Written edits
+/// survive a crash of the program, but perhaps not a power failure.
 class Autosave {
 public:
   /// An empty folder disables autosave. The queue must outlive this object.
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
-  /// Call at the end of each frame. no_drag: false during a drag, which is not a finished edit.
+  /// Call at the end of each frame. no_drag: false during a drag, because a drag is not a finished edit.
   void follow(workspace::Workspace& workspace, bool no_drag = true);
   /// True if the current edits have been written.
   bool kept() const { return kept_; }
-  /// True if a write has finished or failed since follow().
+  /// True if a write has finished or failed since the last follow().
   bool has_news() const;
-  /// Writes the current edits and waits, with one retry. If this fails, returns false; see problem().
+  /// Writes the current edits, at most twice, and waits. Returns false on failure: see problem().
   bool keep_now(workspace::Workspace& workspace);
   /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);
-  /// Call when a document with recovered edits is closed unchanged. The next start does not offer its file.
+  /// Call when a document with recovered edits is closed. Unchanged edits are not offered at the next start.
   void close_recovered(workspace::Workspace& workspace);
   /// The reason why the current edits could not be written.
   std::string problem() const;
@@ -46,7 +46,7 @@ private:
     unsigned long edits = 0, saved = 0;
     document::Revision method = 0;
     document::ViewOptions view;
-    bool unsaved = false;  // true if there are unsaved edits
+    bool unsaved = false;
     friend bool operator==(const Moment&, const Moment&) = default;
   };
 

@@ -25,7 +25,7 @@ constexpr int most_frames = 100'000;
 
 struct BetweenOptions {
   std::vector<std::filesystem::path> files;
-  std::filesystem::path rest;  // empty: the first of the files
+  std::filesystem::path rest;  // empty: the first file is the rest shape
   Output output;
   std::optional<double> at;
   int frames = 25;
@@ -33,8 +33,7 @@ struct BetweenOptions {
   bool straight = false, linear = false, loop = false;
 };
 
-// Replaces a pattern of numbered files by the matching files. The first file is the model, the others are
-// shapes.
+// If the first argument is a pattern such as pose_##.obj, replaces the pattern by the matching files.
 void expand_pattern(std::vector<std::filesystem::path>& files) {
   if (!base::NumberedName::is_pattern(files.front())) return;
   const base::NumberedName name(files.front());

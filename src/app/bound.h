@@ -14,7 +14,7 @@ struct Bound {
   std::shared_ptr<const mesh::Surface> model;
   std::shared_ptr<const deform::Cage> cage;
   std::shared_ptr<const deform::Binding> binding;
-  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme needs it
+  std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme is bound
 
   bool stitches(const deform::Scheme& scheme) const {
     return stitching && stitching->holding == scheme.holding;
@@ -25,8 +25,8 @@ struct Bound {
   }
 };
 
-/// Binds for all engines that the scheme and the method need. Reuses parts of `known` that fit. Throws
-/// base::Error if memory is insufficient, and base::Cancelled. Thread-safe; starts its own threads.
+/// Binds the model for the engines of this scheme and method. Reuses parts of `known` with the same input.
+/// Throws base::Error if memory is insufficient, base::Cancelled if cancelled. Thread-safe.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
            const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress);
 

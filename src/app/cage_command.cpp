@@ -29,7 +29,7 @@ struct CageOptions {
   cages::Wish wish;
 };
 
-// Parses text such as "2x3x2". Returns an error message, or an empty text.
+// Parses text such as "2x3x2". If the text is not valid, returns an error message, otherwise an empty text.
 std::string take_cells(const std::string& text, std::array<std::size_t, 3>& cells) {
   std::array<std::size_t, 3> read{};
   int end = 0;

@@ -64,7 +64,7 @@ void CageMaker::follow(workspace::Workspace& w, bool no_drag) {
       if (!result->problem.empty()) w.messages.error(result->problem, {"make cage", workspace::Scope::model});
       wants_full_ &= result->value.has_value();
     }
-    // Waits for a running preview: otherwise no preview would be shown while a slider is dragged.
+    // Does not cancel a running preview: otherwise, a dragged slider would never show a preview.
     const bool busy = job_.running() && effort_ == cages::Effort::preview;
     if (!is_wished(w) && !busy) start(w, cages::Effort::preview);
     wants_full_ &= job_.running() || document::can_replace_generated(w.document, w.making);
@@ -95,7 +95,7 @@ void CageMaker::take(workspace::Workspace& w, Made&& made) {
   document::put_generated(w.document, w.making, std::move(made.surface), std::move(made.cage),
                           std::move(made.notes));
   if (!w.making.closing) return;
-  // The panel is closed, so its notes are shown as messages.
+  // The panel is closed, so the notes on the cage are shown as messages.
   for (const std::string& note : w.making.notes)
     w.messages.warn("New cage: " + note + ".", {.scope = workspace::Scope::cage});
 }

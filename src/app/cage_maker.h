@@ -13,20 +13,20 @@
 
 namespace viete::app {
 
-/// Generates a preview for each change of the settings in workspace.making, and a full-quality cage when the
-/// settings stay unchanged. For a cage of full quality, also binds the model. Not thread-safe.
+/// If the settings in workspace.making change, generates a preview. If the settings then stay unchanged,
+/// generates the cage in full quality and binds the model. For a box, the preview is final. Not thread-safe.
 class CageMaker {
 public:
-  /// Call once per frame. Puts a finished cage into the document, unless a drag is running, and starts the
-  /// next generation.
+  /// Call once per frame. If `no_drag`, puts a finished cage into the document and starts the next
+  /// generation. If the panel is closed, cancels the generation.
   void follow(workspace::Workspace& workspace, bool no_drag);
-  /// Cancels the generation and shows a message. The cage stays until the settings change.
+  /// Cancels the generation and shows a message. The current cage stays until the settings change.
   void stop(workspace::Workspace& workspace);
 
   bool running() const { return job_.running(); }
   /// True if follow() would do something now.
   bool is_due(const workspace::Workspace& workspace) const;
-  /// Returns the binding of the last finished cage, and clears it.
+  /// Moves the binding of the last finished cage to the caller. The binding of a preview is empty.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -36,7 +36,7 @@ private:
     std::vector<std::string> notes;
     Bound bound;
   };
-  // Data that all cages of a model share. Only the job's thread uses them.
+  // The input and the caches for all cages of one model. Only the job's thread changes the caches.
   struct Workshop {
     std::shared_ptr<const mesh::Surface> model;
     std::optional<cages::Maker> maker{};

@@ -17,7 +17,7 @@ enum ExitCode : int {
   exit_usage = 2,   ///< invalid command line
 };
 
-/// The work of the chosen subcommand, which runs after parsing and returns an exit code.
+/// The work of the chosen subcommand. Runs after parsing. Returns an exit code.
 using Action = std::function<int()>;
 
 void add_view_command(CLI::App& app, Action& action);
@@ -37,11 +37,11 @@ inline constexpr const char* report_text = "Measure speed and accuracy and write
 
 struct Program {
   void (*add_commands)(CLI::App& app, Action& action);
-  /// Converts the arguments of the command line to a command with its arguments.
+  /// Returns the command and its arguments for the typed words. For example, inserts a missing `view`.
   std::vector<std::string> (*words)(std::vector<std::string> typed, const CLI::App& app);
 };
 
-/// Runs the program `viete`. For `bench` and `report`, executes the program `viete-bench`.
+/// The program `viete`. Its commands `bench` and `report` execute the program `viete-bench`.
 Program viete_program();
 
 /// Parses the command line and runs its command. Returns the exit code; errors go to stderr.

@@ -60,7 +60,7 @@ void take_mask(const DeformOptions& options, files::Export& what) {
   if (!options.mask.empty()) what.mask = mask_of(options.mask, what.model->positions.size());
 }
 
-constexpr double largest_number = 1e60;  // the limit for poses in files
+constexpr double largest_number = 1e60;  // the same limit as for poses in files
 
 // Reads the next pose. Returns nullopt at the end of the input.
 std::optional<std::vector<mesh::Point>> next_pose(std::size_t vertices, std::size_t number) {
@@ -101,10 +101,9 @@ void write_positions(const deform::Deformer& deformer, std::size_t number, std::
     throw base::Error("standard output", "it cannot be written", "check the disk space");
 }
 
-// Reads poses until the input ends, and immediately writes the deformed positions of each pose. Cage vertices
-// are three float64, model vertices three float32, in native byte order. The turns of the cage's parts
-// continue from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing
-// fails.
+// Reads poses until the input ends. Immediately writes the deformed positions of each pose. Cage vertices are
+// three float64, model vertices three float32, in native byte order. Rotations of the cage's parts continue
+// from the previous pose. Throws base::Error for an invalid or incomplete pose, and if writing fails.
 void stream_poses(const files::Export& what) {
   base::Progress progress;
   const Bound bound = app::bind(what.model, what.cage, what.scheme, what.method, {}, progress);

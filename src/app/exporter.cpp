@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A temporary folder, deleted with its contents.
+// A temporary folder. The destructor deletes the folder with its contents.
 class ScratchFolder {
 public:
   ScratchFolder() {

@@ -19,7 +19,7 @@
 namespace viete::app {
 
 struct PictureExport {
-  std::filesystem::path file;     ///< frame_####.png
+  std::filesystem::path file;     ///< pattern of the file names, such as frame_####.png
   std::filesystem::path program;  ///< the program `viete`
   files::Session session;         ///< the session to draw, with its playback range and view
   bool panels = false;
@@ -29,8 +29,8 @@ struct PictureExport {
 /// base::Error with the message of the child process, and base::Cancelled. Thread-safe.
 std::vector<std::string> write_pictures_in_child(const PictureExport& what, base::Progress& progress);
 
-/// Runs exports one after another. Not thread-safe. The destructor cancels unfinished exports and does not
-/// change their files.
+/// Runs exports one after another. The destructor cancels unfinished exports. Each file is written completely
+/// or not at all. Not thread-safe.
 class Exporter {
 public:
   struct Failure {
@@ -38,16 +38,16 @@ public:
     std::string problem;
   };
 
-  /// The file must have passed check_output(). Notes in `shown_notes` are not shown again.
+  /// what.file must have passed check_output(). A note in `shown_notes` is not shown again.
   void add(files::Export what, std::vector<std::string> shown_notes = {});
   void add(files::AnimationExport what, std::vector<std::string> shown_notes = {});
   void add(PictureExport what);
-  /// Cancels the running export. When it has ended, the next export starts.
+  /// Cancels the running export. When this export has ended, the next export starts.
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   workspace::WorkState state() const;
-  /// Reports a finished export in `messages` and starts the next export. If `wait`, waits for the running
-  /// export first. Returns the failure if the export failed.
+  /// If `wait`, first waits for the running export. If an export has finished, starts the next export.
+  /// Reports success or cancelling in `messages`. A failure is returned, but not reported.
   std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
 
 private:
@@ -66,7 +66,7 @@ private:
   void tell(workspace::Messages& messages, Written&& written) const;
 
   std::deque<Work> waiting_;
-  Work now_;  ///< the running export, without `write`
+  Work now_;  ///< the running export; its `write` is moved to job_
   base::BackgroundJob<Written> job_;
 };
 

@@ -41,8 +41,8 @@ private:
   deform::ExactDeformer deformer_;
 };
 
-// How strongly each vertex follows the selection: the displacement of the vertex divided by a small
-// displacement of the selected elements.
+// Computes how strongly each vertex follows the selection: the displacement of the vertex divided by a small
+// displacement of the selected elements. For selected pins, calls ExamplePosing::reach().
 struct Influence {
   FrameInput frame;
   document::Selection selection;

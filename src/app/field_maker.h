@@ -17,16 +17,16 @@ namespace viete::app {
 struct FieldSubject {
   const document::Document& document;
   analysis::Field field;
-  const ViewModel& model;  ///< slow fields are computed after the first frame of this model
+  const ViewModel& model;  ///< a slow field waits for the first frame of this model
   sym3::Method method;
-  document::PosedModel posed, first;  ///< the model in this view and in the first view; empty: at rest
+  document::PosedModel posed, first;  ///< the model in this view; the model in the first view; empty: at rest
 };
 
-/// Computes the shown fields of all views again when their input changes. Not thread-safe.
+/// Computes the shown fields of all views, again after each change of the input. Not thread-safe.
 class FieldMaker {
 public:
-  /// Call after a frame is deformed. Stores the newest values in `shown` and starts the next computation. The
-  /// values of a slow field may belong to a slightly earlier pose. Returns true if there are new values.
+  /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. The values
+  /// of a slow field can belong to an earlier pose, unless `wait`. Returns true if there are new values.
   bool follow(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown, bool wait = false);
   /// Waits for the values of the current pose.
   void finish(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown);
@@ -36,7 +36,7 @@ public:
   bool is_due(std::size_t view, const FieldSubject& subject, const workspace::FieldView& shown) const;
 
 private:
-  // The input of computed values.
+  // The input from which values were computed.
   struct Key {
     analysis::Field field = analysis::Field::none;
     unsigned long frame = 0, first = 0;
@@ -55,7 +55,7 @@ private:
 
   std::unique_ptr<base::WorkerPool> pool_;
   std::shared_ptr<const mesh::Surface> surface_;
-  std::shared_ptr<const analysis::Strain> strain_;  // for surface_
+  std::shared_ptr<const analysis::Strain> strain_;  // the strain of surface_
   std::array<View, workspace::Split::most> views_;
 };
 

@@ -67,7 +67,7 @@ void FileDesk::take_requests(workspace::Workspace& w, bool no_drag) {
   follow_dialog(w.files.browser, w);
 }
 
-// A file browser stays open until its request is done. During long work, a progress bar replaces the browser.
+// Closes the file browser when its request is done. During long work, a progress bar replaces the browser.
 void FileDesk::follow_dialog(workspace::FileBrowser& browser, const workspace::Workspace& w) {
   constexpr double short_time = 0.5;
   if (browser.asked.empty()) return;
@@ -83,7 +83,7 @@ void FileDesk::export_to(workspace::Workspace& w, const fs::path& file, StartExp
     (this->*start)(w, file);
   } catch (const base::Error& error) {
     workspace::report_refusal(w, file, error.what(), "export");
-    closing_ = w.jobs.requests.quit = false;  // the error must be read first
+    closing_ = w.jobs.requests.quit = false;  // the user must read the error first
   }
 }
 
@@ -202,7 +202,7 @@ void FileDesk::save_session(workspace::Workspace& w, const fs::path& file, bool 
 void FileDesk::follow_exports(workspace::Workspace& w, bool wait) {
   if (const auto failure = exporter_.follow(w.messages, wait)) {
     workspace::report_refusal(w, failure->file, failure->problem, "export");
-    closing_ = w.jobs.requests.quit = false;  // the error must be read first
+    closing_ = w.jobs.requests.quit = false;  // the user must read the error first
   }
   if (!exporter_.running() && std::exchange(closing_, false)) w.jobs.requests.quit = true;
 }

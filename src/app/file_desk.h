@@ -19,13 +19,13 @@ std::filesystem::path preferences_file(const std::filesystem::path& state);
 
 class FileDesk {
 public:
-  /// Loads the preferences into the workspace. state: the folder for preferences and backups; empty: they are
-  /// not stored. program: the program `viete`, which renders animations in a child process.
+  /// Loads the preferences into the workspace. state: the folder for preferences and backups. If `state` is
+  /// empty, nothing is stored. program: the program `viete`, which renders animations in a child process.
   FileDesk(const std::filesystem::path& state, workspace::Workspace& workspace,
            std::filesystem::path program = "/proc/self/exe");
 
-  /// Call at the start of each frame. Handles requests and answers, and applies opened files unless a drag is
-  /// running. If edits would be lost and cannot be backed up, asks the user first. Closing waits for exports;
+  /// Call at the start of each frame. Handles the user's requests and answers. If `no_drag`, applies opened
+  /// files. If edits would be lost and cannot be backed up, asks the user first. Closing waits for exports;
   /// if an export fails, closing is cancelled.
   void take_requests(workspace::Workspace& workspace, bool no_drag);
   /// Call at the end of each frame. Backs up new edits and stores changed preferences.
@@ -35,19 +35,19 @@ public:
   bool closed() const { return closed_; }
   /// True if the current edits have been backed up.
   bool kept() const { return autosave_.kept(); }
-  /// Backs up the current edits and waits. Returns false if that fails.
+  /// Backs up the current edits and waits. Returns false if the backup fails.
   bool keep_now(workspace::Workspace& workspace) { return autosave_.keep_now(workspace); }
-  /// True if a backup has finished or failed since keep().
+  /// True if a backup has finished or failed since the last keep().
   bool has_news() const { return autosave_.has_news(); }
   bool loading() const { return loader_.running(); }
   bool exporting() const { return exporter_.running(); }
-  /// Waits for the running request and applies its result.
+  /// Waits until files are read, and applies the result.
   void finish_loading(workspace::Workspace& workspace) { take_loaded(workspace, true); }
   /// Waits for running exports and reports their results.
   void finish_exports(workspace::Workspace& workspace);
   /// The shading of the last opened model.
   ModelShading& shading() { return shading_; }
-  /// Returns the binding of the last opened document, and clears it.
+  /// Moves the binding of the last opened document to the caller.
   Bound take_bound() { return std::exchange(bound_, {}); }
 
 private:
@@ -77,7 +77,7 @@ private:
   ModelShading shading_;
   Bound bound_;
   std::filesystem::path reading_;          // the first file of the last request
-  std::optional<Loaded> waiting_;          // the opened document while the user is asked about edits
+  std::optional<Loaded> waiting_;          // the opened document, while the user decides about unsaved edits
   bool closing_ = false, closed_ = false;  // closing_: true while closing waits for exports
   std::vector<std::future<void>> writes_;  // pending writes of preferences
   base::BackgroundQueue queue_;

@@ -127,7 +127,7 @@ void check(const Output& output, const FilesInUse& files, const files::FrameStep
   check_output(output.file, *frames, files, force_of(output.force));
 }
 
-// Throws base::Error unless a triangle has an area, as LogSpace requires.
+// Throws base::Error if all triangles have zero area: LogSpace cannot represent such a model.
 void check_has_area(const std::filesystem::path& file, const mesh::Surface& model) {
   const auto& p = model.positions;
   const auto has_area = [&](const mesh::Triangle& t) { return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]); };

@@ -29,7 +29,7 @@ struct Output {
   formats::Digits digits{};
   bool force = false;
 
-  /// A description for the progress line, for example "Writing out.obj".
+  /// Text of the progress line, for example "Writing out.obj".
   std::string task() const { return "Writing " + file.filename().string(); }
 };
 
@@ -37,7 +37,7 @@ struct Output {
 enum class Use {
   window,     ///< MODEL is optional
   picture,    ///< needs a MODEL
-  file,       ///< also needs CAGE and --pose
+  file,       ///< needs MODEL, CAGE and --pose
   animation,  ///< needs MODEL and CAGE, but no --pose
 };
 
@@ -61,15 +61,15 @@ CLI::Option* add_output_options(
     CLI::App& app, Output& output,
     const std::string& text = "Mesh file to write; the extension sets the format");
 
-/// Call after parsing. Throws CLI::ParseError if an input is missing, or if an input is given that the
-/// session already contains. Throws base::Error if settings cannot be combined.
+/// Call after parsing. Throws CLI::ParseError if an input is missing, or if an input cannot be combined with
+/// a session. Throws base::Error if settings cannot be combined.
 void check_usage(const Inputs& inputs);
 
-/// Opens the inputs and calls `check`. Throws base::Error if this fails or a needed cage is missing.
+/// Opens the inputs, then calls `check`. Throws base::Error on failure, or if a needed cage is missing.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
-/// As above, and calls check_output() twice: before reading, and when all input files are known. `also`: one
-/// more input file.
+/// As above. Also calls check_output(): before reading, and again after reading with all read files. `also`:
+/// one more input file.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
                    const document::FileInUse& also = {});
 
@@ -77,7 +77,7 @@ files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), co
 FilesInUse files_read(const Inputs& inputs);
 
 void print_notes(const std::vector<std::string>& notes);
-/// Prints the summary of written frames as one line to stdout.
+/// Prints one line to stdout: the output file and this summary.
 void print_summary(const Output& output, const std::string& summary);
 
 struct OpenedShapes {
@@ -86,19 +86,19 @@ struct OpenedShapes {
 };
 
 /// Reads a model at rest and its shapes, see read_shapes(). Checks the output before reading, and again when
-/// all input files are known. `frames`: the numbers of an animation's files, or null. Prints notes. Throws
-/// base::Error.
+/// all input files are known. `frames`: the frame numbers of an animation; null for a single shape. Prints
+/// notes. Throws base::Error.
 OpenedShapes open_shapes(const std::filesystem::path& model, std::span<const std::filesystem::path> shapes,
                          const Output& output, const files::FrameSteps* frames = nullptr);
 
 /// Returns an export of the document's deformed model to this output.
 files::Export export_to(const Output& output, const files::Opened& opened);
 
-/// Writes the frames, and prints notes and a summary.
+/// Writes the frames. Prints notes and a summary. Returns the exit code.
 int write_frames(const Output& output, const files::AnimationExport& what);
 
-/// Writes the model in its shape and returns notes. Throws base::Error if the shape is too large to draw or
-/// not finite. name: the subject of this error message, for example "the mix".
+/// Writes the model with the shape `what.shape` and returns notes. Throws base::Error if the shape is too
+/// large to draw or not finite. name: the subject of the error message, for example "the mix".
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 

@@ -9,7 +9,7 @@ namespace viete::app {
 
 namespace {
 
-// A copy without the undo history. The history may be large, and is not needed here.
+// A copy without the undo history, because the history can be large.
 document::Document without_history(const document::Document& document) {
   document::Document copy;
   copy.model = document.model;
@@ -25,7 +25,7 @@ document::Document without_history(const document::Document& document) {
   return copy;
 }
 
-// Copies a request and makes it remove the fins of the cage. `cage`: the file of the cage.
+// Copies a request and makes the copy remove the fins of the cage. `cage`: the file of the cage.
 files::OpenRequest without_fins(files::OpenRequest request, const std::string& cage) {
   using What = files::OpenRequest::What;
   request.without_fins = true;

@@ -14,14 +14,14 @@ namespace viete::app {
 
 struct Loaded {
   files::Opened opened;
-  ModelShading shading;                           ///< the shading of a new model
-  Bound bound;                                    ///< the binding of a new model or cage
+  ModelShading shading;                           ///< empty if the model is unchanged
+  Bound bound;                                    ///< the binding of a new model or cage; otherwise empty
   std::optional<workspace::Question> question{};  ///< set if the user must answer before files can be opened
   files::OpenRequest request{};                   ///< if there is a question: the request to repeat
 };
 using Loader = base::BackgroundJob<Loaded>;
 
-/// Cancels a running request and starts this one. If reading or binding fails, the open document stays
+/// Cancels a running request and starts `request`. If reading or binding fails, the open document stays
 /// unchanged. moving: see shading_of().
 void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
                    std::size_t moving = std::numeric_limits<std::size_t>::max());

@@ -49,7 +49,7 @@ Share share_of(const std::string& text) {
   return {text.substr(0, equals), weight};
 }
 
-// Splits "face.glb:smile" into the file and the name of one of its shapes.
+// If the file does not exist, splits a name such as "face.glb:smile" into the file and the name of a shape.
 void split_name(Share& share) {
   const std::string text = share.file.string();
   std::error_code ignored;

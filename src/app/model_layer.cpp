@@ -57,7 +57,7 @@ private:
   // If the file has colours of vertices, colours of faces are ignored.
   bool shows_colors_of_faces() const { return given_.colors.empty() && !given_.polygon_colors.empty(); }
 
-  // True if all corners have the normal of the face, but the vertex normal differs: the edge is sharp.
+  // True if the file's normals at all corners equal the face normal, but a vertex normal differs.
   bool stands_across_an_edge(const Triangle& t) const {
     if (given_.corner_normal.empty()) return false;
     const auto& p = surface_.positions;

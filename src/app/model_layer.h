@@ -20,15 +20,15 @@
 namespace viete::app {
 
 struct ModelLooks {
-  std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, sorted by material and flat shading
-  render::SurfaceLooks looks;             ///< one run for each material and kind of shading
+  std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, sorted by material, then by shading
+  render::SurfaceLooks looks;             ///< one run for each combination of material and shading
   bool has_looks = false;                 ///< true if the model has colours, images or coloured materials
   std::vector<std::string> warnings;      ///< one line for each image that cannot be shown
 };
 
-/// Converts colours, materials and images. normals: the vertex normals at rest. Reads image files; skips
-/// damaged images. A triangle is flat shaded if its group is flat in the file, or if the file's normals at
-/// its corners equal the normal of the triangle at a sharp edge. Thread-safe.
+/// Converts colours, materials and images. Reads image files; skips damaged images. normals: the vertex
+/// normals at rest. A triangle is flat shaded if its group is flat in the file, or at a sharp edge: its
+/// corner normals in the file equal the face normal, but a vertex normal differs. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 
@@ -41,7 +41,7 @@ struct ModelShading {
   std::vector<mesh::Triangle> coarse;            ///< triangles to draw in motion; empty: draw all triangles
 };
 
-/// Adds coarse triangles if the model has more than `moving` triangles. Takes linear time on all processors,
+/// If the model has more than `moving` triangles, adds coarse triangles. Takes linear time on all processors,
 /// plus the time to decode images. Thread-safe.
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving);
 
@@ -54,13 +54,13 @@ public:
   void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the deformed vertices, relative to origin.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
-  /// Colours the mesh by its mask if the mask is shown, otherwise by the field if it has values. Returns true
-  /// if the colours change.
+  /// If the mask is shown, colours the mesh by the mask. Otherwise, colours the mesh by the field if `shown`
+  /// has values of this field. Returns true if the colours change.
   bool set_colors(const workspace::Workspace& workspace, analysis::Field field,
                   const workspace::FieldView& shown);
   /// The next set_colors() uploads the colours even if they have not changed.
   void forget() { colored_.reset(); }
-  /// Sets the range of the colour map in `style`.
+  /// Sets in `style` whether the mesh has colours, and the range of the colour map.
   void span(render::SurfaceStyle& style, const workspace::FieldView& shown) const;
 
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {

@@ -46,7 +46,7 @@ const std::map<std::string, document::StandardView> looks = {
     {"right", document::StandardView::right},  {"top", document::StandardView::top},
     {"bottom", document::StandardView::bottom}};
 
-// Options change the session's view settings, or the defaults for pictures if there is no session.
+// Applies the options to the session's view settings. Without a session, starts from defaults for pictures.
 document::ViewOptions view_of(const PictureOptions& options, const std::optional<files::Session>& session) {
   document::ViewOptions view =
       session ? session->view : document::ViewOptions{.panels = false, .hints = false};
@@ -61,8 +61,8 @@ document::ViewOptions view_of(const PictureOptions& options, const std::optional
   return view;
 }
 
-// Shows one view per word. A word is a deformer, a method, or the interpolation of keys. All other settings
-// come from the document.
+// Shows one view per word. A word is a deformer, a method, or an interpolation ("log" or "straight"). All
+// other settings come from the document.
 void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   if (words.empty()) return;
   std::vector<document::SideWay> views;
@@ -85,7 +85,7 @@ void split(workspace::Workspace& w, const std::vector<std::string>& words) {
   w.view.viewport = workspace::viewport_of(w.view.split, w.view.viewport, 0);
 }
 
-// Uses the camera of --camera, --look or the session.
+// Sets the camera from --camera, --look or the session.
 void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   viewer.frame(0);  // sets the viewport, which frame_all() needs
   if (!options.camera.empty()) {
@@ -102,7 +102,7 @@ void aim(Viewer& viewer, bool has_camera, const PictureOptions& options) {
   workspace::frame_all(w, false);
 }
 
-// Prints a note if the requested map is missing in the picture, and throws the error of a view.
+// If the picture does not show the requested map, prints a note. If a view has a problem, throws base::Error.
 void print_missing(const workspace::Workspace& w) {
   if (workspace::shown_field(w) != w.view.options.field)
     print_notes(

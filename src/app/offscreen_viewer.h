@@ -24,7 +24,7 @@ public:
                                                              platform::OffscreenContext::create());
 
   Viewer& viewer() { return viewer_; }
-  /// Renders frames of 1/60 s until binding, measurements and motion have ended.
+  /// Renders frames of 1/60 s until loading, binding and motion end; with panels, also measurements.
   void settle();
 
 private:
@@ -39,22 +39,22 @@ struct PictureOptions {
   std::string look, shading, map;    ///< empty if the option is missing
   std::vector<std::string> compare;  ///< one deformer, method or interpolation per view
   std::filesystem::path camera;      ///< the session whose camera is used; may be empty
-  bool panels_of_session = true;     ///< true: panels are shown if they are shown in the session
+  bool panels_of_session = true;     ///< true: shows panels if the session shows panels
   glm::ivec2 size{0, 0};             ///< 0: the size of the session's window
 };
 
 /// Adds the options of a picture to a command. `options` must outlive parsing.
 void add_picture_options(CLI::App& command, PictureOptions& options);
 
-/// A viewer of the opened document. Options override the camera and the view settings of its session. Call
-/// settle() before the first picture.
+/// Returns a viewer of the opened document. Options override the camera and the view settings of the session.
+/// Call settle() before the first picture.
 std::unique_ptr<OffscreenViewer> viewer_of(const PictureOptions& options, files::Opened&& opened);
 
-/// Prints the viewer's messages to stderr. Throws base::Error if one of them is an error.
+/// Prints the viewer's messages to stderr. If a message is an error, throws base::Error.
 void print_messages(const workspace::Workspace& workspace);
 
 struct PictureRun {
-  std::filesystem::path file;  ///< frame_####.png
+  std::filesystem::path file;  ///< pattern of the file names, such as frame_####.png
   std::vector<int> frames;
   double rate = 24;                         ///< frames of the timeline per second
   int step = 1;                             ///< the difference of successive `frames`
@@ -63,12 +63,12 @@ struct PictureRun {
 };
 
 /// Writes a picture of the viewer's document for each frame. Each file is written completely or not at all.
-/// Returns notes for the user, one line each. If the numbers have no gaps, the last note is ffmpeg_command().
-/// Throws base::Error and base::Cancelled.
+/// Returns notes for the user, one line each. If ffmpeg can read the frame numbers, the last note is
+/// ffmpeg_command(). Throws base::Error. If cancelled, throws base::Cancelled.
 std::vector<std::string> write_pictures(OffscreenViewer& offscreen, const PictureRun& run,
                                         base::Progress& progress);
 
-/// The shell command, in one line, that converts pictures without gaps to a film at the timeline's rate.
+/// Returns a shell command that converts the pictures to a film. The frame numbers must have no gaps.
 std::string ffmpeg_command(const PictureRun& run);
 
 }  // namespace viete::app

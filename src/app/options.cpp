@@ -24,7 +24,6 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-// Formats a number as text, for example "0.5" or "1,000,000".
 std::string number_text(double number) {
   char text[32];
   return {text, std::to_chars(text, text + sizeof text, number).ptr};
@@ -197,7 +196,7 @@ std::string wrapped(std::string_view text, std::size_t column, std::size_t inden
 }
 
 std::size_t misspellings(std::string_view a, std::string_view b) {
-  // Optimal string alignment: computes the rows of a table of distances between prefixes of a and b.
+  // Optimal string alignment: computes a table of distances between prefixes of a and b, row by row.
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) last[j] = j;
   for (std::size_t i = 1; i <= a.size(); ++i) {
@@ -349,8 +348,8 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-// Rewrites messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but received
-// 2" and "--compare: At least 2 required but received 1".
+// Rewrites these messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but
+// received 2" and "--compare: At least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {

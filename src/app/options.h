@@ -24,13 +24,13 @@ namespace viete::app {
 
 CLI::Option* add_file_option(CLI::App& app, const std::string& name, std::filesystem::path& file,
                              const std::string& text);
-/// Accepts only numbers from low to high. Help and errors show the range.
+/// Accepts only numbers from `low` to `high`. Help and errors show the range.
 CLI::Option* in_range(CLI::Option* option, double low, double high);
-/// Accepts only integers from low to high. Help and errors show the range.
+/// Accepts only integers from `low` to `high`. Help and errors show the range.
 CLI::Option* whole_in_range(CLI::Option* option, std::int64_t low, std::int64_t high);
 /// Accepts only these words.
 CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words);
-/// Accepts only names of the table, and sets target to the value of the entry.
+/// Adds an option that accepts only names in `table`. Sets `target` to the value of the named entry.
 template <class Entry, class Target>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::string& text,
                         std::span<const Entry> table, Target& target) {
@@ -44,11 +44,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
 
 /// Adds --force, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-/// Converts the value of --force. Errors suggest this option, except in a child process of the window.
+/// Converts the value of --force. If not `given`, errors suggest --force, except in a child process.
 files::Force force_of(bool given);
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);
-/// Adds a number of the deformer, for example --radius PERCENT.
+/// Adds the option of a deformer setting, for example --radius PERCENT.
 void add_number_option(CLI::App& app, std::string_view name, deform::AskedScheme& asked);
 /// Adds --stitched, --iterations NUMBER, --pins PERCENT and --hold PERCENT.
 void add_stitching_options(CLI::App& app, deform::AskedScheme& asked);
@@ -67,15 +67,15 @@ inline constexpr std::int64_t most_pixels = std::int64_t{1} << 28;
 void add_size_option(CLI::App& app, glm::ivec2& size);
 
 /// Wraps a text at spaces, so that lines have at most `width` characters. The first line starts at `column`;
-/// the others begin with `indent` spaces. A longer word gets its own line. Keeps the line breaks of the text.
+/// all other lines begin with `indent` spaces. Longer words get their own line. Keeps line breaks.
 std::string wrapped(std::string_view text, std::size_t column, std::size_t indent, std::size_t width = 80);
 
 /// The edit distance of two words: the number of insertions, deletions, replacements and swaps of
 /// neighbouring letters.
 std::size_t misspellings(std::string_view a, std::string_view b);
 
-/// The name most similar to a misspelled word. A name is similar if one of the two is a prefix of the other,
-/// or if their edit distance is small. Empty if no name is similar.
+/// Returns the name most similar to a misspelled word, or an empty text. A name is similar if it begins with
+/// the word, if the word begins with the name, or if the edit distance is small.
 std::string nearest(std::string_view word, const std::vector<std::string>& names);
 
 /// Lists names as "a", "a or b", or "a, b or c".

@@ -22,7 +22,7 @@ bool is_command(const std::string& word, const CLI::App& app) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
 
-// Throws CLI::ParseError unless the word is an existing file or contains '.' or '/' like a file name.
+// Throws CLI::ParseError if no file has the name `word`, and `word` contains neither '.' nor '/'.
 void check_first_word(const std::string& word, const CLI::App& app) {
   std::error_code ignored;
   if (word.find_first_of("./") != word.npos || std::filesystem::exists(word, ignored)) return;

@@ -68,7 +68,7 @@ public:
   }
 
   Viewer& viewer() { return viewer_; }
-  // Runs until the window is closed, or for this number of frames if it is not 0.
+  // If `frames` is 0, runs until the window is closed. Otherwise, also ends after this number of frames.
   void run(int frames);
 
 private:
@@ -80,7 +80,7 @@ private:
   bool exposed_ = true;
 };
 
-// Full screen has no title bar, so a message shows how to leave it.
+// Full screen has no title bar, so a message shows how to leave full screen.
 void WindowViewer::follow_full_screen() {
   workspace::Workspace& w = viewer_.workspace();
   if (w.view.full_screen == window_.full_screen()) return;
@@ -117,7 +117,7 @@ void WindowViewer::run(int frames) {
   }
 }
 
-// The window size in the preferences. The viewer reports read errors.
+// Returns the last window size, or a default if the preferences cannot be read. The viewer reports the error.
 glm::ivec2 last_window_size() {
   constexpr glm::ivec2 usual{1440, 900};
   try {
@@ -127,7 +127,7 @@ glm::ivec2 last_window_size() {
   }
 }
 
-// Runs until the window is closed. If no window can be opened, returns false and sets `reason`.
+// Runs the window. If no window can be opened, returns false and sets `reason`.
 bool run_window(const WindowOptions& options, std::string& reason) {
   const auto window = platform::Window::open(last_window_size(), options.scale, reason);
   if (!window) return false;
@@ -136,7 +136,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   workspace::Workspace& workspace = viewer.workspace();
   if (state_folder().empty())
     workspace.messages.warn("There is no home folder, so unsaved edits cannot be recovered. Save often.");
-  // If the document cannot be opened, its settings apply to the next document.
+  // Keeps these settings for the next document if this document cannot be opened.
   if (!options.inputs.session()) document::put_settings(workspace.document, options.inputs.settings);
   workspace.jobs.requests.open = options.inputs.request();
   shown.run(options.frames);
@@ -147,7 +147,7 @@ bool run_window(const WindowOptions& options, std::string& reason) {
   return true;
 }
 
-// If there is no display, renders a picture of the window and prints its name.
+// Renders a picture of the window to a new file and prints the file's name.
 int render_instead(const WindowOptions& options, const std::string& reason) {
   const fs::path picture = base::unused_name(fs::current_path() / "viete.png");
   try {

@@ -47,7 +47,7 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     const bool served = deformer_ && document.has_cage();
     if (served && deformer_->scheme().weighting != document.scheme.weighting) start_binding(document);
   }
-  // Binds as soon as a cage, probe or shape can move the model. Waits while a cage is being generated.
+  // Binds if a cage, probe or shape can move the model. While a cage is being generated, waits.
   if (!deformer_ && !binder_.running() && !w.jobs.making_cage.running && given_up_ != now.pose &&
       document.is_movable())
     start_binding(document);
@@ -60,8 +60,8 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     derived_.reset();
     unprepared_ = true;
   }
-  // Computes staged weights or the stitching when they are needed. Until they are ready, frames use method
-  // `fast` without stitching.
+  // If staged weights or the stitching are missing, computes them. Until then, frames use `fast` without
+  // stitching.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(w, false);
   w.jobs.binding = binder_.state();
@@ -170,7 +170,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   if (!deformer_) return false;
   document::Document& document = w.document;
   const auto& drag = w.view.interaction.drag;
-  if (drag_.before(*deformer_, drag)) derived_.reset();  // deforms once more, without rounding of the drag
+  if (drag_.before(*deformer_, drag)) derived_.reset();  // computes a complete frame after the drag
   const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
@@ -196,7 +196,7 @@ void LiveModel::take_carried(document::Document& document) {
   }
 }
 
-// Maps the pin's target from the shape to the drawn model, in the way the pinned vertex is mapped.
+// Maps the pin's target from the shape to the drawn model, by the map at the pinned vertex.
 document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
@@ -210,7 +210,7 @@ document::Carried LiveModel::carried_pin(const document::Document& document, con
   return carried;
 }
 
-// The mean of the maps from the shape to the drawn model, over the triangles at a vertex, weighted by area.
+// Returns the mean map from the shape to the drawn model, over the triangles at a vertex, weighted by area.
 sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::uint32_t v) const {
   sym3::Mat3<double> sum{};
   double area = 0;
@@ -311,7 +311,7 @@ bool SideModel::follow(workspace::SplitView& side, workspace::Workspace& w, cons
   const deform::Pose& pose = other ? other->cage : w.document.pose;
   base::Stopwatch watch;
   run(w.document, pose, other ? other->shape : w.document.shape, side.method);
-  if (!side.other_blending) drag_.after(*deformer_, drag);  // otherwise the whole cage may move
+  if (!side.other_blending) drag_.after(*deformer_, drag);  // the other blending can move the whole cage
   side.stats.add({.when = base::wall_seconds(), .links = deformer_->times(), .frame = watch.lap_ms()});
   made_ = wanted;
   return true;

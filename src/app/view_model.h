@@ -1,4 +1,4 @@
-// The models of the views: bind in the background, and deform in each frame.
+// The deformed model of each view. Binding runs in the background; each frame deforms the model.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace viete::app {
 
-/// True if a drag changes the cage's rest shape. During such a drag, the model stays at rest.
+/// True if a drag changes the cage's rest shape. During this drag, the model does not change.
 inline bool changes_rest(const workspace::Workspace& w) {
   const auto& drag = w.view.interaction.drag;
   return drag && w.document.kept_pose && !drag->vertices().empty();
@@ -31,15 +31,15 @@ class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
 
-  /// Call before a frame. Returns true if a drag has ended or moves other vertices. In this case, the next
-  /// frame must be complete.
+  /// Call before a frame. Returns true if a drag has ended, or if it now moves other vertices. If true, the
+  /// next frame must be computed completely.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
     dragging_ = false;
     return true;
   }
-  /// Call after a frame. A drag can only begin after a complete frame.
+  /// Call after a frame. Begins a drag in the deformer if the deformer has computed a frame.
   void after(deform::Deformer& deformer, const Drag& drag) {
     if (drag && !dragging_ && deformer.ran() && !drag->vertices().empty())
       deformer.begin_drag(drag->vertices());
@@ -100,7 +100,7 @@ protected:
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
                 std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "") {
-    // A binding for any method except `fast` has staged weights.
+    // If all methods use the staged engine, binds as for `diag`: this binding has staged weights.
     const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
     binder_.start(
         [=, scheme = need.scheme](base::Progress& progress) {
@@ -134,8 +134,8 @@ private:
   bool news_ = false;
 };
 
-/// The model of the first view. If surfaces or weights change, binds again in the background, and uses the
-/// old binding meanwhile. If the pose, blend or method changes, computes a new frame. Not thread-safe.
+/// The model of the first view. If the surfaces change, stays at rest until the new binding is ready. If the
+/// weights change, uses the old binding until the new binding is ready. Not thread-safe.
 class LiveModel : public ViewModel {
 public:
   explicit LiveModel(FileDesk& files) : files_(files) {}
@@ -144,18 +144,18 @@ public:
   struct Changed {
     bool document = false, cage = false;
   };
-  /// Call once per frame, before deform(). Installs a finished binding, and starts a new one if needed. made:
-  /// the binding of a generated cage; ignored if it belongs to another cage. Returns the changes since the
-  /// last call.
+  /// Call once per frame, before deform(). Installs a finished binding. If needed, starts a new binding.
+  /// made: the binding of a generated cage. A binding to another cage is ignored. Returns the changes since
+  /// the last call.
   Changed follow(workspace::Workspace& workspace, Bound made = {});
   /// Waits for the needed binding.
   void finish_binding(workspace::Workspace& workspace);
-  /// Cancels a running binding and reverts the setting that required it.
+  /// Cancels a running binding, reverts the settings that required this binding, and shows the message `why`.
   void stop_binding(workspace::Workspace& workspace, const std::string& why, workspace::Severity severity);
 
-  /// Deforms the model if the pose, blend or method has changed since the last frame, or a drag has ended.
-  /// Returns true if the model was deformed. The first frame after a binding fills caches, so the times of
-  /// this frame are not representative. The next call repeats the frame.
+  /// If the pose, blend, method or mask has changed, or a drag has ended, deforms the model and returns true.
+  /// The first frame after a binding fills caches, so the times of this frame are not representative. The
+  /// next call repeats this frame.
   bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
 
   /// True if follow() or deform() would do something now.
@@ -163,7 +163,7 @@ public:
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// Replaces the binding by a binding of the same weights for more methods, also for later deformers.
+  /// If `binding` has the tiles of the current binding, later deformers use `binding`.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }
@@ -188,7 +188,6 @@ private:
   base::WorkerPool pool_;
   std::shared_ptr<const deform::Cage> no_cage_;  // substitute for a missing cage; null until needed
   document::Revision surfaces_ = 0, cage_revision_ = 0, weights_ = 0;  // revisions of the last follow()
-  // The input of the last frame; nullopt: deforms again.
   struct Derived {
     document::Revision pose, method;
     deform::Mask mask;
@@ -197,6 +196,7 @@ private:
   static Derived derived_of(const document::Document& document) {
     return {document.revisions().pose, document.revisions().method, document.mask};
   }
+  // The input of the last frame. If nullopt, the next deform() computes a frame.
   std::optional<Derived> derived_;
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
   bool same_path_ = false;                      // true: all methods use the staged engine
@@ -204,10 +204,10 @@ private:
   bool unprepared_ = false, prepared_ = false;
 };
 
-/// The model of an additional view. Shares the first view's binding if possible.
+/// The model of an additional view. Uses the first view's binding if possible.
 class SideModel : public ViewModel {
 public:
-  /// Call after a frame of the first view. Returns true if this view has a new frame too.
+  /// Call after a frame of the first view. Returns true if this view has a new frame.
   bool follow(workspace::SplitView& view, workspace::Workspace& workspace, const LiveModel& first,
               base::WorkerPool& pool, bool wait = false);
   /// True if follow() would do something now.

@@ -304,7 +304,7 @@ bool Viewer::follow_fields() {
   return news;
 }
 
-// If several views show the same field, gives them a common range of colours.
+// If several views show the same field, gives these views a common range of colours.
 void Viewer::share_ranges() {
   for (std::size_t view = 0; view < workspace_.view.split.count(); ++view) {
     workspace::FieldView& shown = workspace_.view.split.views[view].shown;

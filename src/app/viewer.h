@@ -33,7 +33,7 @@ struct ViewerOptions {
   bool probe = true;              ///< true: measures the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
-  std::size_t moving_triangles = 2'000'000;  ///< most triangles that software rendering draws in motion
+  std::size_t moving_triangles = 2'000'000;          ///< limit of triangles in motion, for software rendering
 };
 
 /// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.
@@ -55,18 +55,18 @@ public:
   /// Handles input and commands, deforms the model, and draws the view and the panels into the framebuffer.
   /// seconds: the time since the last frame.
   void frame(float seconds);
-  /// True if a new frame would differ from the last one.
+  /// True if a new frame would differ from the last frame.
   bool wants_frame() const;
   /// True if the last frame produced a new picture.
   bool has_drawn() const { return has_drawn_; }
-  /// The number of frames in which the view, not only the panels, was drawn.
+  /// The number of frames that drew the view, not only the panels.
   unsigned long views_drawn() const { return view_.count(); }
   Fineness view_fineness() const { return view_.fineness(); }
   /// Draws the last frame again without cached pictures.
   void redraw();
   /// Measures every method in this pose and waits for the results.
   void finish_measuring() { analysis_.finish_measuring(workspace_, model_); }
-  /// True if there are unsaved edits and they have been backed up.
+  /// True if there are unsaved edits and their backup has finished.
   bool keeping() const;
   /// Waits for the backup of unsaved edits. Returns false if there are no unsaved edits or the backup fails.
   bool finish_keeping();
@@ -82,7 +82,7 @@ public:
   bool working() const {
     return loading() || exporting() || model_.binding() || sides_.binding(workspace_) || cages_.running();
   }
-  /// Waits until files are read, and applies them.
+  /// Waits until files are read, and applies the result.
   void finish_loading() { files_.finish_loading(workspace_); }
   void finish_exports() { files_.finish_exports(workspace_); }
   /// Waits for the binding. The next frame deforms the model.
@@ -152,12 +152,12 @@ private:
   std::tuple<bool, unsigned, float> notices_;  ///< last frame: question, messages, notice height
   document::Revisions message_revisions_;      ///< revisions of the document in the last frame
   unsigned message_revision_ = 0;
-  std::optional<document::Revision> cage_drawn_;  ///< revision of the drawn pose; nullopt: must be drawn
+  std::optional<document::Revision> cage_drawn_;  ///< revision of the uploaded pose; nullopt: upload again
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall seconds of the view's last change and of the last frame
   double last_motion_ = 0;                   ///< wall seconds of the last picture with motion
-  bool refines_ = false, moves_ = false;     ///< in this frame: the view is refined, the view moves
-  unsigned settle_frames_ = 3;               ///< frames to draw; ImGui needs some frames to compute sizes
+  bool refines_ = false, moves_ = false;     ///< this frame refines the view; this frame shows motion
+  unsigned settle_frames_ = 3;               ///< remaining frames; ImGui needs some frames to compute sizes
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
   bool at_rest_ = false;  ///< true: the view shows the model at rest

@@ -35,7 +35,7 @@ render::Paint paint_of(document::Shading shading, bool file_has_looks) {
   return paint == Paint::file && !file_has_looks ? Paint::plain : paint;
 }
 
-// The fraction of the motion that each cage vertex makes; empty if soft selection is off.
+// For each cage vertex, returns its fraction of the selection's motion. Empty without soft selection.
 std::vector<float> soft_shares(const workspace::Workspace& w) {
   if (!w.view.tools || !w.view.handling.soft.on || document::moving_vertices(w.document).empty()) return {};
   std::vector<float> shares(w.document.pose.positions.size(), 0.0f);
@@ -125,7 +125,6 @@ void WorkspaceRenderer::set_cage_faces(const document::Document& document) {
   ghost_lines_.set_positions(cage.positions);
 }
 
-// Shows all edges of the cage except the hidden ones.
 void WorkspaceRenderer::set_shown_edges(const document::Document& document) {
   hidden_ = document.groups.hidden;
   const auto hidden = document::hidden_elements(document, document::ElementKind::edge);
@@ -198,7 +197,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.view.split, v, view)));
   part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
-  // If a surface is closed, omits back faces. This halves the time of software rendering.
+  // If the surface is closed, omits back faces. This halves the time of software rendering.
   const auto& summary = w.document.model.summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;
@@ -245,7 +244,7 @@ void WorkspaceRenderer::draw(const ViewDrawing& d) {
   }
 }
 
-// In OpenGL, rows are counted from the bottom.
+// OpenGL counts pixels from the bottom of the window.
 void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& part) const {
   const glm::ivec2 low(glm::round(part.low * glm::vec2(d.size))),
       high(glm::round(part.high * glm::vec2(d.size)));

@@ -47,7 +47,7 @@ public:
   explicit CageMarks(const render::Gl& gl) : selected_faces_(gl), hovered_face_(gl), edges_(gl) {}
 
   /// Call in every frame after the cage is posed. Updates the highlights of faces and edges. Returns true if
-  /// they have changed.
+  /// the highlights have changed.
   bool set(const workspace::Workspace& workspace, const render::Theme& theme);
   /// The next set() updates the highlights even if they have not changed.
   void forget() { marks_.reset(); }
@@ -149,7 +149,7 @@ private:
   struct Hand {
     bool dark = true;
     std::vector<render::Disc> discs;
-    std::vector<glm::vec4> ends;  // colours of line ends; empty: all have the cage's colour
+    std::vector<glm::vec4> ends;  // colours of line end points; empty: all lines have the cage's colour
     friend bool operator==(const Hand&, const Hand&) = default;
   };
   std::optional<Hand> hand_;
@@ -158,14 +158,14 @@ private:
   std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture: half the resolution (and the coarse triangles of large models), full resolution,
-/// multisampling.
+/// Quality of a picture. coarse: half the resolution, with the coarse triangles of large models. plain: full
+/// resolution. smooth: full resolution with more samples.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {
 public:
   struct Samples {
-    int plain = 0, smooth = 0;  ///< samples per pixel; 0: no multisampling, or no refinement for `smooth`
+    int plain = 0, smooth = 0;  ///< samples per pixel; plain 0: no multisampling; smooth 0: no refinement
   };
   ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 

@@ -37,7 +37,7 @@ void choice_list(const Context& ui, const std::string& name, std::optional<Value
   ImGui::EndCombo();
 }
 
-/// Like choice_list(), for a table without commands. Returns a newly chosen value.
+/// Like choice_list(), for a table without commands. Returns the newly chosen value, or nullopt.
 template <class Entry, class Value = decltype(Entry::value)>
 std::optional<Value> entry_list(const Context& ui, const std::string& name, std::span<const Entry> table,
                                 Value now) {

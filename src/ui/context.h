@@ -32,7 +32,7 @@ private:
   std::map<std::string, WidgetRect> widgets_;
 };
 
-/// Null is the default font.
+/// A null font means ImGui's default font.
 struct Fonts {
   ImFont* text = nullptr;
   ImFont* strong = nullptr;
@@ -43,8 +43,8 @@ struct Fonts {
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
   ImU32 model;                     ///< the model in small pictures
-  ImU32 axis[3], on_axis;          ///< the axes x, y and z, and letters on them
-  ImU32 neutral, highlight, halo;  ///< gizmo handles without an axis, hovered handle, outline
+  ImU32 axis[3], on_axis;          ///< the axes x, y and z; letters on an axis
+  ImU32 neutral, highlight, halo;  ///< in this order: gizmo handle without axis, hovered handle, outline
 };
 
 Palette palette(bool dark);
@@ -64,7 +64,6 @@ struct Context {
 
 inline constexpr float status_height = workspace::PanelLayout::status_height;
 
-/// The colour of a stage of the deformation.
 ImU32 stage_color(workspace::Link stage);
 
 }  // namespace viete::ui

@@ -128,7 +128,6 @@ void path_field(const Context& ui) {
   if (enter && browser.open) ImGui::SetKeyboardFocusHere(-1);
 }
 
-// Buttons for OBJ, PLY and so on that change the extension.
 void format_buttons(const Context& ui, const std::vector<std::string_view>& formats, bool own_row) {
   Browser& browser = ui.workspace.files.browser;
   const std::string now = workspace::format_of(browser);
@@ -197,7 +196,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   return clicked;
 }
 
-// Opens the folder or file. When saving, proposes to replace the file.
+// Opens a folder or file. When saving, copies the path into the field. If already copied, confirms the path.
 void take(workspace::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.files.browser.folder / entry.name;
   if (entry.folder || !w.files.browser.saves()) return choose(w, path);
@@ -205,7 +204,7 @@ void take(workspace::Workspace& w, const Browser::Entry& entry) {
   w.files.browser.path = path.string();
 }
 
-// A click selects an entry. A double click confirms the entry, but never overwrites a file.
+// A click selects an entry. A double click opens a folder, and also a file, but not when saving.
 void click_entry(workspace::Workspace& w, std::size_t index) {
   workspace::highlight(w.files.browser, index);
   const Browser::Entry& entry = *workspace::shown(w.files.browser)[index];

@@ -11,13 +11,13 @@ namespace viete::ui {
 using base::milliseconds;
 using base::nanoseconds;
 
-/// "50,000".
+/// For example "50,000".
 inline std::string count(std::size_t n) {
   return base::with_thousands(n);
 }
-/// "3.1e-16"; "0" for exactly 0; "NaN" for NaN.
+/// For example "3.1e-16". Exactly 0 gives "0", NaN gives "NaN".
 std::string error(double relative);
-/// With one digit: "3e-16".
+/// With one digit, for example "3e-16".
 std::string rough_error(double relative);
 
 }  // namespace viete::ui

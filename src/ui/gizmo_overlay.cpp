@@ -93,7 +93,7 @@ private:
       if (shown({Kind::axis, axis})) ring_side(axis, true);
   }
 
-  // Draws the part of a ring that faces the camera, or the part behind it.
+  // Draws the part of a ring that faces the camera, or the part that faces away.
   void ring_side(int axis, bool front) {
     const auto& ring = gizmo_.rings[axis];
     const std::size_t n = ring.size();
@@ -163,8 +163,6 @@ void gizmo_overlay(const Context& ui) {
   if (const auto gizmo = workspace::gizmo_of(w)) GizmoDrawing(ui, painter, *gizmo).draw();
   if (drag) readout(ui, drag->readout());
 }
-
-// Draws mirror partners, the radius of soft selection and the placed pivot.
 
 namespace {
 

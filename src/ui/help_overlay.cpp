@@ -112,12 +112,11 @@ void key_row(const Context& ui, const workspace::Keymap& plain, const workspace:
   give_back(ui, plain, command);
 }
 
-// True for answers to transient questions, which have a button but no key.
+// True for a transient command without a key, such as an answer to a question.
 bool is_transient_answer(const Context& ui, const workspace::Command& command) {
   return command.passing && workspace::text(ui.workspace.preferences.keymap.of(command)).empty();
 }
 
-// The actions of the mouse, and information about the program.
 void mouse_rows(const Context& ui) {
   heading(ui, "Mouse");
   for (const MouseLine& line : mouse_lines(ui.workspace.preferences.keymap)) {

@@ -14,9 +14,9 @@ struct MouseLine {
 
 std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap);
 
-/// Camera navigation, in phrases separated by two spaces.
+/// Describes camera navigation. Two spaces separate the phrases.
 std::string looking_words(const workspace::Keymap& keymap);
-/// The effect of a drag on empty space, and camera navigation.
+/// Describes the effect of a drag on empty space, and camera navigation.
 std::string empty_space_words(const workspace::Keymap& keymap);
 
 /// The command's first key, or its label in quotes if it has no key.

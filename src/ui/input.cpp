@@ -59,7 +59,7 @@ void run_shortcuts(workspace::Workspace& workspace, const workspace::Pointer& po
   }
 }
 
-// If `keys` is false, the input contains no key: a modal question or a text field uses the keyboard.
+// If `keys` is false, the input contains no keys: a question or a widget has used the keyboard.
 workspace::PointerInput pointer_input(bool keys) {
   const ImGuiIO& io = ImGui::GetIO();
   workspace::PointerInput input;

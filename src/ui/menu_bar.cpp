@@ -66,7 +66,7 @@ void recent_menu(const Context& ui) {
   if (chosen) open_recent(w, *chosen);
 }
 
-// Adds the submenu of recent files or of the history after its command.
+// Adds the list of recent files after the command Open, and the history after the command Redo.
 void list_behind(const Context& ui, const workspace::Command& command) {
   if (command.name == "open_model") recent_menu(ui);
   if (command.name == "redo") history_menu(ui);

@@ -73,7 +73,7 @@ void hint_at(const files::RecoveryFile& leftover) {
   hint("Folder: " + leftover.folder.string());
 }
 
-// Puts the next item beside the previous item, or below it if the window is narrow.
+// If the next item fits, puts the next item on the current line. width: the width of the next item.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
   if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
@@ -99,7 +99,7 @@ void recovery_text(const Context& ui) {
 
 float notice_room(const Context& ui) {
   constexpr float tools = 64,
-                  least = 180;  // the tools are on the left; the right side is as wide, for centering
+                  least = 180;  // the width of the tools stays free on both sides, for centering
   return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);
 }
 
@@ -142,7 +142,7 @@ std::string in_two_lines(const std::string& text, float width) {
   return text.substr(0, low) + "...";
 }
 
-// Draws a message above `bottom` and moves `bottom` up. A click shows all messages. True if dismissed.
+// Draws a message above `bottom` and moves `bottom` up. Returns true if the user dismisses the message.
 bool toast(const Context& ui, const std::string& name, const std::string& text, ImU32 color, bool closes,
            float& bottom) {
   constexpr float widest = 480, padding = 12, gap = 8;
@@ -218,7 +218,7 @@ bool answer_button(const Context& ui, std::size_t i) {
   return clicked;
 }
 
-// A destructive answer is at the far end, apart from the others.
+// A destructive answer is at the right end, apart from other answers.
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();
@@ -232,7 +232,7 @@ std::optional<Answer> answer_row(const Context& ui) {
   return answer;
 }
 
-// Enter gives the chosen answer, Tab and the arrows choose another, Esc cancels.
+// Enter gives the chosen answer, Tab and the arrows choose another answer, Esc cancels.
 std::optional<Answer> answer_by_key(workspace::Question& question) {
   using workspace::Key;
   const bool back = key_pressed(Key::left) || (key_pressed(Key::tab) && ImGui::GetIO().KeyShift);
@@ -292,7 +292,6 @@ std::string words_of(std::optional<double> left) {
   return std::to_string(std::lround(step * std::ceil(*left / step))) + " s left";
 }
 
-// The task, its progress, and a Cancel button.
 void row(const Context& ui, const workspace::WorkState& work, const char* stop) {
   constexpr float widest = 420, time_width = 96;
   const float width = std::min(widest, notice_room(ui) - 2 * ImGui::GetStyle().WindowPadding.x);

@@ -20,7 +20,7 @@ inline std::array<glm::vec2, 4> square(const glm::vec2& center, float half) {
           center + glm::vec2(-half, half)};
 }
 
-/// Draws icons in coordinates from -1 to 1.
+/// Draws icons in coordinates from -1 to 1 around `middle`.
 struct Pen {
   ImDrawList& draw;
   ImVec2 middle;
@@ -53,7 +53,7 @@ public:
   void tint(std::span<const glm::vec2> corners, ImU32 color);
   /// Thin closed line without halo.
   void outline(std::span<const glm::vec2> corners, ImU32 color);
-  /// Tinted fan between the centre and a line, up to a full circle.
+  /// Tinted fan of triangles between the centre and a line.
   void fan(const glm::vec2& center, std::span<const glm::vec2> line, ImU32 color);
   /// Centred text, a letter or a word.
   void letter(const glm::vec2& center, const char* text, ImU32 color, float size = 13);

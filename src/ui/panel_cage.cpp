@@ -75,7 +75,7 @@ namespace {
 
 constexpr float making_label = 84;
 
-// Rounds to steps: 12, 14 ... 100, 110 ... 2,000.
+// Rounds to steps that grow with the value: 12, 14, ... 40, 45, ... 100, 110, ... 400, 450, ...
 double rounded_triangles(double value) {
   const double step = value < 40 ? 2 : value < 100 ? 5 : value < 400 ? 10 : 50;
   return static_cast<double>(std::lround(value / step) * std::lround(step));
@@ -162,8 +162,6 @@ void panel_making(const Context& ui) {
   }
   command_row(ui, {"finish_cage", "cancel_cage"});
 }
-
-// The next step for a newly opened model, at the bottom of the view: to get a cage, or to enclose the model.
 
 namespace {
 

@@ -35,7 +35,7 @@ std::string elements_text(const document::Finding& finding) {
   return document::element_name(finding.kind) + ' ' + document::first_elements(finding, named);
 }
 
-// Title, explanation, and the first elements; a click shows them in the view.
+// Draws title, explanation and first elements of a finding. A click shows the elements in the view.
 void finding_card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const document::Finding& finding = checks.findings[index];

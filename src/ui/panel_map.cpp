@@ -57,7 +57,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// Legend sizes: for one view with a histogram, for several views without a histogram.
+// Size of the legend. whole: one view, with a histogram. small: several views, without a histogram.
 struct Size {
   float width, height, bars;
 };
@@ -67,7 +67,7 @@ struct Legend {
   const Context& ui;
   ImDrawList& draw;
   const analysis::FieldStats& stats;
-  ImVec2 at;  // the upper left of the colours
+  ImVec2 at;  // the upper left corner of the colour bar
   Size size;
 
   float length() const { return size.width - 2 * legend_margin; }

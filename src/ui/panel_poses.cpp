@@ -21,7 +21,7 @@ using workspace::pose_picture_size;
 constexpr const char* dragged_pose = "pose";
 constexpr float percent_width = 54;
 
-// The user's changes of the list. They are applied after all rows are drawn.
+// The user's changes of the list, applied after all rows are drawn.
 struct PoseWish {
   std::optional<std::size_t> chosen, applied;
   std::optional<std::pair<std::size_t, std::string>> name;

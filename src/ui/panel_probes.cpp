@@ -46,7 +46,6 @@ void influence(const Context& ui, const char* label, const char* name, document:
   if (percent) document::set_radius(document, part, std::clamp(unit * *percent, least, most));
 }
 
-// The slider for the deviation from the listed shapes that pins allow.
 void freedom(const Context& ui) {
   double& value = ui.workspace.view.handling.freedom;
   const auto percent = slider_row(ui, "Freedom", probe_label, "pin_freedom", 100 * value,
@@ -100,8 +99,6 @@ void panel_probes(const Context& ui) {
   const bool locked = std::ranges::all_of(indices, [&](auto i) { return document.probes.all[i].locked; });
   command_toggle(ui, "toggle_locked", locked);
 }
-
-// Draws the probes in the view: three axes for each probe, and a circle with the radius for selected probes.
 
 namespace {
 

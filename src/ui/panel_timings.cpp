@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* command_names[] = {"method_diag", "method_sd", "method_improved_sd", "method_fast"};
 
-// True if this method is better than all others. False at rest, where every method is exact.
+// True if this method is better than all other methods. False at rest, because all methods are exact.
 bool is_best(const workspace::MethodStats& stats, std::size_t index, double workspace::MethodSample::*value) {
   const workspace::MethodSample& own = stats.samples[index];
   return !std::isnan(own.*value) && std::ranges::all_of(stats.samples, [&](const auto& other) {
@@ -25,7 +25,7 @@ bool is_best(const workspace::MethodStats& stats, std::size_t index, double work
   });
 }
 
-// Larger errors are highlighted, because they are visible or can add up to visible errors.
+// Errors above this limit are highlighted, because they can add up to visible errors.
 constexpr double visible_error = 1e-10;
 
 bool fails(const workspace::MethodSample& sample) {
@@ -92,8 +92,6 @@ void panel_method(const Context& ui) {
        " matrices of this frame; errors are relative to 106-bit results. Colours mark the best values and "
        "errors above 1e-10.");
 }
-
-// The times of the deformation with each method, by stage, and the times of the other parts of a frame.
 
 namespace {
 

@@ -135,7 +135,6 @@ void soft_rows(const Context& ui) {
   ImGui::EndDisabled();
 }
 
-// A summary in the header of the section.
 std::string transform_text(const workspace::Workspace& w) {
   std::string text(document::entry_of(w.view.handling.pivot).label);
   if (workspace::mirror_of(w)) text += ", mirrored";

@@ -11,7 +11,6 @@ namespace viete::ui {
 
 namespace {
 
-// The place of a column beside the view, over the full height.
 Window::Place column(const Context& ui, float x, float width) {
   const document::Viewport& v = ui.workspace.view.viewport;
   return {
@@ -90,8 +89,6 @@ void draw_panels(const Context& ui) {
   key_list(ui);
   question_panel(ui);
 }
-
-// The borders between the columns and the view. They can be dragged; a tab shows or hides the column.
 
 namespace {
 

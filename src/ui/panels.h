@@ -1,4 +1,4 @@
-// The panels, one function each, with their fonts and colours, and the input.
+// Draws the panels, one function each. Also sets fonts and colours, and handles input.
 #pragma once
 
 #include <string_view>
@@ -12,15 +12,15 @@ class Pointer;
 
 namespace viete::ui {
 
-/// Adds the fonts to ImGui, for `scale` device pixels per logical pixel. With `builtin_only`, or if no font
-/// file is found, uses ImGui's own bitmap font, which is the same on all machines.
+/// Adds the fonts to ImGui. scale: device pixels per logical pixel. If `builtin_only`, or if no font file is
+/// found, uses ImGui's bitmap font, because this font looks the same on all machines.
 Fonts add_fonts(float scale, bool builtin_only);
 
 /// Sets sizes, spacing and colours; call when the theme changes.
 void apply_style(bool dark);
 
-/// Runs commands for pressed keys and passes the mouse to the pointer. Call it once a frame after
-/// ImGui::NewFrame(). Input over a panel or in a text field belongs to the panel; a gesture that began in the
+/// Runs commands for pressed keys and passes the mouse to the pointer. Call once per frame, after
+/// ImGui::NewFrame(). Input over a panel or in a text field goes to the panel. A gesture that began in the
 /// view continues over panels.
 void handle_input(workspace::Workspace& workspace, workspace::Pointer& pointer);
 
@@ -30,8 +30,8 @@ void draw_panels(const Context& ui);
 void menu_bar(const Context& ui);
 /// A menu line that runs a command. Shows the command's label, or `called` if given. Returns true if chosen.
 bool menu_item(const Context& ui, const workspace::Command& command, std::string_view called = "");
-void context_menu(const Context& ui);  ///< at the right click
-void tool_strip(const Context& ui);    ///< in the view
+void context_menu(const Context& ui);  ///< opened by a right click
+void tool_strip(const Context& ui);    ///< icons of the tools, in the view
 void command_palette(const Context& ui);
 void key_list(const Context& ui);      ///< all commands and their keys, editable
 void column_edges(const Context& ui);  ///< column borders to drag, and tabs to show or hide columns
@@ -61,17 +61,17 @@ void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see workspace/messages.h
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
-/// Notices at the bottom of the view. Each function returns the notice's top edge, or `bottom` if it is
-/// hidden. cage_offer(): the next step, to get a cage or to enclose the model. key_question(): the choice of
-/// a keymap at the first start. work_bar(): running work with its progress and Cancel. map_legend(): the
-/// colours of the mesh.
+/// Notices at the bottom of the view. If a notice is shown, its function returns a smaller `bottom` for
+/// messages above the notice. cage_offer(): the next step, to get a cage or to enclose the model.
+/// key_question(): the choice of a keymap at the first start. work_bar(): running work with progress and
+/// Cancel. map_legend(): the colours of the mesh.
 float cage_offer(const Context& ui, float bottom);
 float key_question(const Context& ui, float bottom);
 float work_bar(const Context& ui, float bottom);
 float map_legend(const Context& ui, float bottom);
 bool offers_next_step(const workspace::Workspace& workspace);  ///< true if cage_offer() is shown
-float notice_room(const Context& ui);                          ///< the width for notices, beside the tools
-void notice_bar(const Context& ui);                            ///< unsaved edits that can be restored
+float notice_room(const Context& ui);                          ///< the width for notices, without the tools
+void notice_bar(const Context& ui);                            ///< offers to restore recovered edits
 void transform_fields(const Context& ui);                      ///< number fields of the tool
 void hand_overlay(const Context& ui);                          ///< mirror partners, soft radius and pivot
 void probe_overlay(const Context& ui);
@@ -80,7 +80,7 @@ void axis_overlay(const Context& ui);
 void torn_overlay(const Context& ui);    ///< edges where the mesh may fold, see pose_notes()
 document::SelectMode select_mode();      ///< according to Shift and Ctrl
 void select_overlay(const Context& ui);  ///< box, lasso and brush
-std::string select_hint(const workspace::Workspace& workspace);  ///< help for these tools, or empty
+std::string select_hint(const workspace::Workspace& workspace);  ///< help for the selection tools, or empty
 std::string mouse_text(const workspace::Workspace& workspace);   ///< help for the current mouse actions
 void view_overlay(const Context& ui);                            ///< selection tools, brush and hints
 

@@ -32,7 +32,7 @@ std::string shape_words(const interact::TransformDrag& drag) {
          "click confirms,  Esc cancels,  Shift slows,  Ctrl snaps";
 }
 
-// If a whole posed cage is rotated, the model's shape can change slightly: see the manual, blending.
+// True if a drag would rotate a whole posed cage. This can change the model's shape: see manual, blending.
 bool rotates_posed_cage(const workspace::Workspace& w) {
   const document::Document& d = w.document;
   return w.view.tool == interact::Tool::rotate && d.has_cage() &&
@@ -41,7 +41,7 @@ bool rotates_posed_cage(const workspace::Workspace& w) {
          document::selected_vertices(*d.cage, d.selection).size() == d.pose.positions.size();
 }
 
-// Keeps as many phrases, separated by two spaces, as fit.
+// Removes phrases from the end until the text fits. Two spaces separate the phrases.
 std::string fitting(std::string text, float width) {
   while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > width) {
     const std::size_t end = text.rfind("  ");

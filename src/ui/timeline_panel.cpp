@@ -103,7 +103,7 @@ void frame_shown(const Context& ui) {
   }
 }
 
-// A part of a row. If the part does not fit, the menu at the end of the row contains it.
+// A part of a row. A part that does not fit moves to the menu at the end of the row.
 struct ToolPiece {
   float width, gap;
   std::function<void()> draw;
@@ -171,7 +171,6 @@ void transport(const Context& ui, float right) {
   row_of_pieces(ui, "time/more", pieces, right);
 }
 
-// Two buttons to choose the interpolation.
 void way_choice(const Context& ui) {
   const bool straight = ui.workspace.document.timeline.straight;
   const workspace::Command& command = *workspace::find_command("toggle_straight");

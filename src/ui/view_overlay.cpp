@@ -52,7 +52,7 @@ void axis_overlay(const Context& ui) {
 
 namespace {
 
-// Draws a ring with approximately the brush's radius on the model.
+// Draws the brush as a circle on the screen, around the brushed point of the model.
 void brush_ring(const Context& ui, const workspace::Workspace& w) {
   const auto center =
       interact::Projector(w.document.space, w.view.camera, w.view.viewport)(*w.view.interaction.brush);
@@ -97,7 +97,6 @@ void hints(const Context& ui) {
   }
 }
 
-// Shows how to get the panels back.
 void restore_hint(const Context& ui) {
   const workspace::Command& command = *workspace::find_command("toggle_panels");
   const auto& v = ui.workspace.view.viewport;
@@ -114,14 +113,13 @@ void view_overlay(const Context& ui) {
   auto& options = w.view.options;
   if (!options.panels && w.panels.has_user) restore_hint(ui);
   if (w.view.interaction.brush) brush_ring(ui, w);
-  if (w.jobs.working()) return;  // its progress bar is displayed
+  if (w.jobs.working()) return;  // the progress bar needs this place
   if (w.document.kept_pose && options.panels) return editing_hint(ui);
   const bool room =  // false if the legend, the brush or the next step needs the place
       workspace::shown_field(w) == analysis::Field::none && !workspace::shows_mask(w) && !offers_next_step(w);
   if (options.hints && room && w.document.has_cage() && options.panels && !w.view.interaction.drag) hints(ui);
 }
 
-// Marks edges of the cage where the model may fold.
 void torn_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (!w.view.options.cage || !w.document.has_cage()) return;

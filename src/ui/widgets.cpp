@@ -22,7 +22,7 @@ const workspace::Command& require(std::string_view name) {
   return *command;
 }
 
-// Prints five digits, or fewer if five do not fit.
+// Prints as many digits as fit, from 2 to 5. If 2 digits do not fit, prints 5 digits.
 std::string printed(double value, float room) {
   char text[64];
   for (int digits = 5; digits > 1; --digits) {
@@ -200,7 +200,7 @@ void section_note(const Context& ui, const std::string& text, ImU32 color) {
 
 namespace {
 
-// True for panels behind a titled or modal dialog. There, tooltips would cover the dialog.
+// True if a dialog or a text field in another window is active. A tooltip would cover that window.
 bool is_behind_dialog() {
   const ImGuiContext& g = *GImGui;
   const ImGuiWindow* own = g.CurrentWindow->RootWindow;

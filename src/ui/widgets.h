@@ -32,8 +32,8 @@ class Window {
 public:
   struct Place {
     ImVec2 at;
-    ImVec2 pivot{0.5f, 0.5f};  ///< the point of the window at `at`: {0, 0} is its upper left corner
-    ImVec2 size{0, 0};         ///< 0: determined by the flags
+    ImVec2 pivot{0.5f, 0.5f};  ///< which point of the window is at `at`; {0, 0}: the upper left corner
+    ImVec2 size{0, 0};         ///< 0: ImGui chooses the size
     float rounding = 8;
     ImVec2 padding{-1, -1};  ///< -1: the default
     float border = 0;
@@ -49,12 +49,12 @@ ImVec2 middle_at(const Context& ui, float y);
 ImVec2 middle_of_view(const Context& ui);
 
 void text_in(ImU32 color, const std::string& text);
-/// A label before an item at this distance from the left.
+/// A label. The next item begins at `distance` from the left.
 void row_label(const char* text, float distance);
 /// Text beside a slider, right aligned at `right`.
 void value_beside(float right, const std::string& value);
 void progress_bar(const Context& ui, float width, double done);
-/// A search field for commands, with keyboard focus when it appears.
+/// A search field for commands. If `appearing`, the field gets the keyboard focus.
 void search_field(const Context& ui, const char* name, std::string& typed, bool& appearing);
 
 /// Records the last item's rectangle under `name` if there is a recorder.
@@ -91,11 +91,11 @@ void command_toggle(const Context& ui, std::string_view command, std::optional<b
 std::string hint_of(const Context& ui, const workspace::Command& command);
 
 ImU32 severity_color(const Context& ui, workspace::Severity severity);
-/// "Error: ...  (3 times)".
+/// For example "Error: ...  (3 times)".
 std::string message_text(const workspace::Message& message);
 
 std::string method_label(workspace::Method method);
-/// The measurements of the current method; null at rest, or if the deformer uses no exponential.
+/// The measurements of the current method. Null at rest, without exponentials, and before a measurement.
 const workspace::MethodSample* running_sample(const workspace::Workspace& workspace);
 
 /// A line with a label on the left and a value on the right.
@@ -104,8 +104,8 @@ void value_row(const Context& ui, const char* label, const std::string& value, I
 void note(const Context& ui, const std::string& text, ImU32 color = 0);
 /// Like note(), with a height of at least this number of lines, so that items below do not move.
 void note_within(const Context& ui, int lines, const std::string& text, ImU32 color = 0);
-/// Breaks the text at spaces into lines of at most this width. A longer word gets its own line. ImGui would
-/// also break "3.7e-16" at the point.
+/// Breaks the text at spaces into lines of at most `width`. A word longer than `width` gets its own line.
+/// ImGui would also break "3.7e-16" at the point.
 std::string wrapped(const std::string& text, float width);
 /// Truncates a text to the width, with "..." at the end.
 std::string shortened(std::string text, float width);
@@ -114,8 +114,8 @@ void hint(const std::string& text);
 /// True if the last item needs a tooltip: the item is hovered but not pressed, and no other tooltip is shown.
 bool wants_hint();
 
-/// If Esc is pressed, closes the open popup, or cancels the active widget and restores its value. Returns
-/// true if something was closed or cancelled. Call it before other uses of Esc in a frame.
+/// On a mouse press, begins an edit that Esc can cancel. If Esc is pressed, closes the open popup, or cancels
+/// the active widget and restores its value. Returns true if Esc was used. Call before other uses of Esc.
 bool take_escape(workspace::Workspace& workspace);
 
 /// A field that shows `value`. Returns the typed number when the field loses the focus by Enter or a click
@@ -128,8 +128,8 @@ struct Slid {
   bool moved = false;
   std::optional<double> typed{};  ///< clamped to the slider's range
 };
-/// A slider for `value`, from `least` to `most`. A double click or Ctrl+click turns it into a number field.
-/// `draw` must draw the slider and return true if it was moved.
+/// A slider for `value`, from `least` to `most`. A double click or Ctrl+click replaces the slider by a number
+/// field. `draw` must draw the slider and return true if the slider was moved.
 Slid slider(const Context& ui, const std::string& name, double value, double least, double most,
             const std::function<bool()>& draw, bool enabled = true);
 struct SliderLook {
@@ -156,11 +156,11 @@ std::optional<std::string> name_field(const Context& ui, const std::string& id, 
 
 /// Lists the newest four recent files. Returns the index of the clicked file.
 std::optional<std::size_t> recent_list(const Context& ui);
-/// "FILE  in  CAGE".
+/// For example "model.obj  in  cage.obj", with full paths.
 std::string place_of(const workspace::RecentFile& recent);
 void open_recent(workspace::Workspace& workspace, std::size_t index);
 
-/// Text in the font for numbers, right aligned at x. The line is the current line, or begins at y = line.
+/// Text in the font for numbers, right aligned at x. line: the text's top edge; default: the current line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line);
 

@@ -22,7 +22,7 @@ using QuestionKind = workspace::Question::Kind;
 
 namespace {
 
-// A FileDesk without a viewer. It has files of cubes and a folder for its state.
+// A FileDesk without a viewer, with files of cubes and a state folder.
 struct Desk {
   test::CubeFiles files;
   std::filesystem::path state = files / "state";
@@ -74,7 +74,7 @@ std::size_t files_in(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder, ignored), {}));
 }
 
-// Renames the desk's recovery file, as if it belonged to a program that has ended.
+// Renames the recovery files, so that they seem to belong to a program that has ended.
 void end_program(Desk& d) {
   const auto recovery = d.state / "recovery";
   d.desk.reset();

@@ -12,7 +12,7 @@ void open_posed_dragon(Driver& d) {
   d.open_dragon("pose_alert", test::bundled_dragon);
 }
 
-// The colours of those pixels in the view that are not background.
+// The sum of the colours of all pixels in the view, without pixels of the background.
 struct Shown {
   double red = 0, blue = 0;
   int pixels = 0;
@@ -22,7 +22,7 @@ Shown shown(Driver& d, const render::Image& empty) {
   const auto picture = d.picture();
   Shown sum;
   for (int y = 0; y < 660; ++y) {      // the rows above the legend
-    for (int x = 330; x < 955; ++x) {  // the columns without timings, which differ in every run
+    for (int x = 330; x < 955; ++x) {  // the columns without timings, because timings differ in every run
       const auto p = picture.pixel(x, y);
       if (p == empty.pixel(x, y)) continue;
       sum.red += p[0];

@@ -1,4 +1,4 @@
-// viete animate: exported frames must be complete even if the program is killed, and exports can continue.
+// viete animate: formats, errors, and complete frames after the program is killed.
 #include <set>
 
 #include "base/numbered_files.h"
@@ -138,8 +138,8 @@ TEST_CASE("existing_frames_need_force_and_those_of_an_earlier_run_are_noted") {
   const Outcome refused = files.animate("-o f_##.ply --frames 1-5");
   CHECK(refused.code == 1);
   CHECK(mentions(refused, "--force"));
-  CHECK_FALSE(
-      mentions(files.animate("-o f_##.ply", "VIETE_PROGRESS=1"), "--force"));  // as the window runs it
+  CHECK_FALSE(mentions(files.animate("-o f_##.ply", "VIETE_PROGRESS=1"),
+                       "--force"));  // as a child process of the window
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply already existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
                  "3 files from f_01.ply to f_05.ply already existed"));
@@ -161,7 +161,7 @@ TEST_CASE("partial_files_of_a_killed_command_are_deleted_by_the_next_one") {
   const AnimatedFiles files;
   const fs::path part = files / "b.obj.999999999-1-0.part";
   put_file(part, "half");
-  CHECK(files.animate("-o p_##.obj").code == 1);  // the command fails
+  CHECK(files.animate("-o p_##.obj").code == 1);  // the command fails, but deletes the partial file
   CHECK_FALSE(fs::exists(part));
 }
 

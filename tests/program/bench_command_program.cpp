@@ -30,7 +30,7 @@ TEST_CASE("a_frame_and_a_binding_are_those_of_the_model_and_cage_that_are_named"
   const WorkFolder f;
   for (const std::string what : {"frame --vertices 500 ", "bind "}) {
     CHECK(mentions(f.done("bench " + what + "--rounds 1 " + in_cage + " --json a.json"),
-                   "148 cage triangles"));                                   // of the cage itself
+                   "148 cage triangles"));  // the given cage has this number of triangles
     CHECK(nlohmann::json::parse(file_bytes(f / "a.json"))["bars"].empty());  // only generated cages have bars
   }
   const auto made = f.done("bench frame --rounds 1 --vertices 500 --faces 8,10 " + quoted(dragon));
@@ -87,7 +87,7 @@ TEST_CASE("missing_or_unfit_inputs_are_reported_before_modes_are_compared") {
   f.refused("bench modes " + in_cage, 2, "POSE is required");
   f.refused("bench modes " + in_cage + " none.obj", 1, "none.obj");
   f.refused("bench modes " + in_cage + " " + quoted(dragon), 1,
-            "dragon.ply");  // the model has another number of vertices
+            "dragon.ply");  // the model has more vertices than the cage
   f.refused("bench modes " + in_cage + " " + quoted(pose) + " --json " + quoted(pose), 1, "is an input file");
 }
 
@@ -116,7 +116,7 @@ TEST_CASE("the_accuracy_tables_show_where_the_paper_fails_and_fast_does_not") {
       for (const auto& row : table["rows"]) {
         const auto& fast = row["methods"]["Fast"];
         const double spread =
-            table["by"] == "spread" ? double(row["value"]) : 35;  // 35 is the limit of other rows
+            table["by"] == "spread" ? double(row["value"]) : 35;  // other rows have a spread of at most 35
         CHECK(fast["nan"] == 0);
         CHECK(fast["worst"] <= (8 + 2.5 * spread) * u);
       }

@@ -1,4 +1,4 @@
-// Binding in the background. During binding, the program reacts. If binding stops or fails, nothing changes.
+// Binding in the background: the program reacts during binding, and a cancelled binding changes nothing.
 #include "deform/binding.h"
 #include "formats/write.h"
 #include "program/driver.h"
@@ -23,7 +23,7 @@ struct Bound : Driver {
     drag(at, at + glm::vec2(40, 20));
     workspace::mark_saved(workspace());  // otherwise, the program asks before replacing the cage
   }
-  // Opens a cage of 8 * 4^levels triangles around the dragon. Calls a function after the first frame.
+  // Opens a cage of 8 * 4^levels triangles around the dragon. Calls `act` after the first frame.
   template <class Act>
   void open_ball(int levels, const Act& act) {
     formats::write(folder / "ball.ply", test::moved(test::sphere(levels), 5));

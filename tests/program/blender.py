@@ -1,4 +1,4 @@
-"""Checks viete's files of every format with Blender's importers. A cage rotates a textured box, so all results are known."""
+"""Checks viete's files with Blender's importers. A cage rotates a textured box, so all results are known."""
 import json
 import math
 import os
@@ -29,7 +29,7 @@ def put(name, data):
 
 
 def turned(p):
-    """Rotates a point about the x axis, then moves it by w times the translation; w is 0 for directions."""
+    """Rotates p about the x axis and moves p. A fourth component 0 marks a direction: it is not moved."""
     c, s = math.cos(0.6), math.sin(0.6)
     w = p[3] if len(p) > 3 else 1
     return (p[0] + 0.25 * w, c * p[1] - s * p[2] - 0.5 * w, s * p[1] + c * p[2])
@@ -174,7 +174,7 @@ def cage(pose):
 
 
 def imported(name):
-    """Returns the corners of the only mesh in a file (world coordinates, axes of the file), and Blender's mesh."""
+    """Imports a file with one mesh. Returns Blender's object, and True if the file has y up."""
     bpy.ops.wm.read_factory_settings(use_empty=True)
     extension = name.rsplit(".", 1)[1]
     candidates = {"obj": ("wm.obj_import", "import_scene.obj"), "ply": ("wm.ply_import", "import_mesh.ply"),

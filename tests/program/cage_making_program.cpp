@@ -254,7 +254,7 @@ TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_st
 TEST_CASE("a_cage_with_unpaired_vertices_offers_a_symmetric_one") {
   const test::TemporaryFolder folder;
   mesh::Surface cage = test::ball(1.2, 1);
-  cage.positions[5][0] += 0.3;  // the mirror vertex is now missing
+  cage.positions[5][0] += 0.3;  // the mirror partner of this vertex is now missing
   formats::write(folder / "cage.obj", cage);
   Driver d;
   REQUIRE(d.open({ball(), folder / "cage.obj"}));

@@ -45,7 +45,7 @@ struct Checked : test::SmallScene {
     return rect && rect->visible && rect->x0 > v.origin.x && rect->x1 < v.origin.x + v.size.x &&
            rect->y1 < v.origin.y + v.size.y;
   }
-  // Counts highlighted pixels. Only highlights have their colour: much red and little green.
+  // Counts the pixels with the colour of highlights: much red and little green.
   int highlighted() {
     d.settle();
     const auto picture = d.picture();

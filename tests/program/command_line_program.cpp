@@ -228,7 +228,7 @@ TEST_CASE("weights_and_blend_are_chosen_apart_or_by_one_word") {
   CHECK(linear != mean_values);
   CHECK(deformed(" --weights biharmonic --blend srl") == usual);
   CHECK(deformed(" --weights inverse --blend srl") == published);
-  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // only these weights have a radius
+  CHECK(deformed(" --radius 25") == deformed(" --deformer local"));  // only weights of Local have a radius
   CHECK(deformed(" --weights mean-value") == mean_values);
   CHECK(deformed(" --weights mean-value --blend linear") == mean_values);
   CHECK(deformed(" --blend linear --method diag") == linear);  // linear blending uses no matrix method

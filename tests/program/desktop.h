@@ -24,8 +24,7 @@ namespace viete::test {
 
 namespace fs = std::filesystem;
 
-/// Waits until the condition is true. After the time limit, returns false. The default limit is long, because
-/// it is only for programs that hang.
+/// Waits until the condition is true. After the limit, returns false: only a hanging program takes so long.
 inline bool wait_until(const std::function<bool()>& condition, double seconds = 300) {
   for (int i = 0; i < seconds * 20; ++i) {
     if (condition()) return true;
@@ -41,7 +40,7 @@ inline bool has_program(const std::string& name) {
 /// The key code of F12. On some keyboard layouts, two keys are F12, and xdotool would use the wrong key.
 constexpr const char* f12_keycode = "96";
 
-// A child process. The destructor kills it.
+// A child process. The destructor kills the process.
 class Child {
 public:
   Child(const std::string& command, const fs::path& log) {

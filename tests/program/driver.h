@@ -33,7 +33,7 @@ struct WithPixels {
 };
 inline constexpr WithPixels with_pixels;
 
-/// The program in a test. It draws only if a test needs pixels or VIETE_PICTURES is set.
+/// The program in a test. Draws only if a test needs pixels or VIETE_PICTURES is set.
 class Driver {
 public:
   explicit Driver(const app::ViewerOptions& options = default_options(),
@@ -70,7 +70,7 @@ public:
   render::Image picture() { return viewer().picture(); }
 
   using What = files::OpenRequest::What;
-  /// Opens files, and runs frames until they are open. False if the program refuses them or asks a question.
+  /// Opens files, and runs frames until they are open. Returns false on a refusal or a question.
   [[nodiscard]] bool open(std::vector<std::filesystem::path> files, What what = What::model);
   /// Opens the dragon and its cage, at rest or in a pose. Waits until the picture no longer changes.
   void open_dragon(const std::string& pose = "", const std::filesystem::path& model = dragon);
@@ -139,7 +139,7 @@ public:
     for (int i = 1; i <= 8; ++i) move(glm::floor(from + (to - from) * (static_cast<float>(i) / 8)));
   }
 
-  /// Unfolds columns until the widget is visible.
+  /// Unfolds columns until the widget exists.
   void unfold_columns(const std::string& widget) {
     for (const char* column : {"toggle_methods", "toggle_tools"}) {
       const bool methods = std::string_view(column) == "toggle_methods";
@@ -151,7 +151,7 @@ public:
       if (unfold_custom(widget)) return;
     }
   }
-  /// If the deformer's custom settings exist, unfolds them. Returns true if the widget then exists.
+  /// Unfolds the custom settings of the deformer if they contain `widget`. Returns true if `widget` exists.
   bool unfold_custom(const std::string& widget) {
     static const std::set<std::string> parts = {"weights", "blend", "toggle_stitched", "iterations",
                                                 "pins",    "hold",  "formula"};
@@ -172,7 +172,7 @@ public:
   void choose(const std::string& chooser, const std::string& item) {
     click(chooser);
     frame(2);
-    const auto rect = viewer().recorder().find(item);  // may cover columns and the status bar
+    const auto rect = viewer().recorder().find(item);  // the list can cover columns and the status bar
     if (!rect || !rect->visible) return click(item);
     click(glm::vec2(0.5f * (rect->x0 + rect->x1), 0.5f * (rect->y0 + rect->y1)));
   }

@@ -15,13 +15,13 @@ namespace {
 
 const std::string saved = "Saved ", old = "v 0 0 0\n";
 
-// A posed model. It is large, so that the export takes many frames.
+// A posed model, so large that an export takes many frames.
 struct LargeModel : Driver {
   explicit LargeModel(const fs::path& folder, int level = 7) : Driver(small_window()) {
     formats::write(folder / "large.ply", ball(1, level));
     formats::write(folder / "cage.obj", ball(1.4, 1));
     REQUIRE(open({folder / "large.ply", folder / "cage.obj"}));
-    workspace().view.options.model = false;  // drawing it would take longer than the export
+    workspace().view.options.model = false;  // drawing the model would take longer than the export
     settle();
     drag_some_vertex(*this, {20, 10});
   }
@@ -120,7 +120,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK(fs::exists(folder / "f_02.png"));
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
-  // The dialog's options: the default is without cage and panels. Here: the light theme and another size.
+  // Changes theme and size in the dialog. By default, cage and panels are not drawn.
   workspace::find_command("save_animation")->run(d.workspace());
   d.frame(2);
   d.press_key('A', true);

@@ -1,4 +1,4 @@
-// Tests the cached view. The program must draw it again each time its content changes.
+// Tests the cached view. The program must draw the view again when the content of the view changes.
 #include <random>
 
 #include "interact/cursor_projection.h"

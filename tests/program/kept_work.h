@@ -21,7 +21,7 @@ inline void drag_some_vertex(Driver& d, glm::vec2 by) {
   d.drag(at, at + by);
 }
 
-// Returns the view after it stopped changing. Panels are black, because their timings always differ.
+// Returns the view when it no longer changes. Panels are black, because their timings always differ.
 inline render::Image rest_picture(Driver& d) {
   d.move({700, 760});
   d.workspace().panels.has_user = false;  // hides messages, which disappear after some time
@@ -47,7 +47,7 @@ inline std::vector<fs::path> kept_files(const fs::path& state) {
   return files;
 }
 
-// Files of a small model and its cage. They load quickly.
+// Files of a small model and its cage, which load quickly.
 struct SmallModel {
   fs::path model, cage;
 

@@ -85,7 +85,7 @@ TEST_CASE("in_the_key_list_esc_leaves_a_key_and_then_the_list_and_delete_removes
   d.click("reset_keys");
   CHECK(keymap(d) == workspace::Keymap());
   d.frame();
-  d.click("reset_keys");  // restores the default keys
+  d.click("reset_keys");  // restores the changed keys
   CHECK(keymap(d) == changed);
   d.press_key(workspace::Key::escape);
   d.frame();

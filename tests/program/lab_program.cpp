@@ -73,7 +73,7 @@ TEST_CASE("each_map_colours_the_mesh_and_says_what_its_colours_mean") {
     CHECK(test::difference(plain, d.picture(), 12) > 0.02);
     seen.insert(*map.values);
   }
-  // All maps differ, except both difference maps: without a second view, they are empty.
+  // All maps differ, except both difference maps: these are empty without a second view.
   CHECK(seen.size() >= choices(Field::none).size() - 2);
   choose_map(d, "none");
   d.move({1, 1});
@@ -219,7 +219,7 @@ TEST_CASE("the_sum_at_a_vertex_is_what_the_frame_exponentiates_there") {
   CHECK(sum == doctest::Approx(1).epsilon(1e-9));
   CHECK(
       std::ranges::is_sorted(view.terms, std::greater<>(), [](const auto& t) { return std::abs(t.weight); }));
-  // Applies the map of the vertex. The vertex moves to its position in the frame.
+  // The determinant of the vertex's map is the exponential of the sum of eigenvalues.
   const auto& last = view.terms.back().eigenvalues;
   const double volume = glm::determinant(view.map);
   CHECK(volume == doctest::Approx(std::exp(last[0] + last[1] + last[2])).epsilon(1e-9));
@@ -273,7 +273,7 @@ TEST_CASE("a_view_has_in_straight_lines_what_the_first_has_in_log_space") {
   d.frame(2);
   const auto straight = shown(d);
   CHECK(apart(d, straight, first) > 0.02);
-  // The view equals that of the document with linear blending.
+  // The second view equals the first view with linear blending.
   workspace::enter_view(d.workspace(), 0);
   workspace::find_command("toggle_straight")->run(d.workspace());
   d.settle();

@@ -1,4 +1,4 @@
-// A context that draws nothing. With it, the viewer runs without OpenGL.
+// A context that draws nothing. With this context, the viewer runs without OpenGL.
 #pragma once
 
 #include <stdexcept>

@@ -1,9 +1,7 @@
 // Compares pictures of the program with reviewed references (tests/program/pictures).
-//
 // In 99.9 % of the pixels, each channel may differ by at most 2 levels. Versions of ImGui place text
-// differently: panels are masked or hidden, and tests of panels are skipped for other versions. If a
-// reference is missing or VIETE_UPDATE_PICTURES=1, the test writes the picture as new reference: review it
-// before committing.
+// differently: panels are masked or hidden, and tests of panels are skipped for other versions. If
+// VIETE_UPDATE_PICTURES is set, writes the pictures as new references: review these before committing.
 #include <cstdlib>
 #include <functional>
 

@@ -1,5 +1,4 @@
-// Probes with simulated events, with and without a cage: added by a key, moved by the gizmo, set in the
-// panel.
+// Probes with simulated events, with and without a cage.
 #include <numbers>
 
 #include "document/pose_edit.h"
@@ -19,7 +18,7 @@ struct ProbeHand : Driver {
     REQUIRE(cage ? open({test::dragon, test::dragon_cage}) : open({test::dragon}));
     settle();
   }
-  // Adds a probe under the pointer. The pointer is at the head.
+  // Adds a probe at the head with the key P.
   void place_probe() {
     move(head());
     press_key('P');
@@ -130,7 +129,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   d.press_key('N');
   CHECK(test::difference(rest, picture(), 8) < 0.01);
   CHECK(d.workspace().frame.posed.vertices.empty());
-  // Keeps a pose that was made in the meantime.
+  // A pose that is set while the model is at rest appears when the model follows again.
   for (auto& p : pose.positions) p[0] += 0.3;
   document::set_pose(d.document(), pose);
   CHECK(test::difference(rest, picture(), 8) < 0.01);

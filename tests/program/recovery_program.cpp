@@ -158,7 +158,7 @@ TEST_CASE("closing_asks_where_edits_could_not_be_kept_and_is_answered_with_the_k
   CHECK(d.viewer().closed());
 }
 
-// The next test runs this in another process. It makes edits, and logs when each edit begins and ends.
+// The next test runs this test in another process. This test logs when each edit begins and ends.
 TEST_CASE("child_that_edits_until_it_is_killed" * doctest::skip()) {
   const fs::path folder = std::getenv("VIETE_TEST_FOLDER");
   const SmallModel small(folder);

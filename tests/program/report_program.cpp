@@ -43,7 +43,7 @@ TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_b
   CHECK(json["figure"] == "report");
   CHECK(json["deformation"][0]["vertices"] == 258);
   CHECK(json["shapes"].size() == 3);
-  // The command overwrites the page that it wrote before, but no other file.
+  // The command does not overwrite a page that it has not written, nor any other file.
   put_file(folder / "index.html", "<html>mine</html>");
   put_file(folder / "notes.txt", "mine");
   const auto refused = run(command);

@@ -1,4 +1,4 @@
-// The program with a small scene that it can draw quickly.
+// The program with a small scene, which is drawn quickly.
 #pragma once
 
 #include "formats/write.h"

@@ -43,7 +43,7 @@ struct Timed : Driver {
     type(percent);
     press_key(workspace::Key::enter);
   }
-  // Returns the position of a frame of the track on the screen. `y` is a fraction of the track's height.
+  // Returns the screen position of a frame on the track. `y` is a fraction of the track's height.
   glm::vec2 on_track(double at, float y) {
     const auto rect = viewer().recorder().find("time/track");
     REQUIRE(rect);
@@ -99,7 +99,7 @@ TEST_CASE("the_dragon_opens_without_keys_and_its_loop_is_one_click_away") {
   CHECK(d.timeline().empty());
   CHECK(d.document().library.poses.empty());
   d.press_key(workspace::Key::right);
-  CHECK(d.document().frame == 1);  // because the timeline is hidden
+  CHECK(d.document().frame == 1);  // the key has no effect while the timeline is hidden
   d.press_key('I');
   d.frame(3);
   CHECK(d.viewer().recorder().find("time/track"));

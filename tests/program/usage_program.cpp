@@ -92,7 +92,7 @@ TEST_CASE("a_wrong_command_line_exits_with_2_names_what_is_wrong_and_whose_help_
        "--look: needs home, front, back, left, right, top or bottom, not up"},
       {"render a b -o x.png --size 12", "--size: needs WIDTHxHEIGHT, each 16 to 32768, not 12"},
       {"render a b -o x.png --size 32768x32768", "at most 268 million pixels"},
-      {"render --method best", "--method: needs diag"}};  // this error comes before missing words
+      {"render --method best", "--method: needs diag"}};  // invalid values are reported before missing words
   const WorkFolder empty;
   for (const auto& [line, words] : cases) empty.refused(line, 2, words);
   CHECK(empty.entries() == 0);

@@ -44,7 +44,7 @@ struct Held : Driver {
     workspace().preferences.layout.timeline = true;
     frame(3);
   }
-  // Drags a widget and presses Esc. Nothing may change, including the redo list.
+  // Drags a widget and presses Esc. After that, all data must be as before, including the redo list.
   void check_called_off(const std::string& widget, glm::vec2 way) {
     const glm::vec2 at = place_of(widget);
     const auto before = state(workspace());
@@ -154,7 +154,7 @@ TEST_CASE("a_double_click_or_ctrl_click_on_a_slider_types_its_number_within_its_
   type("probe_turn_radius", "21");
   CHECK(d.document().probes.all[0].turn.radius == doctest::Approx(0.21 * diagonal));
 
-  // Esc keeps the number. After that, a click moves the slider.
+  // Esc keeps the old number. After that, a click moves the slider.
   const auto before = state(d.workspace());
   begin("turn", true);
   d.type("150");

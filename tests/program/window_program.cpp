@@ -1,4 +1,4 @@
-// The window on a virtual display, with mouse and keyboard. It must have the pixels of the offscreen program.
+// Compares a window on a virtual display with the offscreen program, with mouse and keyboard.
 #include <sstream>
 
 #include "files/session.h"
@@ -34,7 +34,7 @@ void cut_panels(render::Image& image) {
   }
 }
 
-// The offscreen program with the dragon. It opens and draws the dragon as the window does.
+// The offscreen program, which opens and draws the dragon as the window does.
 struct Offscreen : Driver {
   Offscreen() : Driver(options(), test::with_pixels) {
     workspace().document.scheme = deform::default_scheme();
@@ -74,8 +74,7 @@ struct RealSession {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// Presses Ctrl+S, which the window handles after all earlier events, and reads the saved session. Presses
-  /// it again if the window missed it.
+  /// Presses Ctrl+S until the session is saved. Returns the session, with the effects of all earlier events.
   files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
