@@ -37,9 +37,9 @@ public:
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
-  /// Assigns this key as the command's only key. Key::none removes all keys of the command.
+  /// Assigns this key as the command's only key; see losers(). Key::none removes all keys of the command.
   void change(std::string_view command, const Shortcut& shortcut);
-  /// Restores the preset's keys of the command.
+  /// Removes the user's change of a command, so that the command has the preset's keys.
   void take_back(std::string_view command);
   void put(Changes changes);
 

@@ -11,11 +11,11 @@ namespace viete::workspace {
 
 enum class Severity { info, warning, error };
 
-/// The object that a message is about. The message is removed when this object changes.
+/// The object that a message is about. If the user opens another model or cage, the message is removed.
 enum class Scope { program, model, cage };
 
 struct Concern {
-  std::string_view topic{};  ///< the action, such as "export"; empty: cannot be retried
+  std::string_view topic{};  ///< the action, such as "export", for succeeded(); may be empty
   Scope scope = Scope::program;
 };
 
@@ -31,7 +31,7 @@ struct Message {
 };
 
 /// The last 200 messages. Repeating a visible message or the last message only increases its count. Infos and
-/// warnings are visible for a limited time, errors until the same action succeeds or the user dismisses them.
+/// warnings are visible for a limited time, errors until the action succeeds or the user dismisses the error.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;
@@ -46,10 +46,10 @@ public:
 
   /// Hides errors of this topic.
   void succeeded(std::string_view topic);
-  /// Hides infos and warnings, after undo and redo.
+  /// Hides infos and warnings. Called after undo and redo.
   void hide_messages();
   void dismiss(std::size_t index) { all_[index].visible = false; }
-  /// Removes messages about a changed model or cage, up to this revision.
+  /// Removes messages about the cage and, for Scope::model, the model. Keeps messages after `revision`.
   void forget(Scope scope, unsigned revision);
   /// True if the time of a visible message has ended.
   bool due(double now) const;
@@ -94,7 +94,7 @@ Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);
 
-/// The number of answers of a question: 2 if only the first two are used, otherwise 3.
+/// The number of answers of a question: 2 (Answer::save and Answer::cancel) or 3.
 std::size_t answer_count(Question::Kind kind);
 /// The caption of an answer's button.
 const char* label(Question::Kind kind, Answer answer);
