@@ -33,17 +33,17 @@ public:
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
-  /// Estimates the error of Precision::fast / diagonal of the cage, including the rounding in floats(). Uses
-  /// a safety factor * the largest error in a sample of vertices, at all frames so far.
+  /// Estimates the ratio: error of Precision::fast / diagonal of the cage. Includes the rounding in floats().
+  /// Measures a sample of vertices at all frames so far. A safety factor covers the other vertices.
   double fast_error() const;
 
   document::WholePose pose(double frame) const;
-  /// Returns the model's probes, posed by `pose`. Locked probes keep their pose in the model.
+  /// Returns the model's probes, posed by `pose`. Locked probes ignore `pose`.
   deform::Probes probes(const document::WholePose& pose) const;
 
   /// Deforms the model in double precision. The result has the same bits as the result of deform_exactly().
   deform::ExactModel exact(const document::WholePose& pose, base::Progress* progress = nullptr);
-  /// Computes x, y, z of every vertex with precision(), rounded to float. Valid until the next call.
+  /// Computes x, y, z of every vertex with precision(), rounded to float. Valid until the next floats().
   std::span<const float> floats(double frame);
   std::vector<mesh::Point> positions(double frame);
   /// Returns messages for the user about the last computed frame, one line each.

@@ -109,7 +109,7 @@ struct Sample {
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // distinct times as floats
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // gives different floats
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -135,7 +135,7 @@ public:
     flattest_.assign(pose.size(), {-any, -any, -any});
     steepest_.assign(pose.size(), {any, any, any});
   }
-  // Returns true if the line to `pose` approximates all earlier poses. Later lines must approximate `pose`.
+  // Returns true if the line to `pose` approximates all earlier poses. Later calls also compare with `pose`.
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
@@ -156,7 +156,7 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Frames at which linear pieces begin or end. If the model is not at rest at a frame, the frame has a target.
+// Frames at which linear pieces begin or end. A frame has a morph target, unless the model is at rest.
 struct MorphPlan {
   std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`

@@ -28,8 +28,8 @@ namespace viete::files {
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
 /// Returns the text of a JSON file with one key per line. If an array contains arrays or objects, each item
-/// has its own line. Other arrays have one line. Reading the text gives exactly the same doubles. If a string
-/// is not UTF-8 or the text exceeds most_json_bytes, throws base::Error. Errors contain `file`.
+/// has its own line. Other arrays are on one line. Reading the text gives exactly the same doubles. If a
+/// string is not UTF-8 or the text exceeds most_json_bytes, throws base::Error. Errors contain `file`.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
 /// Converts a file name to a JSON string. If the name is not UTF-8, converts it to an object:
@@ -89,7 +89,7 @@ private:
 /// A list of shapes. Other values of the file refer to a shape by its index.
 struct ShapeTable {
   std::vector<deform::SharedShape> all;
-  std::map<const void*, std::uint32_t> numbers;  ///< index in `all` by the address of the shape
+  std::map<const void*, std::uint32_t> numbers;  ///< for the address of each shape, its index in `all`
 };
 
 /// The range of a number. The file contains the number times `factor`.
@@ -147,7 +147,7 @@ private:
 
 void code(const JsonField& field, bool& value);
 void code(const JsonField& field, std::string& value);
-/// A path in the form of path_json().
+/// The file contains the path in the form of path_json().
 void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);

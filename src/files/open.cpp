@@ -62,7 +62,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// Also warns if most of the model is outside the cage, because the cage may belong to another model.
+// Adds the cage's warnings. If most of the model is outside the cage, warns that the cage may not fit.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);

@@ -77,9 +77,9 @@ struct Opened {
 /// - a shape, if the file has the number of vertices and the faces of the open model, but is not its file
 /// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
-/// Two files are shapes if both match the open model. Otherwise one file is the cage of the other file: the
-/// file that encloses the other. If this does not decide, the cage is the file with fewer vertices. More than
-/// two files are shapes.
+/// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is
+/// the file that encloses the other file. If no file or each file encloses the other, the cage is the file
+/// with fewer vertices. More than two files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);
 

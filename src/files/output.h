@@ -31,8 +31,8 @@ enum class Force {
 };
 
 /// Call this before a long computation. If the file cannot be written, throws base::Error. Without
-/// Force::given, also throws if the file is in `files` or contains another kind than `content`. The bytes at
-/// the beginning of the file show the kind, not the file name. An empty name or an empty file is allowed.
+/// Force::given, also throws if the file is in `files` or contains another kind than `content`. The kind is
+/// detected from the first bytes, not from the file name. An empty name or an empty file is allowed.
 void check_output(const std::filesystem::path& file, Content content, const document::FilesInUse& files,
                   Force force);
 inline void check_output(const std::filesystem::path& file, Content content,
@@ -49,7 +49,7 @@ struct FrameSteps {
 void check_output(const std::filesystem::path& file, const FrameSteps& frames,
                   const document::FilesInUse& files, Force force);
 
-/// If the file of one of the frames exists, throws base::Error, except with Force::given.
+/// Without Force::given, throws base::Error if the file of a frame exists.
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
 /// Returns `file` if it does not exist and is not in use. Otherwise returns a free name in its folder.

@@ -95,7 +95,7 @@ static void code(const JsonField& f, document::CameraPose& camera) {
   if (up) code_listed(*up, camera.up, axis_words);
 }
 
-// Reads or writes members of the enclosing object. If `weights` or `blend` is missing, it gets a default.
+// Reads or writes members of the enclosing object. A missing `weights` or `blend` gets a default.
 static void code(const JsonField& f, deform::Scheme& scheme) {
   deform::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The file has run lengths: [share, count, share, count, ...]. `count` vertices have share / mask_steps.
+// The file has [share, count, share, count, ...]: the next `count` vertices have share / mask_steps.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
@@ -326,7 +326,7 @@ static void code(const JsonField& f, document::OpenedSurface& cage) {
 
 namespace {
 
-// Resolves symbolic links in the folder, because ".." after a link is ambiguous. Keeps the file name.
+// Resolves symbolic links in the folder, so that ".." is the real parent folder. Keeps the file name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);

@@ -245,7 +245,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Matches vertices without faces in the order of the file.
+  // Vertices that belong to no face are matched in the order of the file.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {
@@ -296,7 +296,7 @@ private:
     const auto take = [&](const fs::path& file) {
       const std::size_t before = all_.shapes.size();
       add(file);
-      // Drops the model at rest, because a folder often contains the model itself.
+      // Drops a shape that equals the model at rest: a folder often contains the model itself.
       if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
       return all_.shapes.size() > before;
     };

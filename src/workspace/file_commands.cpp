@@ -86,8 +86,8 @@ void browse_to_save_session(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.files.unopened->files.front();
-  const bool recovery =
-      w.files.unopened->what == files::OpenRequest::What::recovery;  // its folder is not the user's folder
+  // The user keeps no models in the folder of recovery files.
+  const bool recovery = w.files.unopened->what == files::OpenRequest::What::recovery;
   recovery ? show(w.files.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 

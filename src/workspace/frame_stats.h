@@ -36,13 +36,14 @@ struct FrameTimes {
 /// The median of each time. Other members are from the last frame. `frames` must not be empty.
 FrameTimes median_of(std::span<const FrameTimes> frames);
 
-/// Medians of frame times, separately for frames that deformed the model and for frames that only drew it.
+/// Medians of frame times. Frames that deformed the model are separate from frames that only drew the model.
 class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Medians over the last half second. Includes only frames that deformed the model, or only frames that did
-  /// not, as the newest frame. Nullopt before the first deformed frame. Updated about four times a second.
+  /// Medians over the last half second. If the newest frame deformed the model, includes only frames that
+  /// deformed, otherwise only frames that did not. Nullopt before the first frame that deformed the model.
+  /// Updated about four times a second.
   const std::optional<FrameTimes>& median() const { return median_; }
   /// The medians over frames that deformed the model.
   const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }

@@ -22,7 +22,7 @@ struct Concern {
 struct Message {
   Severity severity = Severity::info;
   std::string text;
-  int times = 1;  ///< consecutive repetitions
+  int times = 1;  ///< number of times that this message was added
   std::string topic;
   Scope scope = Scope::program;
   double said = 0;        ///< time of the last repetition, wall clock in seconds
@@ -56,7 +56,7 @@ public:
   void expire(double now);
 
   const std::vector<Message>& all() const { return all_; }
-  /// Increases with each message, even if it is repeated.
+  /// Increases with each message, also with a repeated message.
   unsigned revision() const { return revision_; }
 
 private:
@@ -70,7 +70,7 @@ enum class Answer { save, cancel, proceed };
 struct Question {
   enum class Kind {
     close,         ///< closing the program with edits that could not be saved for recovery
-    open,          ///< opening another document while this one has edits that could not be saved for recovery
+    open,          ///< opening another document while edits could not be saved for recovery
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing

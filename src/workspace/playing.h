@@ -41,7 +41,7 @@ void add_unkeyed_to_undo(Workspace& workspace, bool show);
 void show_timeline(Workspace& workspace);
 
 void start_playing(Workspace& workspace);
-/// Stops playback at a whole frame.
+/// Stops playback and rounds the frame to an integer.
 void stop_playing(Workspace& workspace);
 
 /// Call this once per drawn picture. Advances playback by `seconds`. After an edit of the timeline, shows the

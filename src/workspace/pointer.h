@@ -14,7 +14,7 @@ namespace viete::workspace {
 
 enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 
-/// The input of one drawn picture. Positions are in logical pixels from the top left of the window.
+/// The input since the last picture. Positions are in logical pixels from the top left of the window.
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
@@ -78,7 +78,7 @@ public:
   /// Call once per drawn picture. An armed tool has priority over these gestures:
   /// - Left click: selects. Shift adds, Ctrl removes. A double click centers the view.
   /// - Left drag from a gizmo handle: transforms. From an element: moves the selection.
-  /// - Left drag elsewhere, with Shift or Ctrl, or from unselected faces or dense elements: draws a box.
+  /// - Left drag elsewhere, with Shift or Ctrl, or from an unselected face or dense element: draws a box.
   /// - Left drag with Tool::paint: paints the mask. Ctrl paints the full share. Shift+wheel sets the radius.
   /// - Middle, right or Alt+left drag: orbits. With Shift: pans. With Ctrl: zooms. The wheel zooms too.
   /// - Right click: requests the context menu.
@@ -145,7 +145,7 @@ private:
   std::optional<interact::SelectShape> shape_;  // the armed tool at the press
   bool crowded_ = false;
   document::SelectMode mode_ = document::SelectMode::replace;
-  bool clicked_ = false, again_ = false;  // the last press was a click; this press is a double click
+  bool clicked_ = false, again_ = false;  // clicked_: the last press was a click. again_: a double click
   document::Selection selection_before_;
   document::Revision surfaces_ = 0;
   document::Revision cage_ = 0;

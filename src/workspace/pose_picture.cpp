@@ -228,7 +228,7 @@ std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<co
       const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
       return mesh::Vec3{on.x, on.y, z};
     };
-    // Back faces are visible in open models. Lights their side that faces the viewer.
+    // Back faces are visible in open models. The normal must point to the viewer.
     const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
     raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
   }

@@ -32,7 +32,7 @@ struct Split {
   std::vector<SplitView> views = std::vector<SplitView>(1);
   bool linked = true;                         ///< all views share one camera
   std::size_t active = 0;                     ///< the view with the gizmo and the current camera
-  std::vector<document::CameraPose> cameras;  ///< if not linked: one per view; the active view's is unused
+  std::vector<document::CameraPose> cameras;  ///< if not linked: one for each view, unused for the active
 
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }

@@ -8,7 +8,7 @@
 
 namespace viete::workspace {
 
-/// Selected frames with a key.
+/// The selected frames that have a key.
 std::vector<int> selected_keys(const Workspace& workspace);
 /// The frames of the keys whose easing is edited: the selected keys that have a next key. If no such key is
 /// selected, the last key at or before the current frame.

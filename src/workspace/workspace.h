@@ -50,7 +50,7 @@ struct TimedPose {
 /// The state of playback, see playing.h.
 struct Playback {
   bool playing = false;
-  bool backward = false;  ///< ping-pong currently plays backward
+  bool backward = false;  ///< true while ping-pong plays backward
   bool auto_key = false;  ///< edits of the pose set a key at the current frame
   document::VectorCache vectors{};
   std::shared_ptr<const document::Animation> animation{};  ///< of timeline, cage, model; null without keys
@@ -107,14 +107,14 @@ struct BeforeWidgetEdit {
 /// The text of a field during editing.
 struct TypedText {
   std::string text;
-  int frame = 0;  ///< the frame in which the field was last drawn
+  int frame = 0;  ///< number of the picture in which the field was last drawn
 };
 
 /// The slider that is replaced by a number field.
 struct TypedSlider {
   std::string name;
-  int frame = 0;  ///< the frame in which the field was last drawn
-  int waits = 0;  ///< frames until the request for the keyboard focus fails
+  int frame = 0;  ///< number of the picture in which the field was last drawn
+  int waits = 0;  ///< number of pictures until the request for the keyboard focus fails
 };
 
 /// Requests to the program. Once per drawn picture, the program handles and clears the requests.
@@ -174,7 +174,7 @@ struct KeyList {
   bool open = false;
   bool appearing = false;                     ///< the list was just opened and needs the keyboard focus
   std::string typed;                          ///< search text
-  bool waiting = false;                       ///< in the last frame, a command was waiting for its key
+  bool waiting = false;                       ///< in the last picture, a command was waiting for its key
   std::optional<Keymap::Changes> taken_back;  ///< the keymap changes that Reset all has removed
 };
 
@@ -221,7 +221,7 @@ struct Files {
   document::Revision opened = 0;               ///< increases when another document is opened
   std::filesystem::path example;               ///< session with poses and keys for the bundled model
   std::optional<Question> question;            ///< a modal question, which blocks other actions
-  std::optional<files::OpenRequest> unopened;  ///< the request to open files that caused the question
+  std::optional<files::OpenRequest> unopened;  ///< the request that caused the question
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
   FileBrowser browser;
 };
@@ -334,7 +334,7 @@ void frame_selection(Workspace& workspace, bool eased);
 void frame_worst(Workspace& workspace);
 /// Highlights a finding and moves the camera there. If the finding is already highlighted, hides the finding.
 void toggle_finding(Workspace& workspace, std::size_t index);
-/// step = 1 highlights only the next element of the finding, -1 the previous. The first follows the last.
+/// Highlights only the next (step 1) or previous (step -1) element. After the last element comes the first.
 void step_element(Workspace& workspace, int step);
 /// Moves the camera to the highlighted elements.
 void frame_finding(Workspace& workspace);
