@@ -1,4 +1,4 @@
-// Binds a model once and deforms it at any frame of a timeline.
+// Binds a model once and deforms the model at any frame of a timeline.
 #pragma once
 
 #include <memory>
@@ -16,7 +16,7 @@
 
 namespace viete::files {
 
-/// Computes the deformed model at any frame. Not thread-safe.
+/// Not thread-safe.
 class AnimatedModel {
 public:
   enum class Precision {

@@ -160,7 +160,7 @@ private:
 struct MorphPlan {
   std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`
-  std::vector<char> moves;           // for each vertex, true if it leaves its rest position
+  std::vector<char> moves;           // for each vertex, true if the vertex leaves its rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),

@@ -20,9 +20,9 @@ struct ImportedPoses {
 };
 
 /// Reads posed cages. Each file gives one pose with the name of the file. A glTF file with morph targets
-/// gives one pose for each target. A folder gives the poses of its models in natural order, and a warning for
-/// each model that does not match the cage. Throws base::Error if a file in `files` does not match the cage,
-/// a folder contains no pose of the cage, or there are too many poses. Thread-safe.
+/// gives one pose for each target. A folder gives the poses of its models in natural order. In a folder, a
+/// model that does not match the cage gives a warning. Throws base::Error in these cases: a file in `files`
+/// does not match the cage, a folder has no pose of the cage, or there are too many poses. Thread-safe.
 ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                          base::Progress* progress = nullptr);
 

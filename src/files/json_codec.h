@@ -32,7 +32,7 @@ inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, 
 /// string is not UTF-8 or the text exceeds most_json_bytes, throws base::Error. Errors contain `file`.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
-/// Converts a file name to a JSON string. If the name is not UTF-8, converts it to an object:
+/// Converts a file name to a JSON string. If the name is not UTF-8, converts the name to an object:
 /// {"percent_encoded": "caf%E9"}. JsonReader::path() reads both forms.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 

@@ -239,8 +239,8 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   return opened;
 }
 
-// Replaces the session's file names by those in `located`. If the model is replaced and the session's cage
-// does not exist, uses a cage with the same name in the folder of the new model.
+// Replaces the session's file names by the names in `located`. If the session's cage does not exist, also
+// looks for a cage of the same name in the folder of the new model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {

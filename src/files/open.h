@@ -72,9 +72,9 @@ struct Opened {
 ///
 /// For What::dropped, the content and number of files decide. A single file is the first matching kind:
 /// - a session
-/// - a point cache: shapes if it has one point per vertex of the model but not of the cage, otherwise keys
+/// - a point cache: shapes if the number of points matches the model but not the cage, otherwise keys
 /// - a pose, if the file has the number of vertices and the faces of the open cage
-/// - a shape, if the file has the number of vertices and the faces of the open model, but is not its file
+/// - a shape, if the file has the number of vertices and the faces of the open model, and is another file
 /// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
 /// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is

@@ -334,7 +334,7 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-// The folder of a session, and whether file names are relative to it.
+// The folder of a session, and whether file names are relative to this folder.
 struct Place {
   fs::path folder;
   bool relative;

@@ -22,7 +22,7 @@ namespace viete::files {
 struct Session : document::DocumentState {
   document::OpenedSurface model;
   std::filesystem::path origin;  ///< in recovery files: absolute path of the edited session; or empty
-  std::optional<std::uint64_t> origin_content;  ///< checksum of `origin` when it was opened or saved
+  std::optional<std::uint64_t> origin_content;  ///< checksum of the file `origin` when opened or saved
   sym3::Method method = sym3::Method::fast;
   std::optional<document::CameraPose> camera;  ///< if missing, the camera shows the whole model
   document::ViewOptions view;
@@ -38,8 +38,8 @@ std::string session_text(const Session& session, const std::filesystem::path& fi
 /// Throws base::Error with file and key. Does not check that the session matches the model and cage.
 Session read_session(const std::filesystem::path& file);
 
-/// Throws base::Error with `file` and the key if poses, selection or hidden vertices do not fit the cage, or
-/// if shapes, pins or mask do not fit the model. document: has model, cage and the session's state.
+/// Poses, selection and hidden vertices must fit the cage. Shapes, pins and mask must fit the model.
+/// Otherwise throws base::Error with `file` and the key. document: has model, cage and the session's state.
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
 /// Works like check_fits(), but checks only named poses and keys.

@@ -1,4 +1,4 @@
-// The conditions of commands, with the advice that is shown if they are false.
+// The conditions of commands. Each condition has an advice that is shown if the condition is false.
 #pragma once
 
 #include "document/edit.h"

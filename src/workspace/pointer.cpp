@@ -18,7 +18,7 @@ document::SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
 }
 
-// small: a vertex or probe is under the cursor. Then a handle counts only if it is exactly under the cursor.
+// small: a vertex or probe is under the cursor. Then only a handle exactly under the cursor counts.
 std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;

@@ -31,7 +31,7 @@ struct PointerInput {
 void arm(Workspace& workspace, interact::SelectShape shape);
 void disarm(Workspace& workspace);
 
-/// The current gizmo of the selection; nullopt if there is no gizmo or the cage is hidden.
+/// The gizmo; nullopt without a visible selection, for locked probes, and for tools without a gizmo.
 std::optional<interact::Gizmo> gizmo_of(const Workspace& workspace);
 
 /// The current grip. The selection must not be empty.

@@ -25,7 +25,7 @@ struct PanelLayout {
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
-  Column last = Column::methods;         ///< the column that is shown if only one fits
+  Column last = Column::methods;         ///< the shown column if the window has room for only one
   bool timeline = false;                 ///< shown below the view, between the columns
   std::map<std::string, bool> sections;  ///< by title; true: open
 
@@ -75,7 +75,7 @@ struct Preferences {
   PanelLayout layout;
   Keymap keymap;
 
-  /// Inserts a file at the front. Makes its paths absolute.
+  /// Inserts a file at the front. Makes the paths absolute.
   void add(const RecentFile& file);
 
   friend bool operator==(const Preferences&, const Preferences&) = default;

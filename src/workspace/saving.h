@@ -27,9 +27,9 @@ bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& se
 /// The title of the window: the name of the session or model, with a star for unsaved edits.
 std::string window_title(const Workspace& workspace);
 
-/// True if cage, pose, named poses, keys, probes, mask, selection sets or deformer settings differ from the
-/// state that was opened or saved last. The pose counts only if it is not the timeline's pose at this frame.
-/// The method, camera, view and selection do not count: a session stores them, but losing them loses no work.
+/// True if the document differs from the state that was opened or saved last: in cage, pose, named poses,
+/// keys, probes, mask, selection sets or deformer settings. A pose that comes from the keys does not count.
+/// The method, camera, view and selection do not count either, although a session stores their values.
 bool has_unsaved_edits(const Workspace& workspace);
 /// Marks the document, or only its pose, as saved.
 void mark_saved(Workspace& workspace);

@@ -269,7 +269,7 @@ struct Workspace {
   Recovery recovery;
   Jobs jobs;
   Messages messages;        ///< every part of the program adds messages
-  Preferences preferences;  ///< remembered between runs; commands and panels write it
+  Preferences preferences;  ///< remembered between runs; written by commands and panels
   Panels panels;
   FrameResults frame;
   About about;  ///< written by the program at the start
