@@ -11,7 +11,7 @@ namespace viete::workspace {
 
 enum class Severity { info, warning, error };
 
-/// The object that a message is about. If the user opens another model or cage, the message is removed.
+/// The object that a message is about. After a change of the model or cage, the message is removed.
 enum class Scope { program, model, cage };
 
 struct Concern {

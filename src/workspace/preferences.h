@@ -49,7 +49,7 @@ float column_height(const document::Viewport& viewport);
 document::Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels,
                                 float notice = 0);
 
-/// Shows or hides a column. If the window is too small for both columns, hides the other column.
+/// Shows or hides a column. If the window has room for only one column, showing a column hides the other.
 void toggle_column(PanelLayout& layout, Column column, float window_width);
 
 /// Sets the width of a column, within the limits of columns and so that the view keeps its minimum width.
