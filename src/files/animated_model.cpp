@@ -24,7 +24,6 @@ AnimatedModel::AnimatedModel(const Export& model, const document::Timeline& time
   if (wish == Precision::fast && can_fuse()) make_fast(most, tried, progress);
 }
 
-// Returns false for no_cage(), which replaces a missing cage.
 bool AnimatedModel::has_cage() const {
   return model_.cage->element_count() > 0;
 }
@@ -35,7 +34,6 @@ document::WholePose AnimatedModel::pose(double frame) const {
   return pose;
 }
 
-// Returns true if method and scheme support Precision::fast and the memory suffices.
 bool AnimatedModel::can_fuse() const {
   if (!has_cage() || deform::engine_for(model_.scheme, model_.method) != deform::EngineKind::fused)
     return false;
@@ -62,7 +60,7 @@ void AnimatedModel::make_fast(double most, std::span<const double> tried, base::
 }
 
 double AnimatedModel::fast_error() const {
-  constexpr double unsampled_factor = 3;  // for other vertices than the sample; below 1.6 in tests
+  constexpr double unsampled_factor = 3;  // error of other vertices / error of the sample; <= 1.6 in tests
   const double rounding = std::sqrt(3.0) * 0x1p-24 * farthest_;
   return unsampled_factor * error_ + rounding / model_.cage->diagonal;
 }

@@ -1,4 +1,4 @@
-// Binds a model once and deforms it at any frame of a timeline.
+// Binds a model once and deforms the model at any frame of a timeline.
 #pragma once
 
 #include <memory>
@@ -16,34 +16,37 @@
 
 namespace viete::files {
 
-/// Computes the deformed model at any frame. Not thread-safe.
+/// Not thread-safe.
 class AnimatedModel {
 public:
-  /// exact: double precision. fast: the float engine that the window uses, with uncompressed weights.
-  enum class Precision { exact, fast };
+  enum class Precision {
+    exact,  ///< double precision
+    fast    ///< the float engine of the window, with uncompressed weights
+  };
 
-  /// Ignores model.pose. If `fast` is requested, uses `exact` in three cases: the method or stitching does
-  /// not support `fast`, the weights need more than half of the free memory, or the error at a frame in
-  /// `tried` exceeds `most` diagonals of the cage. model and pool must outlive this object. timeline must
-  /// have keys. progress may be null. Throws base::Error and base::Cancelled.
+  /// `model` and `pool` must outlive this object. `timeline` must have keys. Ignores model.pose. Throws
+  /// base::Error and base::Cancelled. If `wish` is `fast`, this object still uses `exact` in these cases:
+  /// - There is no cage, or the method or stitching does not support `fast`.
+  /// - The weights need more than half of the free memory.
+  /// - The error of `fast` at the frames in `tried` exceeds `most` * diagonal of the cage.
   AnimatedModel(const Export& model, const document::Timeline& timeline, Precision wish, double most,
                 std::span<const double> tried, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
-  /// Estimated error of Precision::fast in diagonals of the cage, including the rounding in floats(). It is
-  /// the largest error of error_sample vertices at all frames so far, times a factor for the other vertices.
+  /// Estimates the ratio: error of Precision::fast / diagonal of the cage. Includes the rounding in floats().
+  /// Measures a sample of vertices at all frames so far. A safety factor covers the other vertices.
   double fast_error() const;
 
   document::WholePose pose(double frame) const;
-  /// Returns the model's probes in this pose. Locked probes do not move.
+  /// Returns the model's probes, posed by `pose`. Locked probes ignore `pose`.
   deform::Probes probes(const document::WholePose& pose) const;
 
-  /// Returns the model with the same bits as deform_exactly(). progress may be null.
+  /// Deforms the model in double precision. The result has the same bits as the result of deform_exactly().
   deform::ExactModel exact(const document::WholePose& pose, base::Progress* progress = nullptr);
-  /// Returns x, y, z of every vertex in the precision of this object. Valid until the next call.
+  /// Computes x, y, z of every vertex with precision(), rounded to float. Valid until the next floats().
   std::span<const float> floats(double frame);
   std::vector<mesh::Point> positions(double frame);
-  /// Messages about the last frame for the user, one line each.
+  /// Returns messages for the user about the last computed frame, one line each.
   const std::vector<std::string>& notes() const { return notes_; }
 
 private:
@@ -60,8 +63,8 @@ private:
   std::optional<document::Animation> animation_;
   std::unique_ptr<deform::Deformer> deformer_;    // null for Precision::exact
   std::unique_ptr<deform::ExactDeformer> exact_;  // created when first needed
-  double error_ = 0;                              // the largest error so far
-  double farthest_ = 0;                           // the largest coordinate that floats() has returned
+  double error_ = 0;                              // the largest sampled error so far
+  double farthest_ = 0;                           // the largest |coordinate| that floats() has returned
   std::vector<float> floats_;
   std::vector<std::string> notes_;
 };

@@ -32,7 +32,6 @@ bool is_numbered(const AnimationExport& what) {
   return base::NumberedName::is_pattern(what.model.file);
 }
 
-// Returns the frames at which the error of Precision::fast is measured.
 std::array<double, 3> sample_frames(const std::vector<int>& frames) {
   return {double(frames.front()), double(frames[frames.size() / 2]), double(frames.back())};
 }
@@ -98,19 +97,19 @@ AnimationReport write_cache(const AnimationExport& what, base::WorkerPool& pool,
   return report;
 }
 
-// Relative resolution of coordinates in files with floats.
+// Tolerance for rounding to float, relative to the coordinate.
 constexpr double float_noise = 0x1p-22;
 
 struct Sample {
   double frame;
-  bool is_key;  // true for keys and for the first and last frame; a linear piece must end here
+  bool is_key;  // if true, a linear piece must end at this frame
 };
 
-// Returns the frames to compute: all exported frames, the keys, and a time just before each jump.
+// Returns the exported frames, the keys, and a frame just before each jump. Poses jump after Easing::hold.
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // floats can represent it
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // gives different floats
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -123,8 +122,8 @@ std::vector<Sample> samples_of(const AnimationExport& what) {
   return all;
 }
 
-// Finds the longest linear piece from a pose to a later pose that is within the tolerance of all poses in
-// between. Stores the smallest and the largest allowed slope of each coordinate.
+// Checks whether a linear piece from a first pose to a later pose approximates all poses in between. Stores
+// the smallest and the largest allowed slope of each coordinate.
 class StraightLines {
 public:
   explicit StraightLines(double tolerance) : reach_(tolerance / std::sqrt(3.0)) {}
@@ -136,7 +135,7 @@ public:
     flattest_.assign(pose.size(), {-any, -any, -any});
     steepest_.assign(pose.size(), {any, any, any});
   }
-  // Returns true if a line to this pose is allowed. Lines to later poses must also approximate this pose.
+  // Returns true if the line to `pose` approximates all earlier poses. Later calls also compare with `pose`.
   bool lead_to(double frame, std::span<const mesh::Point> pose) {
     const double length = frame - frame_;
     bool near = true;
@@ -157,11 +156,11 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Frames at which linear pieces begin or end. Each has a morph target, unless the model is at rest in it.
+// Frames at which linear pieces begin or end. A frame has a morph target, unless the model is at rest.
 struct MorphPlan {
   std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`
-  std::vector<char> moves;           // for each vertex, true if it leaves its rest position
+  std::vector<char> moves;           // for each vertex, true if the vertex leaves its rest position
 
   double bytes(double of_vertex) const {
     const auto moving = static_cast<double>(std::ranges::count(moves, 1)),
@@ -191,7 +190,6 @@ void check_floats(std::span<const mesh::Point> pose, double frame) {
 
 constexpr double least_tolerance = 1e-7;  // about the rounding error of floats
 
-// Approximates the moving model by a few morph targets.
 class MorphedModel {
 public:
   MorphedModel(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress)
@@ -204,7 +202,6 @@ public:
                    progress);
   }
 
-  // Plans the pieces. Each linear piece is as long as possible.
   MorphPlan plan(base::Progress* progress) {
     if (progress) progress->section(0.05, 0.7);
     const auto& rest = what_.model.model->positions;
@@ -237,7 +234,7 @@ public:
     return plan;
   }
 
-  // Returns the size. A target has three floats for each vertex, and with normals three more.
+  // A target has three floats for each moving vertex, and with normals six floats.
   double bytes(const MorphPlan& plan) const { return plan.bytes(what_.normals ? 24 : 12); }
 
   formats::MorphMotion motion(const MorphPlan& plan) {
@@ -280,7 +277,7 @@ private:
     return positions;
   }
 
-  // A GLB file, including the model, can have at most 4 GB.
+  // If the targets are too large, throws base::Error. The GLB format allows at most 4 GB.
   void check_size(const MorphPlan& plan) const {
     const bool binary = formats::extension_of(what_.model.file) == "glb";
     const double most = binary ? std::min(what_.most_bytes, 4.2e9) : what_.most_bytes, size = bytes(plan);
@@ -301,7 +298,7 @@ private:
 AnimationReport write_morphs(const AnimationExport& what, base::WorkerPool& pool, base::Progress* progress) {
   MorphedModel model(what, pool, progress);
   const MorphPlan plan = model.plan(progress);
-  // A .gltf file is created in memory as base64 text.
+  // The text of a .gltf file, with targets in base64, is created in memory.
   const double copies = formats::extension_of(what.model.file) == "glb" ? 1 : 4;
   base::require_memory({copies * model.bytes(plan),
                         base::counted(plan.targets.size(), "morph target") + " take",

@@ -19,10 +19,10 @@ struct ImportedPoses {
   std::vector<std::filesystem::path> files;  ///< the files that were read
 };
 
-/// Reads posed cages. Each file gives a pose with the file's name and, if the file has them, full turns. A
-/// glTF file with morph targets gives a pose for each target. A folder gives the poses of its models in
-/// natural order, and a warning for each model that does not match the cage. If a named file does not match
-/// the cage, or there are no poses or too many, throws base::Error. Thread-safe.
+/// Reads posed cages. Each file gives one pose with the name of the file. A glTF file with morph targets
+/// gives one pose for each target. A folder gives the poses of its models in natural order. In a folder, a
+/// model that does not match the cage gives a warning. Throws base::Error in these cases: a file in `files`
+/// does not match the cage, a folder has no pose of the cage, or there are too many poses. Thread-safe.
 ImportedPoses read_poses(std::span<const std::filesystem::path> files, const deform::Cage& cage,
                          base::Progress* progress = nullptr);
 
@@ -40,20 +40,22 @@ struct ImportTimes {
 
 /// Reads keys of the cage from these files:
 ///
-/// numbered posed cages   `pose_####.obj`, or one file of the sequence: a key per file at the frame with
-///                        this number; smooth interpolation
-/// .pc2                   a key per sample, at the frames in the file; linear interpolation
-/// .mdd                   a key per frame, at the times in the file; linear interpolation
-/// .glb, .gltf            the cage with animated morph targets: a key for each key of the file, at its time;
-///                        linear interpolation
+/// numbered posed cages   `pose_####.obj`, or one file of this sequence. Each file gives a key; the number
+///                        in the file name is the frame. Smooth interpolation.
+/// .pc2                   Each sample gives a key, at its frame in the file. Linear interpolation.
+/// .mdd                   Each frame gives a key, at its time in the file. Linear interpolation.
+/// .glb, .gltf            the cage with animated morph targets. Each key of the file gives a key at the same
+///                        time. Linear interpolation.
 ///
-/// Only posed cages store full turns. Other keys get the turns nearest to the previous key. If several keys
-/// have the same frame, uses the first and adds a warning. If the number of vertices differs, a frame is out
-/// of range, or there are no frames or too many, throws base::Error. Thread-safe.
+/// Only posed cages store whole turns of the cage. In keys from other files, each rotation is the nearest to
+/// the rotation in the previous key. If several keys have the same frame, uses the first key and adds a
+/// warning. Throws base::Error in these cases: the number of vertices differs, a frame is out of range, or
+/// the number of frames is 0 or too large. Thread-safe.
 ImportedKeys read_keys(const std::filesystem::path& file, const deform::Cage& cage, const ImportTimes& times,
                        base::Progress* progress = nullptr);
 
-/// Replaces the keys and the range of the timeline, as one edit. Camera keys stay.
+/// Replaces the pose keys of the timeline, and sets the playback range to the frames of `keys`, as one edit.
+/// Camera keys stay. `keys` must not be empty.
 void put_keys(document::Document& document, std::vector<document::PoseKey> keys, const std::string& label);
 
 }  // namespace viete::files

@@ -114,7 +114,7 @@ std::string at_most(double error) {
 }
 
 std::string method_note(sym3::Method method, double worst_error) {
-  constexpr double negligible = 1e-9;  // a thousand times the error with well-separated eigenvalues
+  constexpr double negligible = 1e-9;  // 1000 * the error for well-separated eigenvalues
   if (worst_error <= negligible) return "";
   const std::string name(sym3::name(method));
   if (!std::isfinite(worst_error))

@@ -34,17 +34,17 @@ struct Export {
 /// Copies the data. Guesses the up axis from the model's file. document.is_movable() must be true.
 Export export_of(const document::Document& document, const std::filesystem::path& file);
 
-/// Deforms the model in double and writes it in the format of the extension. If an error occurs, an existing
-/// file stays. Creates a thread pool. progress may be null. Returns messages for the user, one line each.
-/// Throws base::Error and base::Cancelled. Thread-safe.
+/// Deforms the model in double precision and writes the file. The extension selects the format. If an error
+/// occurs, an existing file is not changed. Creates a thread pool. progress may be null. Returns messages for
+/// the user, one line each. Throws base::Error and base::Cancelled. Thread-safe.
 std::vector<std::string> write_deformed(const Export& what, base::Progress* progress = nullptr);
 
-/// Writes a model that deform_exactly() or an ExactDeformer has deformed with the data in `what`.
+/// Writes `deformed`, the result of deform_exactly() or ExactDeformer for `what`. Returns messages.
 std::vector<std::string> write_exact(const Export& what, deform::ExactModel deformed,
                                      base::Progress* progress = nullptr);
 
-/// `shape` has the undeformed positions. If a coordinate differs from `shape` only by rounding, it gets the
-/// value in `shape`. If neither the cage nor the probes have moved, all positions are set to `shape`.
+/// `shape`: the undeformed positions. If a coordinate in `positions` differs from `shape` only by rounding,
+/// sets the coordinate to the value in `shape`. If cage and probes are at rest, sets `positions` to `shape`.
 void keep_at_rest(const deform::Cage& cage, const deform::Pose& pose, const deform::Probes& probes,
                   const std::vector<mesh::Point>& shape, std::vector<mesh::Point>& positions);
 
@@ -54,7 +54,7 @@ std::string gltf_note(document::UpAxis up);
 /// Returns the error, rounded up to two digits: "5.8e-07".
 std::string at_most(double error);
 
-/// If the relative error of this method's exponentials exceeds 1e-9, returns a warning, otherwise "".
+/// worst_error: relative error of exponentials. If the error exceeds 1e-9, returns a warning, otherwise "".
 std::string method_note(sym3::Method method, double worst_error);
 
 }  // namespace viete::files

@@ -88,7 +88,7 @@ void write_word(const JsonField& field, std::string_view word) {
   field.out() = word;
 }
 
-// Writes a rounded number if reading gives exactly `value` again: 29 instead of 28.999999999999996.
+// If a rounded number gives exactly `value` when it is read, writes this number: 29, not 28.999999999999996.
 void code(const JsonField& field, double& value, const Limits& limits) {
   const auto [least, most, factor] = limits;
   if (field.reads()) {
@@ -106,7 +106,7 @@ void code(const JsonField& field, float& value, const Limits& limits) {
   std::from_chars(text, end, shortest);
   if (static_cast<float>(shortest) != value) shortest = value;
   const auto [least, most, factor] = limits;
-  constexpr double rounding = 1e-6;  // the file may have a rounded limit
+  constexpr double rounding = 1e-6;  // the shortest digits of a limit can exceed the limit
   code(field, shortest, {least - rounding * std::abs(least), most + rounding * std::abs(most), factor});
   value = static_cast<float>(std::clamp(shortest, least, most));
 }

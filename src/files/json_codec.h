@@ -1,5 +1,5 @@
 // Reads and writes JSON files. Errors contain the file and the key. Each type has one function code(field,
-// value, ...) for both directions: it sets the value from the field, or the field from the value.
+// value, ...) for both directions. When reading, code() sets the value. When writing, code() sets the field.
 #pragma once
 
 #include <algorithm>
@@ -23,30 +23,30 @@
 
 namespace viete::files {
 
-/// Limits of a file. They are checked before memory is allocated. most_json_bytes is enough for shapes with
-/// eight million vertices in total; longest_text is enough for a percent-encoded file name.
+/// Limits of a file, checked before memory is allocated. most_json_bytes allows shapes with eight million
+/// vertices in total. longest_text, in bytes, allows a percent-encoded file name.
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
-/// Returns the text of a JSON file with one key per line. If an array contains arrays or objects, each has a
-/// separate line; otherwise the array is on one line. Reading gives the same doubles again. If a string is
-/// not UTF-8 or the text exceeds most_json_bytes, throws base::Error.
+/// Returns the text of a JSON file with one key per line. If an array contains arrays or objects, each item
+/// has its own line. Other arrays are on one line. Reading the text gives exactly the same doubles. If a
+/// string is not UTF-8 or the text exceeds most_json_bytes, throws base::Error. Errors contain `file`.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
-/// Converts a file name to a JSON string. If the name is not UTF-8, converts it to an object:
+/// Converts a file name to a JSON string. If the name is not UTF-8, converts the name to an object:
 /// {"percent_encoded": "caf%E9"}. JsonReader::path() reads both forms.
 nlohmann::ordered_json path_json(const std::filesystem::path& path);
 
 /// Reads a file. If the syntax is wrong, throws base::Error with the line.
 nlohmann::json read_json(const std::filesystem::path& path);
 
-/// A JSON value and the path of keys to it. If the value has the wrong type, all functions throw base::Error,
-/// `file: key: problem`. The JSON must outlive this object.
+/// A JSON value with its key in the file, such as time.keys[3].frame. If the value has the wrong type, each
+/// function throws base::Error, `file: key: problem`. `value` must outlive this object.
 class JsonReader {
 public:
   JsonReader(const nlohmann::json& value, std::string file, std::string key = "")
       : value_(value), file_(std::move(file)), key_(std::move(key)) {}
 
-  /// These functions need an object. If the key is missing or its value is null, find() returns nullopt.
+  /// These functions need an object. For a missing key or a null, find() returns nullopt and at() throws.
   std::optional<JsonReader> find(const std::string& key) const;
   JsonReader at(const std::string& key) const;
   std::vector<std::string> keys() const;
@@ -60,7 +60,7 @@ public:
   std::uint32_t index() const;
   std::string text() const;            ///< at most longest_text bytes
   std::string base64() const;          ///< decoded bytes
-  std::filesystem::path path() const;  ///< a path in the form of path_json()
+  std::filesystem::path path() const;  ///< a path written by path_json()
   /// Reads an array of exactly N numbers.
   template <std::size_t N>
   std::array<double, N> numbers() const {
@@ -69,9 +69,9 @@ public:
     for (std::size_t i = 0; i < N; ++i) all[i] = item(i).number();
     return all;
   }
-  /// Reads [x, y, z]. Each coordinate has an absolute value of at most `farthest`.
+  /// Reads [x, y, z]. Absolute values must be at most `farthest`.
   std::array<double, 3> place(double farthest) const;
-  std::vector<std::uint32_t> indices() const;  ///< sorted, without duplicates
+  std::vector<std::uint32_t> indices() const;  ///< reads an array, then sorts it and removes duplicates
   /// Reads an array of [x, y, z].
   std::vector<mesh::Vec3> places(double farthest) const;
 
@@ -89,7 +89,7 @@ private:
 /// A list of shapes. Other values of the file refer to a shape by its index.
 struct ShapeTable {
   std::vector<deform::SharedShape> all;
-  std::map<const void*, std::uint32_t> numbers;
+  std::map<const void*, std::uint32_t> numbers;  ///< for the address of each shape, its index in `all`
 };
 
 /// The range of a number. The file contains the number times `factor`.
@@ -115,8 +115,8 @@ public:
   nlohmann::ordered_json& out() const { return *out_; }
   ShapeTable& shapes() const { return *shapes_; }
 
-  /// Returns a member of an object. When reading, a missing member gives nullopt or, if `needed`,
-  /// base::Error.
+  /// Returns a member of an object. When writing, adds the member. When reading, and the member is missing,
+  /// returns nullopt or, if `needed`, throws base::Error.
   std::optional<JsonField> child(const char* key, bool needed = false) const;
   /// When reading, returns the number of items. If there are more than `most`, throws base::Error. When
   /// writing, starts an empty list and returns `count`.
@@ -147,11 +147,11 @@ private:
 
 void code(const JsonField& field, bool& value);
 void code(const JsonField& field, std::string& value);
-/// A path in the form of path_json().
+/// The file contains the path in the form of path_json().
 void code(const JsonField& field, std::filesystem::path& value);
 void code(const JsonField& field, std::uint32_t& value);
 void code(const JsonField& field, double& value, const Limits& limits);
-/// Writes the fewest digits that give the exact float again.
+/// Writes the fewest digits from which reading gives exactly the same float.
 void code(const JsonField& field, float& value, const Limits& limits);
 /// When reading, rounds to an integer.
 void code(const JsonField& field, int& value, const Limits& limits);
@@ -164,10 +164,10 @@ void code(const JsonField& field, glm::ivec2& window);
 void code(const JsonField& field, std::vector<std::uint32_t>& value);
 /// The file contains a text of 16 hexadecimal digits.
 void code(const JsonField& field, std::uint64_t& value);
-/// The file contains the index of the shape in field.shapes().
+/// The file contains the index of the shape in field.shapes(). Writing adds new shapes to field.shapes().
 void code(const JsonField& field, deform::SharedShape& value);
-/// A list of {"float32": BYTES}. If a float cannot store the coordinates, {"float64": BYTES}. BYTES are x, y,
-/// z of each vertex, little-endian, in base64.
+/// A list of shapes. Each shape is {"float32": BYTES} or, if floats cannot store the exact coordinates,
+/// {"float64": BYTES}. BYTES: x, y, z of each vertex, little-endian, in base64.
 void code(const JsonField& field, ShapeTable& shapes);
 
 template <class T, class... Form>
@@ -184,7 +184,7 @@ void code(const JsonField& field, std::vector<T>& all, std::size_t most) {
 }
 
 void write_word(const JsonField& field, std::string_view word);
-/// The file contains `word` instead of the value. find(text) returns the value for a word as std::optional.
+/// The file contains `word`, the word of the value. find(text) returns the value of a word as std::optional.
 template <class T, class Find>
 void code_word(const JsonField& field, T& value, std::string_view word, const Find& find) {
   if (!field.reads()) return write_word(field, word);
@@ -193,7 +193,7 @@ void code_word(const JsonField& field, T& value, std::string_view word, const Fi
   if (!found) field.in().fail("unknown value " + formats::in_quotes(text));
   value = *found;
 }
-/// An enumeration with values 0, 1, .... The file contains words[0], words[1], ...
+/// An enumeration with the values 0, 1, 2 ... The file contains words[value].
 template <class T, std::size_t n>
 void code_listed(const JsonField& field, T& value, const std::array<std::string_view, n>& words) {
   code_word(field, value, words[static_cast<std::size_t>(value)], [&](std::string_view word) {

@@ -33,7 +33,7 @@ void append(std::vector<std::string>& all, const std::vector<std::string>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
-// `count` of the `of` sampled vertices are outside.
+// Number of sampled vertices: `count` outside, and `of` in total.
 struct Outside {
   std::size_t count, of;
 };
@@ -54,7 +54,7 @@ bool box_contains(const mesh::Bounds& outer, const mesh::Bounds& inner) {
   return true;
 }
 
-// Returns true if at most 10 % of the sampled vertices are outside.
+// Allows 10 % of the sampled vertices to be outside.
 bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   if (inner.positions.empty() || outer.triangles.empty()) return false;
   if (!box_contains(mesh::used_bounds(outer), mesh::used_bounds(inner))) return false;
@@ -62,7 +62,7 @@ bool encloses(const mesh::Surface& outer, const mesh::Surface& inner) {
   return 10 * found.count <= found.of;
 }
 
-// Adds a warning if most of the model is outside the cage. The cage may belong to another model.
+// Adds the cage's warnings. If most of the model is outside the cage, warns that the cage may not fit.
 void take_cage_warnings(Opened& opened) {
   const document::Document& document = *opened.document;
   append(opened.warnings, document.cage_file.warnings);
@@ -144,7 +144,6 @@ Opened open_pose(const fs::path& file, const document::Document& current) {
   return opened;
 }
 
-// If a pose or key cannot be drawn, throws base::Error.
 void check_imported(const Opened& imported) {
   document::Document checked;
   checked.library.poses = imported.poses;
@@ -240,7 +239,8 @@ Opened open_shape_keys(const fs::path& file, const document::Document& current, 
   return opened;
 }
 
-// Replaces the files of the session. If the cage is missing, also looks in the folder of the new model.
+// Replaces the session's file names by the names in `located`. If the session's cage does not exist, also
+// looks for a cage of the same name in the folder of the new model.
 void locate(Session& session, const LocatedFiles& located) {
   std::error_code ignored;
   if (!located.model.empty()) {
@@ -254,7 +254,7 @@ void locate(Session& session, const LocatedFiles& located) {
   session.cage_file.surface = nullptr;
 }
 
-// Opens the model and cage of the session and sets its state. Errors also contain the session's name.
+// Opens the session's model and cage. Errors also contain the session's name.
 document::Document document_of_session(const Session& session, const fs::path& file,
                                        base::Progress* progress) {
   const auto open = [&](const char* key, const fs::path& named, base::Progress* told) {
@@ -281,7 +281,6 @@ document::Document document_of_session(const Session& session, const fs::path& f
   }
 }
 
-// Sets the pose of the keys at the current frame.
 void set_pose_from_keys(document::Document& document) {
   if (document.timeline.keys.empty()) return;
   document::VectorCache vectors;
@@ -290,7 +289,6 @@ void set_pose_from_keys(document::Document& document) {
   put_whole_pose(document, document::Animation(document.timeline, vectors).at(document.frame));
 }
 
-// Computes the log vectors of all shapes of a session.
 void add_shape_vectors(Opened& opened, const document::Document& document, base::Progress* progress) {
   std::vector<document::SharedShape> shapes;
   const auto add = [&](const auto& keyed) {
@@ -310,7 +308,7 @@ Opened open_session(const fs::path& file, bool recovered, const LocatedFiles& lo
   opened.file = file;
   opened.recovered = recovered;
   opened.has_settings = true;
-  opened.content = content_of(file);  // before reading, to detect a later change
+  opened.content = content_of(file);  // taken before reading, so that later changes are detected
   Session& session = opened.session.emplace(read_session(file));
   locate(session, located);
   document::Document document = document_of_session(session, file, progress);
@@ -384,7 +382,7 @@ Opened open_dropped_pair(document::OpenedSurface model, document::OpenedSurface 
   return opened;
 }
 
-// Returns true for a point cache that matches the model but not its cage.
+// Returns true for a point cache whose number of points matches the model but not the cage.
 bool is_cache_of(const fs::path& file, const document::Document& current) {
   if (!current.model.surface || !formats::point_cache_format(file)) return false;
   const std::size_t points = formats::PointCache(file).head().points;

@@ -19,12 +19,12 @@ struct LocatedFiles {
   std::filesystem::path model, cage;
 };
 
-/// Thrown if the file of a session's model or cage is missing.
+/// Thrown if a session names a model file or a cage file that does not exist.
 struct SessionFileError : base::Error {
   SessionFileError(const std::filesystem::path& session, std::string_view key,
                    const std::filesystem::path& file);
-  std::string_view key;  ///< "model" or "cage"
-  std::filesystem::path file;
+  std::string_view key;        ///< "model" or "cage"
+  std::filesystem::path file;  ///< the missing file
 };
 
 struct OpenRequest {
@@ -33,34 +33,33 @@ struct OpenRequest {
     cage,       ///< a cage for the open model
     pose,       ///< a pose for the open cage
     poses,      ///< poses for the open cage, added to the named poses: see read_poses()
-    animation,  ///< keys for the open cage; they replace the existing keys: see read_keys()
+    animation,  ///< keys for the open cage or model, instead of the existing keys: see read_keys()
     shapes,     ///< shapes for the open model, added to the poses: see read_shapes()
     dropped,    ///< files of any kind; the content decides
-    recovery    ///< unsaved work
+    recovery    ///< a recovery file with unsaved edits
   };
   What what = What::model;
   std::vector<std::filesystem::path> files;
-  /// For a model. If settings are missing, the open document or the session gives them.
+  /// Settings of the new document. Missing settings come from the session or the open document.
   document::RequestedSettings settings{};
   LocatedFiles located{};     ///< replacements for the files of a session
   bool without_fins = false;  ///< for What::model and What::cage: removes the fins of the cage
 };
 
-/// The result of reading files. apply_opened.h applies it to a workspace.
 struct Opened {
   std::optional<document::Document> document;      ///< present if a model, cage or session was opened
   std::optional<deform::Pose> pose;                ///< a new pose of the open cage
   std::vector<document::NamedPose> poses;          ///< poses to add
   std::vector<document::NamedShape> shapes;        ///< shapes to add
   std::vector<document::PoseKey> keys;             ///< keys that replace the existing keys
-  std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of pose, poses and keys
+  std::shared_ptr<const deform::Cage> pose_of;     ///< the cage of `pose`, `poses` and `keys`
   std::shared_ptr<const mesh::Surface> shapes_of;  ///< the model of the shapes; null if there are no shapes
   document::VectorCache vectors;                   ///< log vectors of the shapes
-  std::string lost;  ///< names of poses lost with the previous cage: "3 poses and 2 keys"; or empty
+  std::string lost;  ///< number of poses that do not fit the new cage: "3 poses and 2 keys"; or empty
   std::optional<Session> session;
   std::filesystem::path file;                  ///< the session, pose or animation
   std::optional<std::uint64_t> content;        ///< checksum of the session file
-  bool recovered = false;                      ///< true if the session is unsaved work
+  bool recovered = false;                      ///< true if the session is a recovery file
   bool has_settings = false;                   ///< true if the session or request has document settings
   std::vector<document::FileInUse> also_read;  ///< files of poses, shapes and keys
   std::vector<std::string> warnings;
@@ -71,23 +70,24 @@ struct Opened {
 /// document. progress may be null. Throws base::Cancelled and base::Error (for sessions also
 /// SessionFileError, for cages also deform::FinError). Thread-safe.
 ///
-/// The content and number of dropped files decide. A single file is the first of these kinds that matches:
-/// - a session, or a point cache: shapes if it matches the model, otherwise keys
-/// - a pose with the number of vertices and the faces of the open cage
-/// - a shape with the number of vertices and the faces of the open model, but not its file
-/// - a cage, if no cage is open and the file encloses the open model with fewer vertices
+/// For What::dropped, the content and number of files decide. A single file is the first matching kind:
+/// - a session
+/// - a point cache: shapes if the number of points matches the model but not the cage, otherwise keys
+/// - a pose, if the file has the number of vertices and the faces of the open cage
+/// - a shape, if the file has the number of vertices and the faces of the open model, and is another file
+/// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
-/// Two files are shapes if they match the open model; otherwise a model and the cage that encloses it. If
-/// neither file or each file encloses the other, the cage is the file with fewer vertices. More than two
-/// files are shapes.
+/// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is
+/// the file that encloses the other file. If no file or each file encloses the other, the cage is the file
+/// with fewer vertices. More than two files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);
 
-/// If opened.document exists, these functions check it. Errors also contain the session's name.
+/// If opened.document exists, these functions check the document. Errors also contain the session's name.
 void check_drawable(const Opened& opened);
 void check_deformable(const Opened& opened);
 
-/// Returns all files that were read: model, cage and pose with their dependencies, keys, the session.
+/// Returns all files that were read, and the files used by model and cage.
 document::FilesInUse files_of(const Opened& opened);
 
 }  // namespace viete::files

@@ -53,7 +53,6 @@ std::string name_of_found(const fs::path& file, const formats::Beginning& beginn
   return std::string(formats::name_of_content(beginning.bytes()));
 }
 
-// Throws base::Error and suggests a free name such as "dragon-2.obj".
 [[noreturn]] void refuse(const fs::path& file, const std::string& why, const fs::path& named, Force force) {
   const std::string name = named.stem().string() + "-2" + named.extension().string();
   const fs::path other = base::unused_name(named.parent_path() / name);
@@ -129,7 +128,7 @@ void add_surface(document::FilesInUse& files, const fs::path& file, const format
 
 void add_document(document::FilesInUse& files, const document::Document& document, std::string_view own) {
   const auto add = [&](const document::OpenedSurface& surface, std::string_view what) {
-    const bool is_own = own == what;  // this file may be overwritten, its dependencies must not
+    const bool is_own = own == what;  // this file may be overwritten, the files that it uses must not
     add_surface(files, is_own ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };

@@ -24,12 +24,15 @@ namespace viete::files {
 
 enum class Content { surface, picture, json, animation, session, page };
 
-/// none: the user cannot override the check. offered: --force can override it. given: --force was used.
-enum class Force { none, offered, given };
+enum class Force {
+  none,     ///< the user cannot override the check
+  offered,  ///< errors advise the user to add --force
+  given     ///< the user has added --force
+};
 
-/// Call this before a long computation. If the file cannot be written, throws base::Error. If `force` is not
-/// given, also throws if the file is in `files` or has content of another kind. The beginning of the file,
-/// not its name, shows the kind. Empty names and empty files are allowed.
+/// Call this before a long computation. If the file cannot be written, throws base::Error. Without
+/// Force::given, also throws if the file is in `files` or contains another kind than `content`. The kind is
+/// detected from the first bytes, not from the file name. An empty name or an empty file is allowed.
 void check_output(const std::filesystem::path& file, Content content, const document::FilesInUse& files,
                   Force force);
 inline void check_output(const std::filesystem::path& file, Content content,
@@ -37,28 +40,27 @@ inline void check_output(const std::filesystem::path& file, Content content,
   check_output(file, content, files, force ? Force::given : Force::offered);
 }
 
-/// The frames from `first` to `last` in steps of `step`.
 struct FrameSteps {
   int first = 1, last = 0, step = 1;
 };
 
-/// Checks the output of an animation: one file, or all files of a pattern. A pattern must not contain an
-/// input file, even with `force`, because the export could read the file after overwriting it.
+/// Checks the output of an animation: one file or, for a pattern, the files of all frames. Files of a pattern
+/// must not be input files, even with Force::given: the export could read a file after overwriting it.
 void check_output(const std::filesystem::path& file, const FrameSteps& frames,
                   const document::FilesInUse& files, Force force);
 
-/// If a file of these frames exists and `force` is not given, throws base::Error.
+/// Without Force::given, throws base::Error if the file of a frame exists.
 void check_frames_are_new(const base::NumberedName& name, std::span<const int> frames, Force force);
 
 /// Returns `file` if it does not exist and is not in use. Otherwise returns a free name in its folder.
 std::filesystem::path proposed_name(const std::filesystem::path& file, const document::FilesInUse& files);
 
-/// Adds a surface's file and its dependencies: material libraries, images, buffers. `what`: "the model".
+/// Adds a surface's file and the files that the surface uses, such as images. `what`: "the model".
 void add_surface(document::FilesInUse& files, const std::filesystem::path& file,
                  const formats::Original* original, const formats::Attributes* attributes,
                  std::string_view what);
 
-/// Adds all files from which a document was read, except the file that `own` describes.
+/// Adds all files from which a document was read, except the file with the name `own`, such as "the cage".
 void add_document(document::FilesInUse& files, const document::Document& document,
                   std::string_view own = document::no_own);
 

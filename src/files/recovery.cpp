@@ -32,7 +32,7 @@ Session work_of(const Session& session) {
   return work;
 }
 
-// Returns the work in the original session or, if there is no session, the cage at rest from its file.
+// Returns the work in the saved session or, if there is no session, the cage file at rest.
 Session on_disk(const Session& kept) {
   if (!kept.origin.empty()) return work_of(read_session(kept.origin));
   Session rest;

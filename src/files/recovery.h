@@ -13,8 +13,8 @@ struct RecoveryFile {
   std::filesystem::path file;
   std::string name;                ///< file name of the edited session or model
   std::time_t time = 0;            ///< time of the last edit
-  std::filesystem::path folder{};  ///< folder of that session or model; empty if unknown
-  bool restored = false;           ///< true if it was opened and closed without further edits
+  std::filesystem::path folder{};  ///< folder of the edited session or model; empty if unknown
+  bool restored = false;           ///< true if this file was opened, then closed without further edits
 
   friend bool operator==(const RecoveryFile&, const RecoveryFile&) = default;
 };
@@ -29,8 +29,8 @@ std::filesystem::path mark_restored(const std::filesystem::path& file);
 
 RecoveryFile describe_recovery_file(const std::filesystem::path& file);
 
-/// Returns the recovery files of ended programs, newest first, or an empty list if the folder does not exist.
-/// Deletes a file if its work equals the saved session or, without a session, the cage at rest.
+/// Returns the recovery files of ended programs, newest first. The folder need not exist. Deletes files
+/// without unsaved work: files equal to the saved session or, if there is no session, to the cage at rest.
 std::vector<RecoveryFile> find_recovery_files(const std::filesystem::path& folder);
 
 /// Formats the local time: "May 03, 14:32".

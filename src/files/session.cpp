@@ -62,8 +62,8 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 
 }  // namespace
 
-// The functions code() must be in this namespace, because templates find them by their arguments. Lengths and
-// coordinates are in the model's unit. Rotations are rotation vectors in radians.
+// The functions code() must be in this namespace, because templates use argument-dependent lookup. Lengths
+// and coordinates are in the model's unit. Rotations are rotation vectors in radians.
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);
@@ -95,7 +95,7 @@ static void code(const JsonField& f, document::CameraPose& camera) {
   if (up) code_listed(*up, camera.up, axis_words);
 }
 
-// Reads or writes members of the enclosing object. Missing choices get defaults that suit the others.
+// Reads or writes members of the enclosing object. A missing `weights` or `blend` gets a default.
 static void code(const JsonField& f, deform::Scheme& scheme) {
   deform::PartialChoice choice;
   if (!f.reads()) choice = {scheme.weighting.weights, scheme.blend};
@@ -129,7 +129,7 @@ static void code(const JsonField& f, document::SideWay& side) {
   f.unless(false, "other_lines", side.other_blending);
 }
 
-// If there are no cameras, all views are linked.
+// If "cameras" is missing, all views share one camera.
 static void code(const JsonField& f, document::SideWays& sides) {
   f.unless({}, "views", sides.sides, document::SideWays::most);
   f.unless({}, "cameras", sides.cameras, document::SideWays::most);
@@ -152,7 +152,7 @@ static void code(const JsonField& f, document::Handling& handling) {
   f.unless(usual.freedom, "freedom", handling.freedom, percent(0, 1));
 }
 
-// Reads or writes the pose as members of the object that contains it. "stretched": log of the stretch.
+// Reads or writes members of the enclosing object. "stretched" is the matrix logarithm of the stretch.
 static void code(const JsonField& f, deform::ProbePose& pose) {
   f.unless({}, "turned", pose.turn, Reach{document::largest_turn});
   if (f.reads() ? f.in().find("stretched").has_value() : pose.stretch != sym3::Sym3<double>{}) {
@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The file has a mask as run lengths: [share, count, share, count, ...]. Each share is for `count` vertices.
+// The file has [share, count, share, count, ...]: the next `count` vertices have share / mask_steps.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;
@@ -326,7 +326,7 @@ static void code(const JsonField& f, document::OpenedSurface& cage) {
 
 namespace {
 
-// Resolves links in the folder, so that ".." is correct. Keeps the file name.
+// Resolves symbolic links in the folder, so that ".." is the real parent folder. Keeps the file name.
 fs::path resolved(const fs::path& path) {
   std::error_code code;
   const fs::path absolute = fs::absolute(path, code);
@@ -334,7 +334,7 @@ fs::path resolved(const fs::path& path) {
   return code ? absolute : folder / absolute.filename();
 }
 
-// The folder of a session, and whether file names are relative to it.
+// The folder of a session, and whether file names are relative to this folder.
 struct Place {
   fs::path folder;
   bool relative;
@@ -355,7 +355,7 @@ void code_path(const JsonField& f, const char* key, fs::path& file, const Place&
   }
 }
 
-// Checksums depend on the byte order, so only little-endian machines use them.
+// Checksums depend on the byte order. Only little-endian machines read and write checksums.
 constexpr bool has_checksums = std::endian::native == std::endian::little;
 
 void code_session(const JsonField& f, Session& s, const Place& place) {
@@ -426,7 +426,7 @@ Session read_session(const fs::path& file) {
   if (const auto found = json.find("shapes")) code(JsonField(*found, shapes), shapes);
   Session session;
   code_session(JsonField(json, shapes), session, {resolved(file).parent_path(), true});
-  document::PoseLibrary named;  // poses with unique names
+  document::PoseLibrary named;  // the same poses with unique names
   for (document::NamedPose& pose : std::exchange(session.library.poses, {})) {
     pose.name = free_name(named, pose.name);
     named.poses.push_back(std::move(pose));

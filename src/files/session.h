@@ -17,12 +17,12 @@ namespace viete::files {
 /// The contents of a session file. Only the keys format, version and model are required. Unknown keys are
 /// ignored, because newer programs may write them. An invalid value is an error.
 ///
-/// After reading, `cage` is null, and `model` and `cage_file` have only path and content. A cage without a
-/// file also has the surface. An empty pose means the pose of the keys or, without keys, the rest pose.
+/// After reading, `cage` is null. `model` and `cage_file` have only path and content. Without a path,
+/// cage_file has a surface. An empty pose means the pose of the keys or, without keys, the rest pose.
 struct Session : document::DocumentState {
   document::OpenedSurface model;
-  std::filesystem::path origin;  ///< absolute path of the session with these unsaved edits; or empty
-  std::optional<std::uint64_t> origin_content;  ///< checksum of `origin` when it was opened or saved
+  std::filesystem::path origin;  ///< in recovery files: absolute path of the edited session; or empty
+  std::optional<std::uint64_t> origin_content;  ///< checksum of the file `origin` when opened or saved
   sym3::Method method = sym3::Method::fast;
   std::optional<document::CameraPose> camera;  ///< if missing, the camera shows the whole model
   document::ViewOptions view;
@@ -32,14 +32,14 @@ struct Session : document::DocumentState {
 };
 
 /// Returns the text of the session file `file`. If `portable`, file names are relative to the folder of
-/// `file`. Otherwise they are absolute, and the text contains the origin. Throws base::Error.
+/// `file`. Otherwise file names are absolute, and the text also contains `origin`. Throws base::Error.
 std::string session_text(const Session& session, const std::filesystem::path& file, bool portable = true);
 
 /// Throws base::Error with file and key. Does not check that the session matches the model and cage.
 Session read_session(const std::filesystem::path& file);
 
-/// If poses, selection or hidden vertices do not match the cage, or shapes, pins or the mask do not match the
-/// model, throws base::Error with `file` and the key. document: has model, cage and the session's state.
+/// Poses, selection and hidden vertices must fit the cage. Shapes, pins and mask must fit the model.
+/// Otherwise throws base::Error with `file` and the key. document: has model, cage and the session's state.
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
 /// Works like check_fits(), but checks only named poses and keys.

@@ -117,7 +117,7 @@ std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Poin
 
 namespace {
 
-// Finds for each vertex of the surface the vertex of the file with the same position.
+// For each vertex of the surface, returns the vertex of the file. Equal faces mean an equal vertex order.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
   std::vector<std::uint32_t> all(found.positions.size());
@@ -162,7 +162,7 @@ void check_shape_count(const std::string& file, std::size_t count, const mesh::S
                       "there are " + base::counted(count, "shape") + ", and a timeline can have " +
                           base::with_thousands(document::Timeline::most_keys),
                       "choose fewer shapes");
-  // The memory for positions and log vectors.
+  // Memory for positions and log vectors.
   base::require_memory({120.0 * static_cast<double>(count) * static_cast<double>(model.positions.size()) +
                             72.0 * static_cast<double>(count) * static_cast<double>(model.triangles.size()),
                         base::counted(count, "shape") + " of the model take", "choose fewer shapes", file});
@@ -172,7 +172,7 @@ namespace {
 
 constexpr const char* advice = "choose a shape of the same model (same vertices and faces)";
 
-// Polygons. If the polygons of the file and the model differ, triangles.
+// Polygons or, if file and model have different numbers of polygons, triangles.
 struct Faces {
   std::vector<std::uint32_t> corners, starts;
 };
@@ -193,7 +193,7 @@ std::string face_text(const Faces& faces, std::size_t face) {
   return text;
 }
 
-// Finds for each vertex of the model the vertex of the file, from faces in the same order.
+// For each vertex of the model, finds the vertex of the file. File and model have faces in the same order.
 class VertexOrder {
 public:
   VertexOrder(const std::string& file, const mesh::Surface& found, const mesh::Surface& model)
@@ -228,7 +228,7 @@ private:
     if (!fits) refuse(face);
   }
 
-  // Reports the first face that differs. VertexOrder may detect the mismatch only at a later face.
+  // Throws base::Error for `face` or, if `face` is equal in the file, for the first face that differs.
   [[noreturn]] void refuse(std::size_t face) const {
     const auto same = [&](std::size_t f) { return face_text(found_, f) == face_text(model_, f); };
     if (same(face)) face = 0;
@@ -245,7 +245,7 @@ private:
     return order_[of_model] == of_file;
   }
 
-  // Matches the remaining vertices, which have no face, in the order of the file.
+  // Vertices that belong to no face are matched in the order of the file.
   void match_loose() {
     std::uint32_t next = 0;
     for (auto& v : order_) {
@@ -296,7 +296,7 @@ private:
     const auto take = [&](const fs::path& file) {
       const std::size_t before = all_.shapes.size();
       add(file);
-      // The folder may contain the model at rest, which is no shape: drops it.
+      // Drops a shape that equals the model at rest: a folder often contains the model itself.
       if (!all_.shapes.empty() && *all_.shapes.back().shape == model_.positions) all_.shapes.pop_back();
       return all_.shapes.size() > before;
     };

@@ -25,18 +25,19 @@ struct ImportedShapes {
 
 /// Reads models with the faces of `model`. Each file gives a shape with the file's name. A numbered name
 /// (`pose_##.obj`) gives all files of the sequence. A folder gives all its models that match. A point cache
-/// gives a shape for each frame, and a glTF file with morph targets gives a shape for each target.
+/// gives a shape for each frame. A glTF file with morph targets gives a shape for each target.
 ///
-/// Some formats do not keep the vertex order. If the order differs, adds a warning and matches vertices by
-/// the corners of the faces. The faces must be in the same order. If the number of vertices, a face or a
-/// position does not match, or there are no files or too many shapes, throws base::Error. Thread-safe.
+/// Some formats do not keep the vertex order. If the vertex order differs, adds a warning and matches the
+/// vertices by the corners of the faces. The order of the faces must be the same. Throws base::Error if a
+/// file does not match the model, a sequence or folder gives no shape, or there are too many shapes.
+/// Thread-safe.
 ImportedShapes read_shapes(std::span<const std::filesystem::path> files, const mesh::Surface& model,
                            base::Progress* progress = nullptr);
 
 /// If the shapes exceed the limit of a timeline or the free memory, throws base::Error. place: a file name.
 void check_shape_count(const std::string& place, std::size_t count, const mesh::Surface& model);
 
-/// The surface for imported positions.
+/// The surface to which imported positions belong.
 struct PosedSurface {
   const mesh::Surface& surface;
   const char* what;  ///< name for messages: "the cage" or "the model"
@@ -45,8 +46,8 @@ struct PosedSurface {
 /// Sorts by file name in natural order: a2.obj before a10.obj.
 void sort_by_numbers(std::vector<std::filesystem::path>& files);
 
-/// Calls read(file) for all models in a folder in natural order. read() must return true if it used the file.
-/// If read() throws base::Error, skips the file and adds a warning. If no file was used, throws base::Error
+/// Calls read(file) for all models in a folder, in natural order. read() must return true if the file was
+/// used. If read() throws base::Error, adds a warning and continues. If no file was used, throws base::Error
 /// with `wanted` and `advice`. progress may be null.
 void read_folder(const std::filesystem::path& folder, const char* wanted, const char* advice,
                  const std::function<bool(const std::filesystem::path&)>& read,
@@ -62,7 +63,7 @@ void check_points(const std::string& place, std::size_t found, const PosedSurfac
 /// Positions of a surface from the morph targets of a file.
 struct MorphPositions {
   std::shared_ptr<const formats::MorphClip> clip;  ///< null if the file has no morph targets
-  std::vector<std::uint32_t> order;                ///< for each vertex of the surface, a vertex of the file
+  std::vector<std::uint32_t> order;                ///< for each vertex of the surface, its index in the file
 
   std::vector<mesh::Point> at_key(std::size_t key) const { return of_surface(clip->at_key(key)); }
   std::vector<mesh::Point> at_target(std::size_t target) const { return of_surface(clip->at_target(target)); }
@@ -71,8 +72,8 @@ private:
   std::vector<mesh::Point> of_surface(const std::vector<mesh::Point>& of_file) const;
 };
 
-/// glTF does not keep the vertex order. If the faces differ, matches vertices by their rest positions. If the
-/// numbers of vertices or the rest positions differ, throws base::Error.
+/// If the faces of file and surface differ, matches vertices by their rest positions. If the numbers of
+/// vertices or the rest positions differ, throws base::Error.
 MorphPositions morphs_of(const std::filesystem::path& file, const PosedSurface& of,
                          std::vector<std::string>& warnings);
 

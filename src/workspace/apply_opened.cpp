@@ -25,7 +25,7 @@ void report(Workspace& w, const files::Opened& opened) {
   for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
-// Reports sets and poses that a change of the cage has removed, and the file that still contains them.
+// Reports the sets and poses that were removed with the previous cage. If `in_file`, adds the session's name.
 void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.files.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
@@ -56,7 +56,7 @@ void take_document(Workspace& w, document::Document&& document, bool keep_settin
   ++w.files.opened;
 }
 
-// The hints of the first start stay hidden.
+// Hidden hints stay hidden, even if the session shows hints.
 void take_view(Workspace& w, const files::Session& session) {
   const bool hints = w.view.options.hints;
   w.view.options = session.view;
@@ -64,7 +64,7 @@ void take_view(Workspace& w, const files::Session& session) {
   w.view.options.hints = hints && session.view.hints;
 }
 
-// Resets the placed pivot and the mirror, because they are meaningless for another model.
+// Takes the session's settings. Without a session, if the model changes, resets the placed pivot and mirror.
 void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   if (opened.session) {
     w.view.handling = opened.session->handling;
@@ -75,7 +75,7 @@ void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   }
 }
 
-// Adds opened poses, shapes or keys to the document as one edit. Returns false if nothing was added.
+// Adds opened poses, shapes or keys to the document as one edit. If there are none, returns false.
 bool take_poses(Workspace& w, files::Opened& opened) {
   const std::string name = opened.file.filename().string();
   const auto add = [&](const auto& put, const std::string& done) {
@@ -105,10 +105,10 @@ bool take_poses(Workspace& w, files::Opened& opened) {
 void take_pose(Workspace& w, deform::Pose&& pose) {
   const bool was_saved = !has_unsaved_edits(w);
   replace_pose(w, [&] { set_pose(w.document, std::move(pose)); });
-  if (was_saved) mark_pose_saved(w);  // the file contains it
+  if (was_saved) mark_pose_saved(w);  // the opened file contains the pose
 }
 
-// Shows flat models from the front without perspective.
+// If the model or cage is flat, looks along the flat axis without perspective. Otherwise uses the home view.
 void frame_first(Workspace& w) {
   const mesh::Bounds box = w.document.has_cage() ? w.document.cage_file.bounds : w.document.model.bounds;
   const bool z_up = w.view.camera.pose().up == document::UpAxis::z;
@@ -150,7 +150,7 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   const bool is_example = opened.session && opened.file == w.files.example;
   if (opened.session) {
     take_view(w, *opened.session);
-    if (!is_example) {  // Save asks for a name
+    if (!is_example) {  // for the example, Save must ask for a name
       saved.session = opened.recovered ? opened.session->origin : opened.file;
       saved.content = opened.recovered ? opened.session->origin_content : opened.content;
     }
@@ -164,8 +164,8 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
                   [&](const files::RecoveryFile& leftover) { return leftover.file == opened.file; });
   } else {
     mark_saved(w);
-    if (opened.session) saved.state.scheme = opened.session->scheme;  // settings from the request are unsaved
-    if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // no file contains them
+    if (opened.session) saved.state.scheme = opened.session->scheme;  // requested settings are unsaved
+    if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // not in any file
     w.preferences.add(saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                             : RecentFile{saved.session, {}});
   }

@@ -6,7 +6,8 @@
 
 namespace viete::workspace {
 
-/// Shows the opened document, and its warnings as messages. Plays the example animation.
+/// Replaces the document, or adds opened poses, shapes or keys to the document. Shows warnings as messages.
+/// If the file is the example, plays the animation.
 void apply_opened(Workspace& workspace, files::Opened&& opened);
 
 /// Reads the files and calls apply_opened(). On failure, shows the error, changes nothing and returns false.

@@ -58,7 +58,6 @@ void change_cage(Workspace& w) {
   w.view.interaction.hovered.reset();
 }
 
-// Adds a command for each deformer, each kind of weights or each blend.
 template <class Entry>
 void add_table(CommandTable& table, std::span<const Entry> entries, std::string_view headline) {
   for (const Entry& entry : entries)

@@ -13,8 +13,8 @@ struct CheckState {
   bool running = false;
   double done = 0;  ///< in [0, 1]
   std::vector<document::Finding> findings;
-  std::optional<std::size_t> shown;    ///< a finding highlighted in the view
-  std::optional<std::size_t> element;  ///< the only highlighted element of the finding; nullopt: all
+  std::optional<std::size_t> shown;    ///< index of the finding that is highlighted in the view
+  std::optional<std::size_t> element;  ///< index of the only highlighted element; nullopt: all elements
   bool fresh = false;                  ///< the findings have not been displayed yet
 
   void show(std::optional<std::size_t> finding, std::optional<std::size_t> one = {}) {
@@ -30,13 +30,13 @@ private:
 /// Clears the findings, for example after a change of the cage.
 void forget_findings(CheckState& checks);
 
-/// The index of the finding about model vertices outside the cage, if there is one.
+/// The index of the finding about model vertices outside the cage; nullopt if all vertices are inside.
 std::optional<std::size_t> outside_finding(const CheckState& checks);
 
 /// Replaces the findings. Afterwards no finding is shown.
 void take_findings(CheckState& checks, std::vector<document::Finding> findings);
 
-/// Indices of the shown elements within the finding: at most `most`, evenly spread.
+/// Indices of highlighted elements of the shown finding: at most `most`, evenly spread.
 std::vector<std::size_t> shown_elements(const CheckState& checks, std::size_t most);
 
 }  // namespace viete::workspace

@@ -21,7 +21,7 @@ struct Condition {
   bool operator()(const Workspace& workspace) const { return holds(workspace); }
 };
 
-/// A command's label, and a shorter label for use under a heading.
+/// words: a command's label. brief: a shorter label for use under a heading.
 struct Label {
   Label(const char* words) : words(words), brief(words) {}
   Label(std::string words, std::string under_headline)
@@ -39,7 +39,7 @@ struct Effect {
 
   std::function<void(Workspace&)> run;
   std::function<bool(const Workspace&)> is_on{};
-  bool passing = false;  ///< visible only while the command can run, such as Cancel
+  bool passing = false;  ///< true: the command, such as Cancel, is visible only while the command can run
 };
 
 inline Effect passing(Effect effect) {
@@ -49,9 +49,9 @@ inline Effect passing(Effect effect) {
 
 struct Command : Effect {
   std::string name;   ///< stable, for keys and tests: "undo"
-  std::string label;  ///< "View from the front"
-  std::string brief;  ///< "Front", under "Viewpoint"
-  std::string hint;   ///< one sentence: what it does
+  std::string label;  ///< full label: "View from the front"
+  std::string brief;  ///< label under the heading "Viewpoint": "Front"
+  std::string hint;   ///< one sentence about the effect
   Condition enabled;
   std::string_view group{};  ///< heading in the command reference
   Shortcut shortcut{}, alternative{};

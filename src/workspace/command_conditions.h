@@ -1,4 +1,4 @@
-// The conditions of commands, with the advice that is shown if they are false.
+// The conditions of commands. Each condition has an advice that is shown if the condition is false.
 #pragma once
 
 #include "document/edit.h"
@@ -9,7 +9,7 @@
 
 namespace viete::workspace {
 
-// True during a drag, a mask stroke or a brush selection, which other edits must not interrupt.
+// True during a drag, a mask stroke or a brush selection. Other edits must wait for the end.
 inline bool is_dragging(const Workspace& w) {
   const auto& time = w.view.time.drag;
   return w.view.interaction.drag || w.view.interaction.stroke || w.view.interaction.brushing ||
@@ -98,7 +98,7 @@ inline constexpr Condition is_editing{
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && !selects_probes(w) && has_selection(w) &&
-             !w.view.time.hovered;  // over the timeline, Delete acts on its keys
+             !w.view.time.hovered;  // over the timeline, Delete deletes timeline keys
     },
     "Start cage editing (Tab) and select part of the cage first."};
 inline constexpr Condition has_outside{

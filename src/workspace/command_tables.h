@@ -1,4 +1,4 @@
-// The tables of commands, one per topic. A command is one row; a choice has a row for each of its values.
+// The tables of commands, one per topic. A command has one row. A choice has one row for each value.
 #pragma once
 
 #include <algorithm>
@@ -31,8 +31,8 @@ public:
     return rows_.emplace_back(Command{std::move(effect), std::move(name), std::move(label.words),
                                       std::move(label.brief), std::move(hint), enabled, group_, shortcut});
   }
-  /// Adds a command for one value of a choice, in a submenu. Outside the submenu, the submenu's title
-  /// precedes the command's label.
+  /// Adds a command for one value of a choice, in a submenu. Outside the submenu, the label begins with the
+  /// submenu's title.
   void choice(std::string name, std::string_view submenu, std::string_view label, std::string_view hint,
               const Condition& enabled, Effect effect) {
     const std::string brief(label);
@@ -62,7 +62,7 @@ void add_hand_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
 void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
 
-/// The prefix of the names of commands that choose a value.
+/// The beginning of command names that choose a value of this type: "pivot_".
 template <class Value>
 constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, deform::Way>) return "way_";

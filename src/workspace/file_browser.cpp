@@ -185,7 +185,7 @@ fs::path typed_path(const FileBrowser& browser) {
 
 namespace {
 
-// Adds a placeholder for the frame number to the name if the format stores a single model.
+// If the format stores only one model per file, adds "_####" for the frame number to the name.
 fs::path animation_name(const fs::path& file) {
   if (files::is_animation_format(formats::extension_of(file)) || base::NumberedName::is_pattern(file))
     return file;

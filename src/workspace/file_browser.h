@@ -22,7 +22,7 @@ struct MorphChoice {
 
 struct PictureChoice {
   bool cage = false, grid = true, light = false, panels = false;
-  int width = 0, height = 0;  ///< logical pixels, least_picture to largest_picture
+  int width = 0, height = 0;  ///< in logical pixels, from least_picture to largest_picture
 };
 inline constexpr int least_picture = 16, largest_picture = 8192;
 
@@ -60,7 +60,7 @@ struct FileBrowser {
   std::string suggested;        ///< proposed file name when saving; kept when the folder changes
   document::FilesInUse in_use;  ///< open files, which must not be overwritten
   std::string filter;           ///< only entries that contain this text are shown, ignoring case
-  std::string warned;           ///< the existing file that a second Enter overwrites
+  std::string warned;           ///< the existing file that is overwritten if the user presses Enter again
   /// Index of the shown entry that Enter opens. `none`: Enter saves under the typed name.
   std::size_t highlighted = 0;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
@@ -69,12 +69,11 @@ struct FileBrowser {
   std::optional<PictureChoice> pictures;  ///< set when an animation is saved
 
   bool saves() const { return purpose >= Purpose::save_session; }
-  /// The extensions of the formats that fit the purpose. Poses need formats that preserve the vertex order;
-  /// animations can also be sequences, and PNG pictures when saving.
+  /// The file extensions that fit the purpose.
   std::vector<std::string_view> formats() const;
   /// True if the text field contains the name of a glTF file for an animation.
   bool makes_morphs() const;
-  /// True if the text field contains the name of pictures.
+  /// True if the text field contains the name of PNG pictures for an animation.
   bool makes_pictures() const;
   /// True if saving would overwrite an existing file that is not in use.
   bool replaces() const;
@@ -96,20 +95,20 @@ void highlight(FileBrowser& browser, std::size_t index);
 /// Moves the highlight by `steps`, clamped to the list. When saving, keeps the text field.
 void move_highlight(FileBrowser& browser, int steps);
 
-/// True if the filter starts a path, with / or ~, instead of a name.
+/// True if the filter begins with / or ~. Then the filter is a path, not a part of a name.
 bool filters_by_path(const FileBrowser& browser);
 
 /// The path in the text field. A relative path starts in the folder; ~ is the home folder.
 std::filesystem::path typed_path(const FileBrowser& browser);
-/// typed_path(), with an extension that fits the purpose if it has none.
+/// typed_path(). When saving, adds a missing extension, and "_####" to numbered models of an animation.
 std::filesystem::path chosen_file(const FileBrowser& browser);
 /// The reason why chosen_file() cannot be opened or written; empty if no reason is known.
 std::string problem_of_name(const FileBrowser& browser);
-/// "OBJ, PLY or OFF".
+/// The formats that fit the purpose: "OBJ, PLY or OFF".
 std::string format_list(const FileBrowser& browser);
 /// The extension of the file to be saved, in lower case: "ply".
 std::string format_of(const FileBrowser& browser);
-/// Shows why `asked` could not be read or written. Returns false if the browser did not request this file.
+/// If the browser requested the file `asked`, opens the browser and shows `problem`. Otherwise returns false.
 bool refuse(FileBrowser& browser, const std::filesystem::path& asked, const std::string& problem);
 void set_format(FileBrowser& browser, const std::string& extension);
 

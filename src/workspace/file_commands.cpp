@@ -23,7 +23,7 @@ void browse_beside(Workspace& w, Purpose purpose, const fs::path& file) {
   show(w.files.browser, purpose, there ? file.parent_path() : w.preferences.folder);
 }
 
-// The open file that a file saved for this purpose may overwrite.
+// The open file that may be overwritten when saving for this purpose.
 std::string_view own_of(Purpose purpose) {
   switch (purpose) {
     case Purpose::save_session: return document::the_session;
@@ -43,7 +43,7 @@ void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// Proposes a name such as "cage_pose.obj", in the folder of the session or of `from`.
+// Proposes a name such as "cage_pose.obj", in the folder of the session or, without a session, of `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.files.saved.session.empty() ? from : w.files.saved.session;
   show(w.files.browser, purpose, beside.parent_path(), from.stem().string() + ending,
@@ -86,8 +86,8 @@ void browse_to_save_session(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.files.unopened->files.front();
-  const bool recovery =
-      w.files.unopened->what == files::OpenRequest::What::recovery;  // not in the user's folder
+  // The user keeps no models in the folder of recovery files.
+  const bool recovery = w.files.unopened->what == files::OpenRequest::What::recovery;
   recovery ? show(w.files.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }
 

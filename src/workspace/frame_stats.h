@@ -28,7 +28,7 @@ using sym3::Method;
 struct FrameTimes {
   double when = 0;  ///< seconds on a monotonic clock
   Method method = Method::fast;
-  deform::LinkTimes links;  ///< zero if the cage did not move
+  deform::LinkTimes links;  ///< times of the stages; zero if the model was not deformed
   double upload = 0, draw = 0, panels = 0;
   double frame = 0;  ///< total, from input to the finished picture
 };
@@ -36,13 +36,14 @@ struct FrameTimes {
 /// The median of each time. Other members are from the last frame. `frames` must not be empty.
 FrameTimes median_of(std::span<const FrameTimes> frames);
 
-/// Medians of frame times, separately for frames that deformed the model and for frames that only drew it.
+/// Medians of frame times. Frames that deformed the model are separate from frames that only drew the model.
 class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Medians over the last half second, over frames of the same kind and method as the newest frame. Nullopt
-  /// before the first deformed frame. Updated at most four times a second, so that numbers can be read.
+  /// Medians over the last half second. If the newest frame deformed the model, includes only frames that
+  /// deformed, otherwise only frames that did not. Nullopt before the first frame that deformed the model.
+  /// Updated about four times a second.
   const std::optional<FrameTimes>& median() const { return median_; }
   /// The medians over frames that deformed the model.
   const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }
@@ -71,15 +72,15 @@ struct MethodStats {
 /// Times of one deformation of the current pose with each method, in the order of compared_methods.
 struct MethodTimes {
   std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
-  bool measured = false;  ///< true: background measurement of all methods; false: only times of frames
+  bool measured = false;  ///< true: all methods were measured in the background; false: times of frames
 };
 
 /// The last computed values of the map that colours the model.
 struct FieldView {
   analysis::FieldStats stats;
   std::shared_ptr<const std::vector<float>> values;  ///< one per vertex; null: none
-  std::string problem{};     ///< why there are no values; empty: available, or being computed
-  bool holds_range = false;  ///< the colour range is locked
+  std::string problem{};                             ///< why there are no values; empty: no problem
+  bool holds_range = false;                          ///< true: the colour range is locked
 };
 
 /// The vertex inspector's data for a picked vertex.
@@ -101,8 +102,8 @@ struct VertexView {
   std::optional<std::uint32_t> vertex;  ///< the picked vertex
   bool appearing = false;               ///< the vertex was just picked: scroll to the inspector
   std::vector<Term> terms;              ///< by decreasing weight
-  bool has_logs = false;                ///< false: weights only
-  glm::dmat3 map{1};                    ///< map of the whole sum
+  bool has_logs = false;                ///< false: terms have weights, but no logs
+  glm::dmat3 map{1};                    ///< deformation matrix of the whole sum
   double degrees = 0;                   ///< rotation angle of the map
   std::vector<Way> ways;
 };

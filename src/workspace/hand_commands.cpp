@@ -14,7 +14,6 @@ namespace viete::workspace {
 
 namespace {
 
-// The setting that a value of this type chooses.
 template <class Value>
 Value& place(document::Handling& h) {
   if constexpr (std::is_same_v<Value, document::Pivot>) return h.pivot;
@@ -93,7 +92,7 @@ Effect uses() {
   return {use, [](const Workspace& w) { return w.view.tool == Use; }};
 }
 
-// Adds a probe or pin at the point of the model under the cursor, or otherwise at the view's center.
+// Adds a probe or pin at the model's point under the cursor. If there is no point, uses the view's center.
 template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   auto at = w.view.interaction.cursor ? model_under(w, *w.view.interaction.cursor) : std::nullopt;
@@ -101,10 +100,10 @@ void add_in_view(Workspace& w) {
   const glm::dvec3 target(w.view.camera.pose().target);
   Add(w.document, w.frame.posed, at.value_or(w.document.space.to_file(target)));
   w.view.interaction.hovered.reset();
-  w.view.options.cage = true;  // also displays the probes
+  w.view.options.cage = true;  // this option also displays probes
 }
 
-// True if `holds` for all selected probes.
+// True if holds(probe) is true for all selected probes.
 bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
   return std::ranges::all_of(w.document.selection.indices(),
                              [&](auto i) { return holds(w.document.probes.all[i]); });

@@ -138,7 +138,7 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // Delete resets the selection. During cage editing it removes elements; over the timeline it deletes keys.
+  // Delete resets the selection, removes elements in cage editing, or deletes keys over the timeline.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };

@@ -37,9 +37,9 @@ public:
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
-  /// Assigns this key as the command's only key. Key::none removes all keys of the command.
+  /// Assigns this key as the command's only key; see losers(). Key::none removes all keys of the command.
   void change(std::string_view command, const Shortcut& shortcut);
-  /// Restores the preset's keys of the command.
+  /// Removes the user's change of a command, so that the command has the preset's keys.
   void take_back(std::string_view command);
   void put(Changes changes);
 
@@ -50,7 +50,7 @@ public:
   /// The commands that lose the key if it is assigned to `command`.
   std::vector<const Command*> losers(std::string_view command, const Shortcut& shortcut) const;
 
-  /// True if dragging the background with the left button orbits.
+  /// True if dragging the background with the left button orbits the camera.
   bool left_orbits() const { return preset_ == KeyPreset::viewer; }
   /// True if, with Alt, the middle button pans and the right button zooms.
   bool alt_moves_camera() const { return preset_ == KeyPreset::maya; }
@@ -68,7 +68,7 @@ private:
   std::map<std::string_view, Shortcuts> keys_;  // by command name
 };
 
-/// True if the two commands may share a key because they apply in different modes.
+/// True if both commands can have the same key, because the commands apply in different modes.
 bool shares_keys(std::string_view command, std::string_view other);
 
 }  // namespace viete::workspace

@@ -17,8 +17,8 @@ struct Menu {
 /// The menus in the order of the menu bar. Every command is in one menu.
 std::span<const Menu> menus();
 
-/// The commands that match the typed text at the beginning of a word, then inside a word, then by letters in
-/// this order. Without text, all commands. Omits disabled commands that are `passing`.
+/// The commands that match all typed words, with the best match first. Without text, all commands. Omits
+/// `passing` commands that are disabled.
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed);
 
 }  // namespace viete::workspace

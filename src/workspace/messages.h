@@ -11,18 +11,18 @@ namespace viete::workspace {
 
 enum class Severity { info, warning, error };
 
-/// The object that a message is about. The message is removed when this object changes.
+/// The object that a message is about. After a change of the model or cage, the message is removed.
 enum class Scope { program, model, cage };
 
 struct Concern {
-  std::string_view topic{};  ///< the action, such as "export"; empty: cannot be retried
+  std::string_view topic{};  ///< the action, such as "export", for succeeded(); may be empty
   Scope scope = Scope::program;
 };
 
 struct Message {
   Severity severity = Severity::info;
   std::string text;
-  int times = 1;  ///< consecutive repetitions
+  int times = 1;  ///< number of times that this message was added
   std::string topic;
   Scope scope = Scope::program;
   double said = 0;        ///< time of the last repetition, wall clock in seconds
@@ -31,7 +31,7 @@ struct Message {
 };
 
 /// The last 200 messages. Repeating a visible message or the last message only increases its count. Infos and
-/// warnings are visible for a limited time, errors until the same action succeeds or the user dismisses them.
+/// warnings are visible for a limited time, errors until the action succeeds or the user dismisses the error.
 class Messages {
 public:
   static constexpr double info_seconds = 4, warning_seconds = 12;
@@ -46,17 +46,17 @@ public:
 
   /// Hides errors of this topic.
   void succeeded(std::string_view topic);
-  /// Hides infos and warnings, after undo and redo.
+  /// Hides infos and warnings. Called after undo and redo.
   void hide_messages();
   void dismiss(std::size_t index) { all_[index].visible = false; }
-  /// Removes messages about a changed model or cage, up to this revision.
+  /// Removes messages about the cage and, for Scope::model, the model. Keeps messages after `revision`.
   void forget(Scope scope, unsigned revision);
   /// True if the time of a visible message has ended.
   bool due(double now) const;
   void expire(double now);
 
   const std::vector<Message>& all() const { return all_; }
-  /// Increases with each message, even if it is repeated.
+  /// Increases with each message, also with a repeated message.
   unsigned revision() const { return revision_; }
 
 private:
@@ -70,7 +70,7 @@ enum class Answer { save, cancel, proceed };
 struct Question {
   enum class Kind {
     close,         ///< closing the program with edits that could not be saved for recovery
-    open,          ///< opening another document while this one has edits that could not be saved for recovery
+    open,          ///< opening another document while edits could not be saved for recovery
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
@@ -94,7 +94,7 @@ Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);
 
-/// The number of answers of a question: 2 if only the first two are used, otherwise 3.
+/// The number of answers of a question: 2 (Answer::save and Answer::cancel) or 3.
 std::size_t answer_count(Question::Kind kind);
 /// The caption of an answer's button.
 const char* label(Question::Kind kind, Answer answer);

@@ -26,7 +26,6 @@ bool is_there(const Workspace& w, const document::WholePose& pose) {
   return true;
 }
 
-// True if the cached animation belongs to this timeline.
 bool is_current(const Workspace& w) {
   return w.playback.cage == w.document.cage && w.playback.model == w.document.model.surface &&
          w.playback.timeline == w.document.timeline;

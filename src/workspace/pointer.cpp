@@ -18,7 +18,7 @@ document::SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
 }
 
-// small: a vertex or probe is under the cursor. In this case, a handle that is only near is ignored.
+// small: a vertex or probe is under the cursor. Then only a handle exactly under the cursor counts.
 std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;
@@ -70,7 +70,7 @@ void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Tria
       sight.hide_behind(*points[t[0]], *points[t[1]], *points[t[2]]);
 }
 
-// The model and the faces of the cage hide elements behind them.
+// Elements behind the model or behind faces of the cage are hidden.
 interact::Sight sight_of(const Workspace& w) {
   interact::Sight sight(w.view.camera, w.view.viewport);
   const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
@@ -201,7 +201,7 @@ std::optional<interact::Pick> Pointer::element_under(const Workspace& w, const g
   return pick_element(w.document, w.view.camera, w.view.viewport, cursor, sight_.of(w));
 }
 
-// The priority under the mouse is: axis widget, armed tool, gizmo, cage.
+// Priority under the cursor: axis widget, armed tool, paint tool, gizmo handle, element.
 void Pointer::hover(Workspace& w, const PointerInput& input) {
   Interaction& interaction = w.view.interaction;
   interaction.over_axes = input.over_view && over_axes(w, input.position);
@@ -248,7 +248,7 @@ Pointer::Gesture Pointer::camera_gesture(const Workspace& w, int button, const P
   return input.shift ? Gesture::panning : input.ctrl ? Gesture::zooming : Gesture::orbiting;
 }
 
-// Starts a drag like that of the gizmo's center, but without a button.
+// Starts a transform without a pressed button. The selection then follows the cursor.
 void Pointer::begin_grab(Workspace& w, const PointerInput& input) {
   const bool wanted = !input.escape && shows_selectable(w) && !w.document.selection.empty();
   if (wanted && !input.over_view) return;  // wait until the pointer is in the view
@@ -319,7 +319,7 @@ void Pointer::press_armed(Workspace& w, const PointerInput& input) {
 }
 
 void Pointer::move(Workspace& w, const PointerInput& input) {
-  // A key may have changed the kind of elements, or removed the pressed element. If so, its index is invalid.
+  // If a key changed the element kind or removed the pressed element, the index in `grabbed_` is invalid.
   const document::ElementKind kind = w.document.selection.kind();
   const bool gone = grabbed_ && grabbed_->index >= element_count(w.document, kind);
   if (gesture_ == Gesture::pressed && (gone || kind != selection_before_.kind())) gesture_ = Gesture::ignored;
@@ -353,7 +353,7 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
   }
 }
 
-// Faces and dense vertices cover the whole cage. To allow boxes there, only selected elements can be dragged.
+// Faces and dense vertices leave no free place to begin a box. There, only selected elements can be dragged.
 bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
   const document::Selection& selection = w.document.selection;
@@ -409,7 +409,7 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::ignored);
 }
 
-// The drag may have selected the pressed element. The edit includes this selection even if nothing moved.
+// The drag may have selected the pressed element. If nothing moved, the selection alone is the edit.
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
   const unsigned long edits = document.history.revision();
@@ -427,7 +427,6 @@ void Pointer::brush_on(Workspace& w, const PointerInput& input) {
         *w.view.interaction.brushing);
 }
 
-// Selects the elements in the finished box or lasso.
 void Pointer::select_inside(Workspace& w, const PointerInput& input) {
   const auto inside = gesture_ == Gesture::lassoing
                           ? pick_elements_in_lasso(w.document, w.view.camera, w.view.viewport,
@@ -486,7 +485,7 @@ void Pointer::release(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::none);
 }
 
-// A click on a gizmo handle selects the element under the handle. If none is there, the selection stays.
+// A click on a gizmo handle selects the element under the handle. Without an element, the selection stays.
 void Pointer::click(Workspace& w) {
   clicked_ = !again_;
   if (std::exchange(again_, false) && w.document.model.surface) {
@@ -502,7 +501,6 @@ void Pointer::click(Workspace& w) {
   set_selection(w.document, std::move(selection));
 }
 
-// Requests the context menu. If the element under the cursor is not selected, selects it first.
 void Pointer::ask_for_menu(Workspace& w) {
   const auto hovered = w.view.interaction.hovered;
   if (hovered && !w.document.selection.contains(*hovered)) {
@@ -522,13 +520,13 @@ void Pointer::finish(Workspace& w, Gesture next) {
   gesture_ = next;
 }
 
-// The button is ignored until it is released.
+// Afterwards the pressed button is ignored until the user releases it.
 void Pointer::cancel(Workspace& w) {
   if (w.view.interaction.drag) w.view.interaction.drag->cancel(w.document);
   if (w.view.interaction.stroke) w.view.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
     return finish(w, Gesture::ignored);  // the selection is unchanged
-  // Do not select elements again that were removed during the gesture.
+  // If elements were removed during the gesture, the old indices can be invalid: then selects nothing.
   const auto& before = selection_before_.indices();
   const bool all_there =
       before.empty() || before.back() < element_count(w.document, selection_before_.kind());

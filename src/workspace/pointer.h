@@ -14,7 +14,7 @@ namespace viete::workspace {
 
 enum MouseButton { left_button = 0, right_button = 1, middle_button = 2 };
 
-/// The input of one frame. Positions are in logical pixels from the top left of the window.
+/// The input since the last picture. Positions are in logical pixels from the top left of the window.
 struct PointerInput {
   glm::vec2 position{-1, -1};
   std::array<bool, 3> down{};
@@ -22,16 +22,16 @@ struct PointerInput {
   float wheel = 0;            ///< steps, positive away from the user
   bool shift = false, ctrl = false, alt = false;
   bool over_view = true;  ///< false while a panel is under the pointer or uses the mouse
-  bool escape = false, enter = false, backspace = false;  ///< pressed in this frame
-  std::string typed;                                      ///< characters typed in this frame
+  bool escape = false, enter = false, backspace = false;  ///< pressed since the last picture
+  std::string typed;                                      ///< characters typed since the last picture
 };
 
-/// Arms a selection tool: the next left drag draws its shape, even if it starts on a vertex or the gizmo.
-/// If the tool is armed already, disarms it. The brush stays armed after a drag.
+/// Arms a selection tool: the next left drag draws `shape`, even from a vertex or the gizmo. If this tool is
+/// armed already, disarms the tool. The brush stays armed after a drag.
 void arm(Workspace& workspace, interact::SelectShape shape);
 void disarm(Workspace& workspace);
 
-/// The current gizmo of the selection; nullopt if there is no gizmo or the cage is hidden.
+/// The gizmo; nullopt without a visible selection, for locked probes, and for tools without a gizmo.
 std::optional<interact::Gizmo> gizmo_of(const Workspace& workspace);
 
 /// The current grip. The selection must not be empty.
@@ -43,14 +43,14 @@ std::optional<interact::AxisWidget> axis_widget_of(const Workspace& workspace);
 /// The point of the posed model under the cursor, in file coordinates.
 std::optional<mesh::Point> model_under(const Workspace& workspace, const glm::vec2& cursor);
 
-/// The position of a pivot for a click, in file coordinates: the vertex of the posed cage under the cursor.
-/// If there is none, the point of the model, or a point at the depth of the camera's target.
+/// The pivot for a click, in file coordinates: the cage vertex under the cursor. If there is no vertex, the
+/// model's point under the cursor. If there is no point, a point at the depth of the camera's target.
 mesh::Point pivot_place(const Workspace& workspace, const glm::vec2& cursor);
 
-/// Caches the Sight of the current view.
+/// Caches which elements are visible in the current view.
 class SightCache {
 public:
-  /// Null if elements behind the model or the cage can be selected too.
+  /// Null if the option select_visible is off: then all elements can be selected.
   const interact::Sight* of(const Workspace& workspace);
 
 private:
@@ -69,20 +69,22 @@ private:
   std::optional<interact::Sight> sight_;
 };
 
-/// The state of the pointer between frames: the pressed button and its gesture. A gesture that began in the
-/// view continues over panels until the button is released.
+/// The pressed button and its gesture. A gesture that began in the view continues over panels until the
+/// button is released.
 class Pointer {
 public:
   static constexpr float drag_threshold = 4;  ///< logical pixels before a press becomes a drag
 
-  /// Call once per frame. A left click selects (Shift adds, Ctrl removes). A left drag from a gizmo handle
-  /// transforms, from an element moves the selection, from elsewhere draws a box. It also draws a box with
-  /// Shift or Ctrl, on unselected faces and on dense unselected elements. An armed tool has priority. With
-  /// Tool::paint, a left drag paints the mask (Ctrl: the full share); Shift and wheel change the radius. A
-  /// middle, right or Alt+left drag orbits; it pans with Shift and zooms with Ctrl. The wheel zooms to the
-  /// cursor. A right click requests the context menu, a double click centers the view. With
-  /// Interaction::grab, the selection follows the cursor until a click. During a transform, characters set
-  /// constraint and amount, Ctrl snaps, Shift slows, Enter confirms, and Esc or the right button cancels.
+  /// Call once per drawn picture. An armed tool has priority over these gestures:
+  /// - Left click: selects. Shift adds, Ctrl removes. A double click centers the view.
+  /// - Left drag from a gizmo handle: transforms. From an element: moves the selection.
+  /// - Left drag elsewhere, with Shift or Ctrl, or from an unselected face or dense element: draws a box.
+  /// - Left drag with Tool::paint: paints the mask. Ctrl paints the full share. Shift+wheel sets the radius.
+  /// - Middle, right or Alt+left drag: orbits. With Shift: pans. With Ctrl: zooms. The wheel zooms too.
+  /// - Right click: requests the context menu.
+  /// - With Interaction::grab, the selection follows the cursor until a click.
+  /// - During a transform, characters set constraint and amount. Ctrl snaps, Shift slows, Enter confirms. Esc
+  ///   or the right button cancels.
   void frame(Workspace& workspace, const PointerInput& input);
 
   /// True during a gesture that began in the view.
@@ -143,7 +145,7 @@ private:
   std::optional<interact::SelectShape> shape_;  // the armed tool at the press
   bool crowded_ = false;
   document::SelectMode mode_ = document::SelectMode::replace;
-  bool clicked_ = false, again_ = false;  // the last press was a click; this press makes a double click
+  bool clicked_ = false, again_ = false;  // clicked_: the last press was a click. again_: a double click
   document::Selection selection_before_;
   document::Revision surfaces_ = 0;
   document::Revision cage_ = 0;

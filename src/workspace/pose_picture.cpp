@@ -150,7 +150,7 @@ public:
         depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
         tones_(depth_.size(), 0.0f) {}
 
-  // The corners have x and y in pixels, and z towards the viewer. A triangle covers at least one pixel.
+  // t: corners with x and y in pixels, and z towards the viewer. Small triangles cover one pixel.
   void add(const std::array<mesh::Vec3, 3>& t, float tone) {
     const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});
@@ -228,7 +228,7 @@ std::vector<PictureShape> shape_picture(const mesh::Surface& model, std::span<co
       const glm::vec2 on = static_cast<float>(pixels_per_point) * view.at(at[v]);
       return mesh::Vec3{on.x, on.y, z};
     };
-    // Back faces are visible in open models.
+    // Back faces are visible in open models. The normal must point to the viewer.
     const float light = lightness(normal[2] < 0 ? -1.0 * normal : normal);
     raster.add({placed(a, p[2]), placed(b, q[2]), placed(c, r[2])}, std::round(shades * light) / shades);
   }

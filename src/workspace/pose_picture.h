@@ -13,12 +13,12 @@
 
 namespace viete::workspace {
 
-/// A face of the model, convex and clockwise on screen.
+/// A face of the model or a row of pixels, clockwise on screen.
 struct PictureShape {
   bool outlined = true;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
   float tone = 1;                   ///< brightness
-  /// Triangulation by point index, if a fan about the last point does not work.
+  /// Triangles of point indices. If empty, a fan about the last point gives the triangles.
   std::vector<mesh::Triangle> triangles{};
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
@@ -32,7 +32,7 @@ struct PictureAngles {
 /// An orthographic view along -z.
 class PictureView {
 public:
-  /// The points that must fit into the picture.
+  /// The points must fit into the picture.
   struct Frame {
     std::span<const mesh::Point> points;
     glm::vec2 size;  ///< picture size

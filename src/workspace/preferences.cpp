@@ -77,7 +77,7 @@ constexpr std::array<std::string_view, 2> column_words = {"tools", "methods"};
 
 }  // namespace
 
-// json_codec.h finds these functions by their arguments.
+// Templates in json_codec.h find these functions by argument-dependent lookup.
 
 static void code(const files::JsonField& f, RecentFile& recent) {
   f.needed("file", recent.file);
@@ -105,7 +105,7 @@ static void code(const files::JsonField& f, PanelLayout& layout) {
   if (const auto sections = f.child("sections")) code_sections(*sections, layout.sections);
 }
 
-// Ignores unknown commands, which a newer version may have written.
+// Ignores unknown keys: a newer version may have written the file.
 static void code(const files::JsonField& f, Keymap& keymap) {
   KeyPreset preset = keymap.preset();
   f.member("preset", preset);

@@ -17,7 +17,7 @@ namespace viete::workspace {
 /// The side columns: tools on the left; methods, timings and the deformer on the right.
 enum class Column { tools, methods };
 
-/// The user's layout of the panels, in logical pixels. Small windows show only a part.
+/// The user's layout of the panels, in logical pixels. Small windows show fewer columns.
 struct PanelLayout {
   static constexpr float least_width = 288, usual_width = 320, largest_width = 560;
   static constexpr float least_view = 320;  ///< minimum view width between the columns
@@ -25,7 +25,7 @@ struct PanelLayout {
 
   std::array<float, 2> width{usual_width, usual_width};
   std::array<bool, 2> folded{};
-  Column last = Column::methods;         ///< the column that is shown if only one fits
+  Column last = Column::methods;         ///< the shown column if the window has room for only one
   bool timeline = false;                 ///< shown below the view, between the columns
   std::map<std::string, bool> sections;  ///< by title; true: open
 
@@ -45,14 +45,14 @@ ColumnWidths shown_columns(const PanelLayout& layout, float window_width);
 float column_height(const document::Viewport& viewport);
 
 /// The view: the part of the window without columns, bars, timeline and a row of notices of height `notice`.
-/// Without panels, only the row of notices is subtracted.
+/// If `panels` is false, only the row of notices is subtracted.
 document::Viewport view_between(const PanelLayout& layout, const glm::vec2& window, bool panels,
                                 float notice = 0);
 
-/// Shows or hides a column. A shown column replaces the other column if they do not both fit.
+/// Shows or hides a column. If the window has room for only one column, showing a column hides the other.
 void toggle_column(PanelLayout& layout, Column column, float window_width);
 
-/// Clamps the width to its limits and to the minimum width of the view.
+/// Sets the width of a column, within the limits of columns and so that the view keeps its minimum width.
 void set_width(PanelLayout& layout, Column column, float width, float window_width);
 
 /// A session, or a model with its cage.
@@ -75,7 +75,7 @@ struct Preferences {
   PanelLayout layout;
   Keymap keymap;
 
-  /// Inserts a file at the front. Makes its paths absolute.
+  /// Inserts a file at the front. Makes the paths absolute.
   void add(const RecentFile& file);
 
   friend bool operator==(const Preferences&, const Preferences&) = default;

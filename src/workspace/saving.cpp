@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Writes a file with `step`, if it overwrites no open file except `own`. Reports success and errors.
+// Calls step() to write `path`, which must not be an open file except `own`. Shows success or the error.
 template <class Step>
 bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;
@@ -42,7 +42,7 @@ bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// True if the probes equal the saved probes. If `by_time`, ignores their poses, which come from the keys.
+// True if the probes equal the saved probes. If `by_time`, ignores the probes' poses, because keys set them.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.files.saved.state.probes.all;
@@ -51,7 +51,7 @@ bool same_probes(const Workspace& w, bool by_time) {
   return now == w.files.saved.state.probes;
 }
 
-// True if the timeline is saved. An unkeyed pose can be saved in the list Timeline::unkeyed, or as the pose.
+// True if the timeline is saved. An unkeyed pose can be saved in Timeline::unkeyed or as the document's pose.
 bool same_timeline(const Workspace& w) {
   document::Timeline now = w.document.timeline;
   if (now == w.files.saved.state.timeline) return true;
@@ -136,7 +136,7 @@ void mark_saved(Workspace& w) {
   mark_pose_saved(w);
 }
 
-// Does not include probes, because the file of a pose does not contain them.
+// Does not include probes, because a pose file contains no probes.
 void mark_pose_saved(Workspace& w) {
   w.files.saved.put_pose(real_pose(w.document));
 }

@@ -11,9 +11,9 @@
 
 namespace viete::workspace {
 
-/// Writes the session, or the posed cage with its whole turns, atomically. A message reports the file or the
-/// error. Returns true on success. Marks all edits as saved, or only the edits of the pose.
+/// Writes the session atomically and marks all edits as saved. Shows a message. Returns true on success.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
+/// Like save_session(), but writes the posed cage with its whole turns, and marks only the pose as saved.
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest. Afterwards the cage belongs to this file.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);
@@ -22,14 +22,14 @@ bool save_cage(Workspace& workspace, const std::filesystem::path& path);
 void report_refusal(Workspace& workspace, const std::filesystem::path& file, const std::string& problem,
                     std::string_view topic);
 
-/// True if Save would overwrite a session that has changed since it was opened or saved here.
+/// True if another program has changed the session since it was opened or saved.
 bool changed_on_disk(const Workspace& workspace, const std::filesystem::path& session);
 /// The title of the window: the name of the session or model, with a star for unsaved edits.
 std::string window_title(const Workspace& workspace);
 
-/// True if cage, pose, named poses, keys, probes, mask, selection sets or deformer settings differ from the
-/// state that was opened or saved last. The pose counts only if it is not the timeline's pose at this frame.
-/// The method, camera, view and selection do not count: a session stores them, but losing them loses no work.
+/// True if the document differs from the state that was opened or saved last: in cage, pose, named poses,
+/// keys, probes, mask, selection sets or deformer settings. A pose that comes from the keys does not count.
+/// The method, camera, view and selection do not count either, although a session stores their values.
 bool has_unsaved_edits(const Workspace& workspace);
 /// Marks the document, or only its pose, as saved.
 void mark_saved(Workspace& workspace);
@@ -37,7 +37,7 @@ void mark_pose_saved(Workspace& workspace);
 
 files::Session session_of(const Workspace& workspace);
 
-/// All open files, except the file described by `own`, which the caller is about to overwrite.
+/// All open files, except the file with the name `own` ("the cage"): the caller may overwrite this file.
 document::FilesInUse files_open(const Workspace& workspace, std::string_view own = {});
 
 /// The file name of the session, or of the model if there is no session: "dragon.ply".

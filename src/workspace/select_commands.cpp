@@ -36,7 +36,6 @@ void invert_selection(Workspace& w) {
   set_selection(w.document, std::move(inverted));
 }
 
-// The selection and the hovered element.
 document::Selection selection_or_hovered(const Workspace& w) {
   document::Selection selection = w.document.selection;
   if (w.view.interaction.hovered && *w.view.interaction.hovered < selectable(w))

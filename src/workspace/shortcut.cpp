@@ -49,7 +49,7 @@ std::string text(const Shortcut& shortcut) {
 std::optional<Shortcut> shortcut_of(std::string_view text) {
   Shortcut shortcut;
   if (text.empty()) return shortcut;
-  // The key can be a plus sign. An empty part before a plus sign therefore ends the loop.
+  // A plus sign can also belong to the name of the key, as in "Num +". There the loop ends.
   for (std::size_t plus = text.find('+'); plus != std::string_view::npos && plus > 0; plus = text.find('+')) {
     const std::string_view held = text.substr(0, plus);
     if (same_word(held, "Ctrl")) {

@@ -23,7 +23,7 @@ void put_ways(Split& split, const document::SideWays& ways) {
   if (split.on()) split.linked = ways.cameras.empty();
   split.cameras = ways.cameras;
   if (!split.linked)
-    split.cameras.insert(split.cameras.begin(), document::CameraPose{});  // a place for the active view
+    split.cameras.insert(split.cameras.begin(), document::CameraPose{});  // for the active view; unused
 }
 
 std::size_t view_at(const Split& split, const document::Viewport& whole, const glm::vec2& place) {

@@ -14,14 +14,14 @@
 
 namespace viete::workspace {
 
-/// A view, and the results of its last frame. The first view shows the document's settings, see shown_way().
+/// A view, and the results of its last picture. The first view has the document's settings, see shown_way().
 struct SplitView : document::SideWay {
   FieldView shown{};
   FrameStats stats{};
-  /// Error of a frame in single precision against double precision, in diagonals of the cage. For a stitched
-  /// model, the error of the initial guess. Measured in the background; 0 if frames use double precision.
+  /// Error of the positions in single precision / diagonal of the cage. For a stitched model, the error
+  /// before stitching. Measured in the background; 0 in double precision.
   double fused_error = 0;
-  std::optional<double> exp_error{};  ///< largest relative error of sampled exponentials; nullopt: none used
+  std::optional<double> exp_error{};  ///< largest relative error of sampled exponentials, if there are any
   bool binding = false;
   std::string problem{};  ///< why the view shows no model
 };
@@ -32,11 +32,11 @@ struct Split {
   std::vector<SplitView> views = std::vector<SplitView>(1);
   bool linked = true;                         ///< all views share one camera
   std::size_t active = 0;                     ///< the view with the gizmo and the current camera
-  std::vector<document::CameraPose> cameras;  ///< cameras of inactive views, if not linked
+  std::vector<document::CameraPose> cameras;  ///< if not linked: one for each view, unused for the active
 
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }
-  /// All views but the first.
+  /// All views except the first.
   std::span<SplitView> sides() { return std::span(views).subspan(1); }
   std::span<const SplitView> sides() const { return std::span(views).subspan(1); }
 };

@@ -45,7 +45,6 @@ constexpr Condition deletes_keys{
     [](const Workspace& w) { return has_selected_keys(w) && w.view.time.hovered; },
     "Select keys in the timeline first and keep the pointer over the timeline."};
 
-// Runs an edit. If the edit fails, shows the error.
 template <class Edit>
 void try_edit(Workspace& w, const char* what, Edit edit) {
   try {
@@ -69,7 +68,7 @@ void remove(Workspace& w) {
   w.view.chosen_pose = left == 0 ? std::nullopt : std::optional(std::min(*w.view.chosen_pose, left - 1));
 }
 
-// Sets keys. If the timeline is closed, opens the timeline.
+// Sets keys. If the timeline is closed or has no keys yet, opens the timeline and shows all keys.
 void set_keys(Workspace& w, const auto& set, const std::string& done) {
   try_edit(w, "key", [&] {
     const bool shown = w.preferences.layout.timeline && !w.document.timeline.empty();

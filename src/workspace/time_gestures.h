@@ -8,19 +8,19 @@
 
 namespace viete::workspace {
 
-/// Selected frames with a key.
+/// The selected frames that have a key.
 std::vector<int> selected_keys(const Workspace& workspace);
 /// The frames of the keys whose easing is edited: the selected keys that have a next key. If no such key is
 /// selected, the last key at or before the current frame.
 std::vector<int> eased_keys(const Workspace& workspace);
 
-/// A mouse press at a frame. On a key, selects the key and starts to drag the selected keys; with `add`, only
-/// toggles the key. Elsewhere, starts a box selection.
+/// A mouse press at `frame`. If `key` is set, selects this key and starts to drag the selected keys; with
+/// `add`, only toggles this key. Otherwise starts a box selection.
 void press_keys(Workspace& workspace, double frame, std::optional<int> key, bool add);
 /// A press in the ruler: goes to the frame.
 void press_ruler(Workspace& workspace, double frame);
 void press_pan(Workspace& workspace, double frame);
-/// Continues a drag to the frame under the mouse. For a pan, use the visible range at the press for `frame`.
+/// Continues a drag to `frame`. For a pan, `frame` must be computed with the visible range at the press.
 void drag_time(Workspace& workspace, double frame);
 void release_time(Workspace& workspace);
 /// Cancels a drag: restores the state before the press.

@@ -13,7 +13,7 @@ namespace viete::workspace {
 
 namespace {
 
-// Shows the panels too if they are hidden.
+// Shows or hides a column. If all panels are hidden, shows the panels with this column.
 Effect shows(Column column) {
   const auto shown = [column](const Workspace& w) {
     return w.view.options.panels &&

@@ -42,7 +42,7 @@ std::vector<mesh::Point> element_points(const deform::Cage& cage, const deform::
   return points;
 }
 
-// The corners of boxes around the selected probes, with their largest radius.
+// The corners of cubes around the selected probes. The edge length is the largest radius of the probe.
 std::vector<mesh::Point> around_probes(const document::Document& document) {
   std::vector<mesh::Point> points;
   for (const auto i : document.selection.indices()) {
@@ -55,7 +55,7 @@ std::vector<mesh::Point> around_probes(const document::Document& document) {
 }
 
 void widen(std::vector<glm::vec3>& points) {
-  constexpr float least = 0.12F;  // for a model of size 2
+  constexpr float least = 0.12F;  // in view units: the model's diagonal is 2
   glm::vec3 low = points[0], high = points[0];
   for (const auto& p : points) low = glm::min(low, p), high = glm::max(high, p);
   const glm::vec3 middle = 0.5F * (low + high);
@@ -116,7 +116,7 @@ float offer_height(const Workspace& w) {
 void frame_all(Workspace& w, bool eased) {
   const document::Document& document = w.document;
   if (!document.model.surface) return;
-  // A cage encloses its model.
+  // The cage encloses the model. If there is a cage, it is enough to show the cage.
   const std::vector<mesh::Point> points =
       document.has_cage() ? element_points(*document.cage, document.pose) : corners(document.model.bounds);
   w.view.camera.frame(in_view(document.space, points), w.view.viewport, eased, offer_height(w));
@@ -178,7 +178,7 @@ void begin_widget_edit(Workspace& w) {
                           w.making.wish,       w.preferences.layout, w.files.opened};
 }
 
-// During cage generation the document is not restored, because the new cage follows the settings anyway.
+// During cage generation, the document is not restored: the restored settings give the previous cage again.
 void cancel_widget_edit(Workspace& w) {
   if (!w.panels.before_edit || w.panels.before_edit->opened != w.files.opened) return;
   BeforeWidgetEdit before = *std::exchange(w.panels.before_edit, std::nullopt);

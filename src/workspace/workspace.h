@@ -50,10 +50,10 @@ struct TimedPose {
 /// The state of playback, see playing.h.
 struct Playback {
   bool playing = false;
-  bool backward = false;  ///< direction, for ping-pong
+  bool backward = false;  ///< true while ping-pong plays backward
   bool auto_key = false;  ///< edits of the pose set a key at the current frame
   document::VectorCache vectors{};
-  std::shared_ptr<const document::Animation> animation{};  ///< for `timeline`; null without keys
+  std::shared_ptr<const document::Animation> animation{};  ///< of timeline, cage, model; null without keys
   document::Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
@@ -66,7 +66,7 @@ struct Playback {
 /// The elements under the cursor in the view, and the current drag or selection.
 struct Interaction {
   std::optional<std::uint32_t> hovered;         ///< element of the selection's kind under the cursor
-  std::optional<glm::vec2> cursor;              ///< in the view, logical pixels
+  std::optional<glm::vec2> cursor;              ///< in logical pixels; nullopt outside the view
   std::optional<interact::Constraint> handle;   ///< gizmo handle under the cursor
   bool over_axes = false;                       ///< the cursor is over the axis widget
   std::optional<interact::TransformDrag> drag;  ///< the current transform of the selection
@@ -81,20 +81,20 @@ struct Interaction {
   std::optional<document::SelectMode> brushing;  ///< the current brush selection
   std::optional<interact::SelectShape> armed;  ///< the next left drag draws this shape; the brush stays armed
   float select_radius = 40;                    ///< brush radius, logical pixels
-  bool crowded = false;           ///< elements under the cursor are so dense that a drag draws a box
+  bool crowded = false;           ///< elements at the cursor are so dense that a drag draws a box
   std::optional<glm::vec2> menu;  ///< position of a right click, where the context menu must open
-  glm::vec2 menu_at{0, 0};        ///< the cursor for commands of the context menu
+  glm::vec2 menu_at{0, 0};        ///< cursor position for commands of the open context menu
   std::optional<Link> stage;      ///< stage of the deformation under the cursor in the timings
   bool placing_pivot = false;     ///< the next click places the pivot
   struct Grab {
     interact::Tool tool;
     interact::Shape shape = interact::Shape::none;
   };
-  std::optional<Grab> grab;  ///< the selection follows the cursor without a button
+  std::optional<Grab> grab;  ///< if set, the selection follows the cursor without a pressed button
   std::string setting_key;   ///< the command that gets the next pressed key; empty: none
 };
 
-/// The state at a mouse press that a slider or another widget can change.
+/// The state before a mouse press on a slider or another widget.
 struct BeforeWidgetEdit {
   document::EditMark document;
   document::Handling handling;
@@ -107,17 +107,17 @@ struct BeforeWidgetEdit {
 /// The text of a field during editing.
 struct TypedText {
   std::string text;
-  int frame = 0;  ///< the frame in which the field was last drawn
+  int frame = 0;  ///< number of the picture in which the field was last drawn
 };
 
 /// The slider that is replaced by a number field.
 struct TypedSlider {
   std::string name;
-  int frame = 0;  ///< the frame in which the field was last drawn
-  int waits = 0;  ///< frames until the request for the keyboard focus fails
+  int frame = 0;  ///< number of the picture in which the field was last drawn
+  int waits = 0;  ///< number of pictures until the request for the keyboard focus fails
 };
 
-/// Requests to the program. Once a frame, the program handles and clears the requests.
+/// Requests to the program. Once per drawn picture, the program handles and clears the requests.
 struct Requests {
   bool quit = false;
   bool screenshot = false;
@@ -136,8 +136,8 @@ using base::WorkState;
 /// The state that the user's files contain. Later edits are unsaved.
 struct Saved {
   std::filesystem::path session{};         ///< the session's file; empty: Save asks for a name
-  std::optional<std::uint64_t> content{};  ///< checksum of that file when read or written; nullopt: unknown
-  document::DocumentState state{};  ///< last opened or saved, with the real pose; empty for recovered edits
+  std::optional<std::uint64_t> content{};  ///< checksum of `session` when read or written; nullopt: unknown
+  document::DocumentState state{};  ///< as last opened or saved, see real_pose(); empty for recovered edits
   bool recovered = false;           ///< the document contains recovered edits that are not saved yet
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
@@ -157,7 +157,7 @@ struct About {
   std::string kernel;     ///< kernel of the matrix exponential
   std::string renderer;   ///< OpenGL renderer
   bool software = false;  ///< software rendering on the CPU
-  /// While the picture moves, a model with more triangles than this is drawn simplified.
+  /// While the picture moves, models with more than this number of triangles are drawn simplified.
   std::size_t moving_triangles = std::numeric_limits<std::size_t>::max();
 };
 
@@ -169,13 +169,13 @@ struct Palette {
   std::size_t highlighted = 0;  ///< index among the matches
 };
 
-/// The list of all commands, where the user can change their keys.
+/// The list of all commands, in which the user can change keys.
 struct KeyList {
   bool open = false;
   bool appearing = false;                     ///< the list was just opened and needs the keyboard focus
   std::string typed;                          ///< search text
-  bool waiting = false;                       ///< in the last frame, a command was waiting for its key
-  std::optional<Keymap::Changes> taken_back;  ///< the changes before Reset all, to restore them
+  bool waiting = false;                       ///< in the last picture, a command was waiting for its key
+  std::optional<Keymap::Changes> taken_back;  ///< the keymap changes that Reset all has removed
 };
 
 struct CopiedPose {
@@ -186,7 +186,7 @@ struct CopiedPose {
   bool is_of(const document::Document& document) const { return cage && cage == document.cage; }
 };
 
-/// How the document is shown, and the tools. Commands, panels and the pointer write it.
+/// The display of the document, and the tools. Written by commands, panels and the pointer.
 struct View {
   document::ViewOptions options;
   document::Camera camera;
@@ -204,7 +204,7 @@ struct View {
   bool full_screen = false;                ///< the window must fill the screen
 };
 
-/// Running work. Commands and panels write the requests, and the program writes the states.
+/// Running work. Commands and panels write `requests`. The program writes the other members.
 struct Jobs {
   Requests requests;
   WorkState loading;  ///< opening files: reading, then binding
@@ -215,25 +215,25 @@ struct Jobs {
   bool working() const { return loading.running || binding.running || making_cage.running; }
 };
 
-/// The user's files, and questions about them. Opening, saving and the file browser write them.
+/// The user's files, and questions about files. Written by opening, saving and the file browser.
 struct Files {
   Saved saved;
   document::Revision opened = 0;               ///< increases when another document is opened
   std::filesystem::path example;               ///< session with poses and keys for the bundled model
   std::optional<Question> question;            ///< a modal question, which blocks other actions
-  std::optional<files::OpenRequest> unopened;  ///< the request to open files that caused the question
+  std::optional<files::OpenRequest> unopened;  ///< the request that caused the question
   std::optional<Question::Kind> after_saving;  ///< the action to continue after saving
   FileBrowser browser;
 };
 
-/// Unsaved edits of earlier documents and runs. Autosave and the recovery commands write them.
+/// Unsaved edits of earlier documents and runs. Written by autosave and the recovery commands.
 struct Recovery {
   std::vector<files::RecoveryFile> files;  ///< files with recovered edits, newest first
   bool offered = false;                    ///< show the notice about these files
   std::filesystem::path from;              ///< the open recovery file, until its edits are saved elsewhere
 };
 
-/// State that panels keep between frames. Panels and their commands write it.
+/// State that panels keep between drawn pictures. Written by panels and their commands.
 struct Panels {
   Palette palette;
   KeyList key_list;
@@ -246,10 +246,10 @@ struct Panels {
   bool offer_cage = true;      ///< false: the user has dismissed the suggestion to get a cage
   bool show_messages = false;  ///< show the message list
   bool ask_keys = false;       ///< show the choice of a keymap
-  bool has_user = true;        ///< false for pictures that a command renders: shows no messages
+  bool has_user = true;        ///< false while a command renders a picture without messages
 };
 
-/// Results of the last frame. The program writes them.
+/// Results of the last drawn picture. Written by the program.
 struct FrameResults {
   document::PosedModel posed;      ///< the model as drawn
   std::vector<std::string> notes;  ///< problems of the current pose, one line each
@@ -260,19 +260,19 @@ struct FrameResults {
 };
 
 struct Workspace {
-  document::Document document;  ///< saved in files; edits write it, and undo restores it
+  document::Document document;  ///< saved in files; changed by edits and undo
   View view;
-  Playback playback;            ///< the functions of playing.h write it
-  document::CageMaking making;  ///< the panel of cage generation and the program write it
-  CheckState checks;            ///< the program writes it; the panel chooses the shown finding
+  Playback playback;            ///< written by the functions of playing.h
+  document::CageMaking making;  ///< written by the panel of cage generation and the program
+  CheckState checks;            ///< written by the program; the panel chooses the shown finding
   Files files;
   Recovery recovery;
   Jobs jobs;
   Messages messages;        ///< every part of the program adds messages
-  Preferences preferences;  ///< remembered between runs; commands and panels write it
+  Preferences preferences;  ///< remembered between runs; written by commands and panels
   Panels panels;
   FrameResults frame;
-  About about;  ///< the program writes it at the start
+  About about;  ///< written by the program at the start
 };
 
 /// True if motion in the view is drawn at half the resolution. The default is true for software rendering.
@@ -320,25 +320,25 @@ document::CameraPose last_camera_of(const Workspace& workspace, std::size_t view
 /// The views as stored in a session.
 document::SideWays ways_of(const Workspace& workspace);
 
-/// Stores the state at a mouse press, so that cancel_widget_edit() can restore this state.
+/// Stores the state before a mouse press, so that cancel_widget_edit() can restore this state.
 void begin_widget_edit(Workspace& workspace);
 void cancel_widget_edit(Workspace& workspace);
 
 /// The height in logical pixels of the suggestion to get a cage; 0 if it is not shown.
 float offer_height(const Workspace& workspace);
 
-/// Moves the camera to the model and its posed cage, or to the selection; gradually if `eased`.
+/// Moves the camera so that the model and posed cage, or the selection, fill the view; gradually if `eased`.
 void frame_all(Workspace& workspace, bool eased);
 void frame_selection(Workspace& workspace, bool eased);
 /// Moves the camera to the vertex with the largest value of the map.
 void frame_worst(Workspace& workspace);
-/// Highlights a finding and moves the camera to it. If the finding is highlighted already, hides it.
+/// Highlights a finding and moves the camera there. If the finding is already highlighted, hides the finding.
 void toggle_finding(Workspace& workspace, std::size_t index);
-/// Highlights only the next (1) or previous (-1) element of the finding; continues at the other end.
+/// Highlights only the next (step 1) or previous (step -1) element. After the last element comes the first.
 void step_element(Workspace& workspace, int step);
 /// Moves the camera to the highlighted elements.
 void frame_finding(Workspace& workspace);
-/// Stores the whole turns of the deformer's report in the pose, and its notes in the workspace.
+/// Stores the whole turns of `report` in the pose, and the notes of `report` in the workspace.
 void take_report(Workspace& workspace, const deform::LogReport& report);
 
 }  // namespace viete::workspace

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Returns the positions of the pose at this frame, from a separate export.
+// Exports the model with the pose of this frame, and returns the positions in the file.
 std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double frame) {
   Export one = export_of(cube.document, cube / "one.ply");
   one.pose = cube.pose(frame).cage;
@@ -38,7 +38,7 @@ std::vector<mesh::Point> exact_frame(const test::AnimatedCube& cube, double fram
   return positions;
 }
 
-// Returns the index of each model vertex in the glTF file, because glTF does not keep the order.
+// For each vertex of the model, returns the index in the glTF file. The vertex order in the file can differ.
 std::vector<std::size_t> file_vertices(const mesh::Surface& read, const mesh::Surface& model) {
   std::vector<std::size_t> own;
   for (const mesh::Point& p : model.positions) {
@@ -62,7 +62,7 @@ std::set<std::string> names_in(const fs::path& folder) {
   return names;
 }
 
-// Cancels an export as soon as its progress reaches `share`. Returns true if the export stopped.
+// Cancels an export when the progress reaches `share`. Returns true if the export stopped.
 bool cancelled_at(double share, const AnimationExport& what) {
   base::Progress progress;
   std::jthread watcher([&](const std::stop_token& stop) {
@@ -103,7 +103,7 @@ TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
 TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
   test::AnimatedCube cube;
   for (const char* name : {"a.pc2", "a.mdd"}) {
-    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // float and double precision
+    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // exported in float, in double
       CAPTURE(name);
       cube.document.method = method;
       const AnimationExport what = animation_export_of(cube.document, cube / name);
@@ -127,7 +127,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
-  // The first, the middle and the last frame determine the precision. Here, they are at rest.
+  // The export tests the error of float only at the first, middle and last frame. Here, the cage is at rest.
   cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;
@@ -152,7 +152,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
 TEST_CASE("morph_targets_keep_lines_as_near_to_every_frame_as_they_are_told") {
   const test::AnimatedCube cube;
   const double diagonal = 2 * std::sqrt(3.0);
-  std::size_t before = 3;  // the number of keys
+  std::size_t before = 3;  // number of keys on the timeline
   for (const double tolerance : {5e-2, 1e-3}) {
     CAPTURE(tolerance);
     AnimationExport what = animation_export_of(cube.document, cube / "a.glb");

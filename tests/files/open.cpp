@@ -177,7 +177,7 @@ TEST_CASE("opened_files_move_to_the_front_of_the_recent_files") {
   CHECK(w.preferences.recent[1] == RecentFile{files / "a.viete", {}});
 }
 
-// For a cage with holes, the manifest requires only a warning.
+// cage_open.obj is an exception: this cage has holes and gives only a warning.
 TEST_CASE("every_odd_cage_and_pose_of_the_shared_data_does_what_its_manifest_expects" *
           doctest::test_suite(test::if_present)) {
   const fs::path folder = test::shared_data("bad");
@@ -282,7 +282,7 @@ TEST_CASE("a_new_model_is_moved_by_the_default_and_settings_choose_weights_that_
   test::put_file(files / "a.viete",
                  R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj"})");
   CHECK(text(open_files({OpenRequest::What::model, {files / "a.viete"}}, {}).document->scheme) ==
-        "inverse, srl");  // the default of old sessions
+        "inverse, srl");  // the default if the session has no weights
   test::put_file(
       files / "b.viete",
       R"({"format": "viete session", "version": 1, "model": "model.obj", "cage": "cage.obj", "weights": "harmonic"})");
@@ -405,7 +405,7 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   REQUIRE(save_session(w, files / "loop.viete"));
 
   Workspace own = test::opened({files.model, files.cage});
-  CHECK_FALSE(test::run_command(own, "open_example"));  // own.example is not set
+  CHECK_FALSE(test::run_command(own, "open_example"));  // own.files.example is not set
   own.files.example = files / "loop.viete";
   REQUIRE(test::run_command(own, "open_example"));
   REQUIRE(open_now(own, *own.jobs.requests.open));

@@ -74,7 +74,7 @@ TEST_CASE("recovered_edits_that_equal_the_files_on_disk_are_not_offered") {
     CHECK(fs::exists(kept) == any);
     return any;
   };
-  CHECK_FALSE(offered());  // the pose equals the file of the cage
+  CHECK_FALSE(offered());  // the pose equals the cage file
   move();
   CHECK(offered());
   REQUIRE(save_session(w, files / "a.viete"));

@@ -140,7 +140,7 @@ TEST_CASE("a_session_changed_on_disk_is_noticed_by_its_content") {
   CHECK(changed_on_disk(w, session));
   CHECK_FALSE(changed_on_disk(w, files / "b.viete"));
   fs::remove(session);
-  CHECK_FALSE(changed_on_disk(w, session));  // no save would overwrite a file
+  CHECK_FALSE(changed_on_disk(w, session));  // the file does not exist
 }
 
 TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
@@ -211,7 +211,7 @@ TEST_CASE("a_cage_that_was_edited_is_still_not_replaced_by_a_pose") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
   w.document.cage_file = generated_surface(*w.document.cage_file.surface, "cage.obj, edited");
-  CHECK_FALSE(save_pose(w, files.cage));  // an undo could make this file the cage again
+  CHECK_FALSE(save_pose(w, files.cage));  // after an undo, this file could be the cage again
   CHECK(save_cage(w, files.cage));
 }
 

@@ -440,7 +440,7 @@ TEST_CASE("opening_a_session_warns_of_a_changed_model_or_cage") {
   Workspace w = test::opened({files.model, files.cage, files.pose});
   REQUIRE(save_session(w, files / "a.viete"));
   fs::copy(files.cage, files / "same.obj");
-  fs::rename(files / "same.obj", files.cage);  // a new file with the same content
+  fs::rename(files / "same.obj", files.cage);  // replaces the file by a file with the same content
   CHECK(said_on_opening(files / "a.viete").empty());
 
   mesh::Surface cage = test::cube(1.5);
@@ -483,7 +483,7 @@ TEST_CASE("a_broken_cage_names_both_files") {
   CHECK_MESSAGE((mentions(said, "a.viete: cage: ") && mentions(said, "cage.obj:2")), said);
 }
 
-// The damage does not change brackets and quotes. The JSON therefore often stays valid.
+// Half of the rounds damage only digits, so that the JSON often stays valid.
 TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::test_suite(test::longer)) {
   const test::CubeFiles files;
   const std::string whole = session_text(session_of(animated(files)), files / "a.viete");

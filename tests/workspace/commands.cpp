@@ -175,7 +175,7 @@ TEST_CASE("a_failed_deformer_leaves_no_history_entry") {
   w.document.pose.positions[0][0] += 0.25;
   test::run_command(w, "weights_mean_value");
   test::run_command(w, "reset_pose");
-  revert_scheme(w.document, deform::Scheme());  // keeps settings that were changed later
+  revert_scheme(w.document, deform::Scheme());  // keeps both edits: the last edit did not change the scheme
   CHECK(test::edit_count(w.document.history) == edits + 2);
   CHECK(w.document.scheme == deform::Scheme());
 }
@@ -227,7 +227,7 @@ TEST_CASE("every_command_is_understood_by_its_label_alone") {
     CHECK_MESSAGE((label.find(' ') != label.npos || plain.contains(label)), label);
     CHECK_FALSE(command.brief.empty());
     if (command.submenu.empty()) continue;
-    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // the label includes the headline
+    CHECK_MESSAGE(label.size() > command.brief.size(), label);  // the label begins with the submenu's title
   }
 }
 

@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// A file browser. It shows a folder with files of several kinds.
+// A folder with files of several kinds, and a file browser that shows the folder.
 struct Listed : test::TemporaryFolder {
   FileBrowser browser;
 
@@ -76,7 +76,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   highlight(browser, 2);
   const std::string path = browser.path;
   const auto listed_anew = [&](const std::string& all, std::size_t highlighted) {
-    browser.changed = {};  // file times may have a low resolution
+    browser.changed = {};  // forces a new list, because file times can have a low resolution
     refresh(browser);
     CHECK(names(browser) == all);
     CHECK(browser.highlighted == highlighted);
@@ -92,7 +92,7 @@ TEST_CASE("files_that_come_and_go_are_listed_anew_and_the_highlight_stays_on_its
   listed_anew("Sub ", 0);
   browser.entries.clear();
   refresh(browser);
-  CHECK(browser.entries.empty());  // the folder has not changed
+  CHECK(browser.entries.empty());  // no new list, because the folder has not changed
 }
 
 TEST_CASE("a_filter_narrows_the_list_and_the_highlight_stays_within_it") {

@@ -60,14 +60,14 @@ TEST_CASE("a_preset_key_has_its_original_function_or_none") {
     Names names;
   };
   const Expected all[] = {
-      {KeyPreset::blender, "Ctrl+R", {}},  // loop cut
+      {KeyPreset::blender, "Ctrl+R", {}},  // loop cut in Blender
       {KeyPreset::blender, "G", {"grab"}},
       {KeyPreset::blender, "Alt+A", {"select_none"}},
       {KeyPreset::blender, "Ctrl+Z", {"undo"}},
       {KeyPreset::blender, "T", {"toggle_tools"}},
       {KeyPreset::blender, "N", {"toggle_methods"}},
       {KeyPreset::blender, "P", {}},
-      {KeyPreset::blender, "Ctrl+B", {}},  // bevel
+      {KeyPreset::blender, "Ctrl+B", {}},  // bevel in Blender
       {KeyPreset::blender, "Shift+H", {"hide_others"}},
       {KeyPreset::blender, "F11", {}},
       {KeyPreset::maya, "A", {"frame_all"}},
@@ -76,7 +76,7 @@ TEST_CASE("a_preset_key_has_its_original_function_or_none") {
       {KeyPreset::maya, "F10", {"select_edges"}},
       {KeyPreset::maya, "F11", {"select_faces"}},
       {KeyPreset::maya, "Ctrl+E", {"extrude_faces"}},
-      {KeyPreset::maya, "X", {}},  // snap to grid
+      {KeyPreset::maya, "X", {}},  // snap to grid in Maya
       {KeyPreset::maya, "1", {}},
       {KeyPreset::viete, "Ctrl+R", {"reset_pose"}},
       {KeyPreset::viete, "T", {"toggle_theme"}},

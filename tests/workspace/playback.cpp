@@ -23,7 +23,7 @@ using test::distance, test::turned_cube;
 
 namespace {
 
-// A timeline with keys at rest (frame 1), half a turn (11) and twice the width (31). Ten frames per second.
+// A timeline with ten frames per second. Keys: at rest (frame 1), half a turn (11), twice the width (31).
 struct Played {
   Workspace w = test::cube_workspace();
 
@@ -95,7 +95,7 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
   lost_without_a_word([&] {
-    // The positions do not change after a full turn.
+    // A full turn changes the pose, but not the positions.
     deform::Pose pose = p.document().pose;
     pose.turns[0][2] += 2 * std::numbers::pi;
     p.put(pose);
@@ -201,7 +201,7 @@ TEST_CASE("a_stored_or_saved_pose_is_not_unsaved_work_at_other_frames") {
   mark_saved(p.w);
   go_to_frame(p.w, 6);
   CHECK_FALSE(has_unsaved_edits(p.w));
-  mark_saved(p.w);  // saves a pose that is not in a key, but in the list of poses
+  mark_saved(p.w);  // saves the pose that is now in Timeline::unkeyed
   CHECK_FALSE(has_unsaved_edits(p.w));
   p.put(turned_cube(55));
   go_to_frame(p.w, 7);
@@ -374,7 +374,7 @@ TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   set_radius(p.document(), 0.3);
   p.pass(0);
   undo(p.document());
-  CHECK(p.timeline().keys.size() == 3);  // the pose has not changed
+  CHECK(p.timeline().keys.size() == 3);  // no new key, because the pose has not changed
   p.put(turned_cube(77));
   p.pass(0);
   REQUIRE(key_at(p.timeline(), 21));

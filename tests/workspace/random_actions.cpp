@@ -26,7 +26,7 @@ using namespace viete::workspace;
 
 namespace {
 
-// Makes random input: mouse, modifiers, keys and commands. Also makes input during drags.
+// Makes random input with mouse, keys and commands, also during drags.
 class RandomUser {
 public:
   explicit RandomUser(unsigned seed) : random_(seed) {
@@ -106,7 +106,6 @@ private:
     input_.down = {};
     step();
   }
-  // Presses random keys during a drag.
   void disturb() {
     static const std::string keys = "xyzXYZ0123456789.-";
     if (once_in(6)) input_.typed = keys[static_cast<std::size_t>(below(static_cast<int>(keys.size())))];
@@ -141,7 +140,6 @@ private:
     test::run_command(w, tools[below(3)]);
     w.view.options.cage = true;
   }
-  // Selects with random tools, also over vertices and the gizmo. Sometimes cancels a brush.
   void select_otherwise() {
     static const char* const shapes[] = {"select_box", "select_lasso", "select_brush"};
     test::run_command(w, shapes[below(3)]);

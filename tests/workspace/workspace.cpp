@@ -68,7 +68,7 @@ TEST_CASE("a_repeated_message_is_counted_and_visible_again_and_the_last_200_stay
   CHECK(messages.all().back().times == 1002);
   messages.dismiss(1);
   messages.info("other");
-  messages.warn("again");  // differs from the last message, so it is added
+  messages.warn("again");  // added, because the equal message is hidden and not the last
   CHECK(messages.all().size() == 3);
   CHECK(messages.revision() == 1005);
   for (int i = 0; i < 1000; ++i) messages.info(std::to_string(i));
