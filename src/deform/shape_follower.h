@@ -1,3 +1,4 @@
+// Moves a shape with the cage, for cages whose rows have no rotations.
 #pragma once
 
 #include <memory>

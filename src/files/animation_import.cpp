@@ -74,8 +74,6 @@ ImportedPoses read_poses(std::span<const fs::path> files, const deform::Cage& ca
                       "there are " + base::counted(all.poses.size(), "pose") + ", and a document can have " +
                           base::with_thousands(document::PoseLibrary::most_poses),
                       "choose fewer poses");
-  for (document::NamedPose& pose : all.poses)
-    pose.name.resize(std::min(pose.name.size(), document::PoseLibrary::longest_name));
   return all;
 }
 

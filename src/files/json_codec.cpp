@@ -220,10 +220,14 @@ bool is_flat(const ordered_json& value) {
   return std::none_of(value.begin(), value.end(), [](const ordered_json& v) { return v.is_structured(); });
 }
 
+std::string in_one_line(const ordered_json& value) {
+  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 void put(std::string& out, const ordered_json& value, const std::string& indent) {
   const bool object = value.is_object();
   if (value.empty() || !value.is_structured() || (!object && is_flat(value))) {
-    out += value.dump();
+    out += in_one_line(value);
     return;
   }
   const std::string inner = indent + "  ";
@@ -231,7 +235,7 @@ void put(std::string& out, const ordered_json& value, const std::string& indent)
   const char* separator = "\n";
   for (const auto& [key, item] : value.items()) {
     out += separator + inner;
-    if (object) out += ordered_json(key).dump() + ": ";
+    if (object) out += in_one_line(key) + ": ";
     put(out, item, inner);
     separator = ",\n";
   }
@@ -291,11 +295,7 @@ constexpr const char* encoded_key = "percent_encoded";
 
 std::string readable(const ordered_json& value, const std::filesystem::path& file) {
   std::string out;
-  try {
-    put(out, value, "");
-  } catch (const ordered_json::type_error&) {
-    throw base::Error(file.string(), "a name to be stored is not UTF-8", "change the name");
-  }
+  put(out, value, "");
   out += '\n';
   check_length(out.size(), file, "delete shapes or poses that you do not need");
   return out;

@@ -28,8 +28,8 @@ namespace viete::files {
 inline constexpr std::size_t most_json_bytes = 128 << 20, most_json_depth = 32, longest_text = 3 * 4096;
 
 /// Returns the text of a JSON file with one key per line. If an array contains arrays or objects, each item
-/// has its own line. Other arrays are on one line. Reading the text gives exactly the same doubles. If a
-/// string is not UTF-8 or the text exceeds most_json_bytes, throws base::Error. Errors contain `file`.
+/// has its own line. Other arrays are on one line. Reading the text gives exactly the same doubles. In
+/// strings, bytes that are not UTF-8 become U+FFFD. If the text exceeds most_json_bytes, throws base::Error.
 std::string readable(const nlohmann::ordered_json& value, const std::filesystem::path& file);
 
 /// Converts a file name to a JSON string. If the name is not UTF-8, converts the name to an object:

@@ -1,4 +1,3 @@
-
 #include "files/output.h"
 #include "workspace/command_conditions.h"
 #include "workspace/command_tables.h"

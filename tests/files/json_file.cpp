@@ -44,7 +44,6 @@ TEST_CASE("a_mistake_is_named_with_its_line_and_a_missing_file_as_such") {
   test::put_file(folder / "huge", "{\"a\": [1, -1e999]}");
   CHECK(mentions(problem("huge"), "huge: the file contains a number that is too large"));
   CHECK(mentions(problem("none"), "no such file"));
-  CHECK_THROWS_AS(readable({{"a", "\xff"}}, "f"), base::Error);
 }
 
 TEST_CASE("foreign_files_are_refused_before_memory_is_allocated") {

@@ -522,7 +522,7 @@ TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::tes
   CHECK(opened > rounds / 10);
 }
 
-TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
+TEST_CASE("names_of_files_and_poses_that_are_not_utf_8_are_saved") {
   const test::CubeFiles files;
   const fs::path folder = files / "caf\xe9 100%";
   fs::create_directories(folder);
@@ -530,11 +530,13 @@ TEST_CASE("a_model_and_a_cage_whose_names_are_not_utf_8_come_back") {
   fs::rename(files.cage, folder / "c\xff.obj");
   Workspace w;
   REQUIRE(test::load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
+  REQUIRE(open_now(w, {OpenRequest::What::poses, {folder / "c\xff.obj"}}));
   for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
     REQUIRE(save_session(w, session));
     Workspace back = test::opened({session});
     CHECK(back.document.model.path.filename() == "m\xff.obj");
     CHECK(back.document.cage_file.path.filename() == "c\xff.obj");
+    CHECK(back.document.library.poses.at(0).name == "c\xef\xbf\xbd");
   }
 }
 
