@@ -12,8 +12,8 @@ using namespace viete::test;
 namespace {
 
 /// The files of a small model and its posed cage.
-struct SmallModel {
-  explicit SmallModel(const TemporaryFolder& scratch) {
+struct ReportedModel {
+  explicit ReportedModel(const TemporaryFolder& scratch) {
     auto cube = test::moved(test::cube(), 1.5);
     formats::write(scratch / "ball.obj", test::sphere(3));
     formats::write(scratch / "box.obj", cube);
@@ -29,7 +29,7 @@ struct SmallModel {
 
 TEST_CASE("a_quick_report_is_one_page_that_needs_nothing_else_with_its_numbers_beside_it") {
   const TemporaryFolder scratch;
-  const SmallModel model(scratch);
+  const ReportedModel model(scratch);
   const fs::path folder = scratch / "out";
   const std::string command = "report --quick " + model.files + " -o " + quoted(folder);
   const auto outcome = run(command);
@@ -64,7 +64,7 @@ TEST_CASE("a_cancelled_report_leaves_no_files") {
 
 TEST_CASE("report_errors_are_reported_before_measuring") {
   const TemporaryFolder scratch;
-  const SmallModel model(scratch);
+  const ReportedModel model(scratch);
   put_file(scratch / "file", "mine");
   CHECK(mentions(run("report"), "--output is required"));
   const auto no_cage = run("report " + quoted(dragon) + " -o " + quoted(scratch / "out"));
