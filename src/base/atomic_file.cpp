@@ -40,7 +40,7 @@ fs::path part_of(const fs::path& target, int number) {
          std::string(part_extension);
 }
 
-// Returns the process name in the name of a part file. For the name of another file, returns an empty text.
+// Returns PROCESS from `NAME.PROCESS-NUMBER.part`. For any other file name, returns an empty text.
 std::string_view process_of_part(std::string_view name) {
   if (!name.ends_with(part_extension)) return "";
   name.remove_suffix(part_extension.size());
@@ -71,8 +71,8 @@ constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-// process_runs() cannot see processes in other containers and on other computers. Each process locks its part
-// files, so remove_if_left() keeps them.
+// process_runs() is false for a process in another container or on another computer. The part files of that
+// process are locked, and remove_if_left() keeps locked files.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
   std::error_code code;  // set if the folder cannot be read; the folder then counts as empty

@@ -83,7 +83,7 @@ std::string percent_decoded(std::string_view text, bool* whole) {
 
 namespace {
 
-// Combines two words. If one argument does not change, a change of the other argument changes the result.
+// Combines two words. If only one of the words changes, the result always changes.
 std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
   state = (state ^ word) * 0x9e3779b97f4a7c15;  // 2^64 divided by the golden ratio, as an odd number
   return state ^ state >> 32;
@@ -91,7 +91,7 @@ std::uint64_t mix(std::uint64_t state, std::uint64_t word) {
 
 }  // namespace
 
-// Uses four independent chains, because each multiplication of a chain waits for the previous one.
+// Multiplies in four independent chains, so that the processor can run four multiplications at a time.
 void Checksum::add(const void* bytes, std::size_t size) {
   const char* at = static_cast<const char*>(bytes);
   for (std::size_t left = size; left > 0;) {

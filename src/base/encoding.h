@@ -21,9 +21,9 @@ std::string percent_encoded(std::string_view bytes, bool (*is_plain)(char));
 /// sign and sets *whole to false. `whole` may be null.
 std::string percent_decoded(std::string_view text, bool* whole = nullptr);
 
-/// A 64-bit checksum of all added bytes; not cryptographic. Depends on the sizes of the added parts, and on
-/// the processor's byte order. A change within 8 aligned bytes always changes the checksum. With probability
-/// 2^-64, another change leaves the checksum unchanged.
+/// A 64-bit checksum of the bytes in all calls of add(); not cryptographic. It also depends on the size in
+/// each call, and on the processor's byte order. A change within 8 aligned bytes always changes the checksum.
+/// Any other change leaves the checksum unchanged with a probability of about 2^-64.
 class Checksum {
 public:
   void add(const void* bytes, std::size_t size);

@@ -152,7 +152,7 @@ ChildProgram::~ChildProgram() {
 
 bool ChildProgram::running() {
   int status = 0;
-  // An error means that the system keeps no status of this process.
+  // waitpid() returns -1 if the system has no status of this process.
   if (process_ > 0 && waitpid(process_, &status, WNOHANG) != 0) {
     process_ = 0;
     status_ = status;

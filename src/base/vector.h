@@ -18,7 +18,7 @@ template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// As a template, this constructor is not used for lists in braces: a list must have three numbers.
+  /// This is a template so that a list in braces always calls the constructor above, with three numbers.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };

@@ -36,7 +36,7 @@ public:
   /// The processor time of all loops until now, in seconds.
   struct Cost {
     double caller = 0;   ///< the time of the thread that called for_blocks()
-    double longest = 0;  ///< the time of the slowest thread of each loop; usually about wall time
+    double longest = 0;  ///< for each loop, the time of its slowest thread; usually close to wall time
   };
   Cost cost() const;
 
@@ -58,7 +58,7 @@ inline constexpr std::size_t large_block = std::size_t{1} << 15;
 void for_blocks(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body,
                 std::size_t block = large_block);
 
-/// Calls body(begin, end) for all blocks. Returns the sum of the results, in order, by add(sum, result).
+/// Returns the sum of body(begin, end) for all blocks. Adds in the order of the blocks, by add(sum, result).
 template <class Body, class Add = std::plus<>>
 auto sum_of_blocks(std::size_t count, const Body& body, const Add& add = {}) {
   std::vector<decltype(body(0, 0))> sums((count + large_block - 1) / large_block);

@@ -34,7 +34,7 @@ public:
 
   Precision precision() const { return deformer_ ? Precision::fast : Precision::exact; }
   /// Estimates the ratio: error of Precision::fast / diagonal of the cage. Includes the rounding in floats().
-  /// Measures a sample of vertices at all frames so far. A safety factor covers the other vertices.
+  /// The error is measured at some vertices, in all frames computed so far; a factor covers other vertices.
   double fast_error() const;
 
   document::WholePose pose(double frame) const;

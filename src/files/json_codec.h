@@ -184,7 +184,7 @@ void code(const JsonField& field, std::vector<T>& all, std::size_t most) {
 }
 
 void write_word(const JsonField& field, std::string_view word);
-/// The file contains `word`, the word of the value. find(text) returns the value of a word as std::optional.
+/// The file contains `word` in place of `value`. find(text) returns the value with this word, or nullopt.
 template <class T, class Find>
 void code_word(const JsonField& field, T& value, std::string_view word, const Find& find) {
   if (!field.reads()) return write_word(field, word);

@@ -31,8 +31,8 @@ enum class Force {
 };
 
 /// Call this before a long computation. If the file cannot be written, throws base::Error. Without
-/// Force::given, also throws if the file is in `files` or contains another kind than `content`. The kind is
-/// detected from the first bytes, not from the file name. An empty name or an empty file is allowed.
+/// Force::given, also throws if the file is in `files`, or has another kind of content than `content`. The
+/// first bytes of the file decide its kind, not the file name. An empty name or an empty file is allowed.
 void check_output(const std::filesystem::path& file, Content content, const document::FilesInUse& files,
                   Force force);
 inline void check_output(const std::filesystem::path& file, Content content,

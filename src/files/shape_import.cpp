@@ -117,7 +117,7 @@ std::vector<mesh::Point> MorphPositions::of_surface(const std::vector<mesh::Poin
 
 namespace {
 
-// For each vertex of the surface, returns the vertex of the file. Equal faces mean an equal vertex order.
+// For each vertex of the surface, returns its index in the file. If faces differ, compares positions.
 std::vector<std::uint32_t> order_by_place(const std::string& file, const mesh::Surface& found,
                                           const PosedSurface& of) {
   std::vector<std::uint32_t> all(found.positions.size());

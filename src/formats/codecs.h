@@ -41,7 +41,7 @@ void write_ply(const Content& content, TextWriter& out);
 ReadResult read_off(const Source& source);
 /// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// Returns true if only numbers follow the optional keyword, at least as many as the counts require.
+/// Returns true if the file has only numbers after the optional keyword, and enough for the header's counts.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
@@ -60,7 +60,7 @@ void write_stl(const Content& content, TextWriter& out);
 /// with the transforms of their nodes. Morph targets have their default weights, unless source.played is
 /// true. Skins and animations are not applied. Coincident vertices of a node become one vertex, even if their
 /// normals or texture points differ. Points and lines become vertices without polygons. External buffers must
-/// be in the folder of the file or below. Vertices + corners must be <= bytes of all buffers + 4 million.
+/// be in the folder of the file or below. The limit of vertices + corners is bytes of buffers + 4 million.
 ReadResult read_gltf(const Source& source);
 /// Returns true for a GLB file, or for JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);

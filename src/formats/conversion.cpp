@@ -52,7 +52,6 @@ std::vector<std::string> names_of_left_out(const Format& format, const mesh::Sur
   return names;
 }
 
-// Adds notes for formats that store only triangles.
 void tell_triangles(const mesh::Surface& surface, std::vector<std::string>& notes) {
   const auto& starts = surface.polygon_starts;
   std::size_t larger = 0;

@@ -18,7 +18,7 @@ namespace viete::formats {
 Attributes deformed_attributes(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                const Attributes& attributes);
 
-/// Copies of normals: one for each vertex that uses the normal, or for each polygon with flat shading. A
+/// Copies of normals. If several vertices or flat-shaded polygons have the same normal, each gets a copy. A
 /// deformation can then change each copy separately.
 struct SpreadNormals {
   std::vector<mesh::Vec3> normals;   ///< all copies of original normal 0, then all copies of normal 1, ...
@@ -29,8 +29,8 @@ struct SpreadNormals {
   SpreadNormals(const mesh::Surface& surface, const Attributes& attributes);
 };
 
-/// Returns for each vertex the index of all its corners, or mesh::none for a vertex without corners. If two
-/// corners of a vertex have different indices, returns nullopt. of_corner: an index for each corner.
+/// of_corner: for each corner an index, or mesh::none. If all indices at each vertex are equal, returns one
+/// index for each vertex, or mesh::none for a vertex without an index. Otherwise returns nullopt.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surface,
                                                        const std::vector<std::uint32_t>& of_corner);
 

@@ -119,8 +119,7 @@ private:
     }
   }
 
-  // Returns the value as text or as bytes for the file. If the value exceeds the type's range, returns
-  // nullopt.
+  // Returns the text or bytes of the value for the file, or nullopt if the value exceeds the type's range.
   std::optional<std::string_view> written(double value, std::span<char> room) const {
     return with_type(type_, [&](auto number) -> std::optional<std::string_view> {
       using Number = decltype(number);

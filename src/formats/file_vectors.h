@@ -29,7 +29,7 @@ struct FileVectors {
   Rows rows = Rows::vertices;  ///< row i belongs to vertex i or corner i; for faces see row_of_corner
   std::string element;         ///< name of a row in messages
   std::size_t count = 0;       ///< number of rows
-  /// Returns the offsets of the row's three numbers in the file. For no_places, the row is not rewritten.
+  /// Returns the offsets of the row's three numbers in the file, or no_places for a row that never changes.
   std::function<Places(std::size_t row)> places = {};
   std::array<NumberType, 3> types{NumberType::float64, NumberType::float64, NumberType::float64};
   /// For Rows::faces: returns the row of the face to which the corner belongs, or mesh::none.

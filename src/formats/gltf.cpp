@@ -339,8 +339,8 @@ private:
     ++polygons_;
   }
 
-  // For each vertex from `first`, returns the lowest vertex that has the same place both at rest and with the
-  // default weights. Results are relative to `first`.
+  // For each vertex from `first`, returns the first vertex that has the same position, both at rest and with
+  // the default weights. The returned indices count from `first`.
   std::vector<std::uint32_t> lowest_vertices(std::size_t first) const {
     auto lowest = mesh::lowest_in_place(std::span(points_).subspan(first));
     if (shaped_.empty()) return lowest;

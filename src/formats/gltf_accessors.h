@@ -13,7 +13,7 @@ namespace viete::formats {
 
 /// The location of an accessor's elements. All elements are within the buffer.
 struct GltfPlace {
-  /// The buffer has `count` elements of `size` bytes. Element i is at the byte offset + i * stride.
+  /// The buffer has `count` elements of `size` bytes. Element i starts at byte `offset + i * stride`.
   std::size_t buffer = 0, offset = 0, stride = 0, count = 0, size = 0;
   bool has_bytes = false;  ///< false: all elements are 0, except sparse values
 };

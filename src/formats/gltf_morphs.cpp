@@ -363,7 +363,7 @@ std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
   return found;
 }
 
-// Appends `added` zeros to the weights of each key. Copies the sampler, which other nodes can use too.
+// Appends `added` zeros to each key's weights, in a copy of the sampler: several nodes can have one sampler.
 void GltfMorphs::widen(const Output& output, std::span<const double> numbers, std::size_t before,
                        std::size_t added) {
   if (before == 0 || numbers.size() % before != 0) return;

@@ -26,7 +26,7 @@ std::vector<double> morph_differences(const GltfAccessors& accessors, const Gltf
                                       int GltfTarget::*of, std::span<const double> weights);
 
 /// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
-/// ignores animations of nodes. A merged vertex gets the position of its first vertex. Throws base::Error.
+/// ignores animations of nodes. If vertices were merged, takes the position of the first. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
@@ -54,10 +54,11 @@ public:
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
-  /// Appends the motion's targets and its animation to the meshes of these nodes. For each target, calls the
-  /// callback add_target(positions). The callback must call GltfMorphs::add_target() for all vertices.
-  /// floats: the number of floats that one target adds. Existing animations of weights get zeros for the new
-  /// targets. numbers_of(accessor) must return the existing weights. progress may be null.
+  /// Appends the motion's targets and its animation to the meshes of these nodes. In existing animations, the
+  /// new targets have the weight 0. progress may be null. The other arguments are:
+  /// - floats: the number of floats that one target adds
+  /// - add_target(positions): must call GltfMorphs::add_target() for the moved vertices of all meshes
+  /// - numbers_of(accessor): must return the numbers of an accessor
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,
            base::Progress* progress, const AddTarget& add_target, const NumbersOf& numbers_of) {

@@ -234,7 +234,7 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Returns the offsets at default weights of the file's targets. Viewers add these offsets.
+  // Returns the offsets that viewers add to the vertices, for the file's targets at their default weights.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,
@@ -308,7 +308,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // Returns only one of several pieces that differ only in texture points: their primitives are equal.
+  // If several pieces differ only in texture points, returns one of them: all have the same primitives.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;
@@ -426,7 +426,7 @@ private:
       set_gltf_bounds(json, values, components);
   }
 
-  using Vertices = std::array<int, 4>;  // a mesh; accessors of positions, normals and tangents
+  using Vertices = std::array<int, 4>;  // mesh, then accessors: positions, normals, tangents
 
   void list_primitives() {
     const Json& meshes = list_of(file_.document, "meshes");

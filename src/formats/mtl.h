@@ -22,8 +22,8 @@ std::vector<MtlMaterial> read_mtl(const Source& source);
 
 /// Sets colours and images of the model's materials by name. libraries: for each `mtllib` line, the text
 /// after the keyword. The text is one file name, perhaps with blanks, or several file names. Files are
-/// relative to source.folder. If this path is empty, does nothing. If there are materials and a library is
-/// unreadable, adds a warning. Returns the paths of all libraries and images.
+/// relative to source.folder; if source.folder is empty, does nothing. If there are materials and a library
+/// is unreadable, adds a warning. Returns the paths of all libraries and images.
 std::vector<std::filesystem::path> read_materials(const Source& source,
                                                   const std::vector<std::string>& libraries,
                                                   Attributes& attributes, SurfaceBuilder& builder);

@@ -24,8 +24,8 @@ std::string words_of(const mesh::Vec3& normal, const Printed& printed) {
   return words;
 }
 
-// The `vn` lines after a deformation. If several vertices or flat-shaded polygons used one line, the
-// deformation can give them different normals. Each normal with new digits gets a new line after the block.
+// The `vn` lines of the deformed file. Several vertices can refer to one original line. If the deformation
+// gives these vertices different normals, new lines are added after the block of `vn` lines.
 class ObjNormals {
 public:
   // blocks: see obj_original(). attributes must have normals.

@@ -9,8 +9,7 @@ namespace viete::formats {
 
 namespace {
 
-// Writes positions in double, vertex normals, colours and texture points. If any vertex has several texture
-// points, writes texture points for each face, otherwise for each vertex.
+// If any vertex has several texture points, writes texture points for faces, otherwise for vertices.
 class PlyOutput {
 public:
   PlyOutput(const Content& content, TextWriter& out)

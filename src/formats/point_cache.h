@@ -19,12 +19,12 @@ namespace viete::formats {
 /// A point cache contains only positions. The model must have the same vertices in the same order. OBJ, PLY
 /// and OFF keep the order; STL and glTF do not.
 ///
-/// pc2  Pointcache 2 of 3ds Max, little-endian: "POINTCACHE2\0", int32 version 1, int32 points, float32
-///      number of the first frame, float32 frames per sample, int32 samples; then float32 x, y, z of every
-///      point, sample after sample. Read by 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier)
-///      and Maya (`cacheFile -pc2 1 -pcf FILE ...` converts the file to Maya's own cache).
-/// mdd  LightWave, big-endian: int32 frames, int32 points, float32 seconds of every frame; then float32 x, y,
-///      z, frame after frame. Read by LightWave, Blender (Mesh Cache modifier) and Houdini (MDD node).
+/// pc2  Pointcache 2 of 3ds Max, little-endian. The header is: "POINTCACHE2\0", int32 version (1), int32
+///      points, float32 first frame, float32 frames per sample, int32 samples. Each sample is: float32 x, y,
+///      z of every point. Read by 3ds Max (Point Cache modifier), Blender (Mesh Cache modifier) and Maya
+///      (`cacheFile -pc2 1 -pcf FILE ...` converts the file to Maya's own cache).
+/// mdd  LightWave, big-endian. The header is: int32 frames, int32 points, float32 seconds of every frame.
+///      Each frame is: float32 x, y, z of every point. Read by LightWave, Blender and Houdini (MDD node).
 ///
 /// Positions have the axes and the unit of the model's file. Blender applies positions in object space,
 /// before the object's rotation and scale. Only the modifier's *Forward axis* and *Up axis* rotate positions.

@@ -24,8 +24,9 @@ public:
   /// Sets a minimum of decimals: a number as large as `size` gets at least `significant` digits.
   void keep(int significant, double size);
 
-  /// Prints with the largest number of decimals of the learned numbers, and with an exponent if all have one.
-  /// Removes zeros at the end if learned numbers differ in decimals. room: a buffer of at least 400 bytes.
+  /// Prints as many decimals as the learned number with the most decimals. If all learned numbers have an
+  /// exponent, prints an exponent. If learned numbers differ in decimals, removes zeros at the end.
+  /// room: a buffer of at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
   /// Returns true if a and b are printed as equal text.

@@ -25,7 +25,7 @@ std::string lower_stl_word(std::string_view word) {
   return lower_case(word.substr(0, 16));
 }
 
-// Returns false for implausible coordinates or normals: the offset is then wrong.
+// Returns false if the numbers are so large or so small that the bytes are probably not a triangle.
 bool is_plausible(const char* triangle) {
   for (std::size_t i = 0; i < 12; ++i) {
     const double size = std::abs(number_of_bytes<float>(triangle + 4 * i));

@@ -94,7 +94,7 @@ void InputQueue::configure() {
 #endif
 }
 
-// True if the key types a character into a text field. ImGui then gets the character instead of the key.
+// True for the events of a key that types into a text field. ImGui must get only the typed text.
 bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   if (event.kind != Kind::key || is_modifier(event)) return false;
   if (!event.down) return std::erase(written_, event.code) > 0;
@@ -103,8 +103,8 @@ bool InputQueue::is_only_written(const InputEvent& event, bool typing) {
   return true;
 }
 
-// Stops at the first event that must wait for the next frame. ImGui reads its input once per frame. From all
-// events at once, it would lose short presses, the positions of clicks, and the order of keys and modifiers.
+// Stops at the first event that must wait for the next frame. If ImGui got all events in one frame, it would
+// lose short presses, the positions of clicks, and the order of keys and modifiers.
 void InputQueue::feed_frame() {
   ImGuiIO& io = ImGui::GetIO();
   const bool typing = io.WantTextInput;

@@ -47,7 +47,7 @@ private:
 
   KeyTable imgui_key_;
   bool commands_ = false;     // true while Ctrl or Alt is pressed
-  std::vector<int> written_;  // pressed keys of which ImGui gets the character, but not the key
+  std::vector<int> written_;  // pressed keys that ImGui gets only as typed text
   std::deque<InputEvent> events_;
 };
 

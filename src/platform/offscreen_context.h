@@ -31,8 +31,8 @@ protected:
 };
 
 /// Call this before creating a context or a window. Mesa's CPU rasteriser hangs if the system refuses to
-/// create its threads. Tests whether the system creates as many threads. If not, sets LP_NUM_THREADS=0 (Mesa
-/// then uses no threads), unless this variable is already set.
+/// create its threads. If the system cannot create enough threads for Mesa, sets LP_NUM_THREADS=0: Mesa then
+/// creates no threads. Keeps the value if LP_NUM_THREADS is already set.
 void spare_rasteriser_threads();
 
 }  // namespace viete::platform

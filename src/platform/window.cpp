@@ -23,7 +23,7 @@ std::string last_glfw_error() {
   return reason;
 }
 
-// Returns the code of the letter on the key. GLFW names keys by their position on a US keyboard.
+// GLFW's codes are those of a US keyboard. If the user's key has a letter, returns the letter's code.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);

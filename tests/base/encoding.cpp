@@ -20,7 +20,7 @@ TEST_CASE("every_flipped_bit_and_every_other_length_changes_the_checksum") {
   std::string bytes;
   std::set<std::uint64_t> seen = {checksum(bytes)};
   for (int i = 0; i < 100; ++i) {
-    bytes.push_back('\0');  // the checksum pads its input with zeros, but must not ignore these zeros
+    bytes.push_back('\0');  // add() pads with zeros, but one more zero must change the checksum
     seen.insert(checksum(bytes));
   }
   CHECK(seen.size() == 101);

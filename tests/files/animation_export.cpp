@@ -127,7 +127,7 @@ TEST_CASE("no_vertex_of_any_frame_is_farther_off_than_is_stated_for_any_deformer
   const deform::Cage& cage = *cube.document.cage;
   const auto rest = test::whole(deform::rest_pose(cage)),
              bent = test::whole(test::turned_cage(cage, 90, 20, 2));
-  // The export tests the error of float only at the first, middle and last frame. Here, the cage is at rest.
+  // The export tests the error of float only at the first, middle and last frame. There, the cage rests.
   cube.document.timeline.keys = {{1, rest}, {5, bent}, {9, rest}, {13, bent}, {17, rest}};
   base::WorkerPool pool(2);
   std::size_t in_float = 0;

@@ -165,7 +165,7 @@ TEST_CASE("default_weights_of_nodes_and_meshes_shape_the_model") {
 TEST_CASE("vertices_separated_or_joined_by_default_weights_are_not_welded") {
   GltfParts parts = test::patch();
   std::vector<float> open(24, 0);
-  open[3] = -1, open[0] = 1;  // exchanges vertices 0 and 1, but not vertex 4 at the place of 1
+  open[3] = -1, open[0] = 1;  // exchanges vertices 0 and 1; vertex 4 stays at x = 1
   const std::size_t delta = parts.accessor(open, 5126, "VEC3", 3);
   parts.json["meshes"][0]["primitives"][0]["targets"] = {{{"POSITION", delta}}};
   parts.json["meshes"][0]["weights"] = {0.5};

@@ -192,7 +192,7 @@ TEST_CASE("obj_original_prints_as_the_file_does") {
   CHECK(moved_first("v 1.000000 2.000000 3.000000\nv 0.000000 0.000000 0.000000\n", third) ==
         "v 0.333333 2.000000 3.000000");
   CHECK(moved_first("v 1.00000000 2.00000000 3.00000000\n", -third) == "v -0.33333333 2.00000000 3.00000000");
-  // Numbers have at least six significant digits of the model's size. Trailing zeros are as in the file.
+  // A number as large as the model has at least six significant digits. Trailing zeros are as in the file.
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", third) == "v 0.33333 2 3");
   CHECK(moved_first("v 1 2 3\nv 0 0 0\n", 0.5) == "v 0.5 2 3");
   CHECK(moved_first("v 1000.5 2 3\nv 0 0 0\n", third) == "v 0.33 2 3");

@@ -10,7 +10,8 @@ namespace viete::fuzz {
 
 using Reader = formats::ReadResult(const formats::Source&);
 
-/// For any other result, aborts. The surface may have at most `size + placed` vertices.
+/// Aborts unless the reader throws base::Error or returns a valid surface of at most `size + placed`
+/// vertices.
 void check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data, std::size_t size);
 
 }  // namespace viete::fuzz

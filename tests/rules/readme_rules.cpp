@@ -109,7 +109,7 @@ TEST_CASE("the_readme_of_a_room_names_its_headers_and_no_others") {
       spoken_of.insert((*at)[1]);
     for (const auto& header : spoken_of)
       CHECK_MESSAGE(fs::exists(folder / header), name << "/README.md: there is no " << header);
-    if (name == "sym3" || name == "python") continue;  // only other rooms include their headers
+    if (name == "sym3" || name == "python") continue;  // their READMEs name only public headers
     for (const auto& entry : fs::directory_iterator(folder)) {
       const std::string file = entry.path().filename().string();
       if (file.ends_with(".h") && !file.ends_with("-inl.h"))

@@ -1,4 +1,4 @@
-// Settings of sanitizers. dlclose() keeps libraries loaded, so that reports contain their names. Reports
+// Settings of sanitizers. This dlclose() keeps libraries loaded, so that reports contain their names. Reports
 // ignore the memory that graphics drivers do not free.
 extern "C" int dlclose(void*) {
   return 0;
