@@ -26,7 +26,7 @@ namespace {
               full ? "free some disk space" : "choose a folder that exists and can be written");
 }
 
-// Returns the file at the end of all links. If a link is broken or the file is missing, returns `path`.
+// Follows all symbolic links. If a link is broken or the file is missing, returns `path`.
 fs::path target_of(const fs::path& path) {
   std::error_code code;
   const fs::path real = fs::canonical(path, code);

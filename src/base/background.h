@@ -123,7 +123,7 @@ public:
   WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
 
-  /// Returns the result if the job has ended, and nullopt in later calls. If `wait`, waits for the result.
+  /// If the job has ended, returns its result and forgets it, otherwise nullopt. If `wait`, first waits.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

@@ -57,7 +57,7 @@ public:
   /// Appends the motion's targets and its animation to the meshes of these nodes. In existing animations, the
   /// new targets have the weight 0. progress may be null. The other arguments are:
   /// - floats: the number of floats that one target adds
-  /// - add_target(positions): must call GltfMorphs::add_target() for the moved vertices of all meshes
+  /// - add_target(positions): must call GltfMorphs::add_target() for the moved vertices of these meshes
   /// - numbers_of(accessor): must return the numbers of an accessor
   template <class AddTarget, class NumbersOf>
   void add(const MorphMotion& motion, std::span<const std::size_t> nodes, std::size_t floats,

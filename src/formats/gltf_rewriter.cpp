@@ -234,7 +234,8 @@ private:
     unmoved_tangents_ = std::move(tangents);
   }
 
-  // Returns the offsets that viewers add to the vertices, for the file's targets at their default weights.
+  // Viewers add the offsets of the file's targets, at their default weights. Returns the sum of these
+  // offsets.
   std::vector<double> differences(const GltfPiece& piece, int GltfTarget::*of) const {
     const GltfPlacement& placement = map_.placements[piece.placement];
     return morph_differences(accessors_, piece, of,

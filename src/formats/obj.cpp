@@ -126,8 +126,8 @@ public:
   }
 
 private:
-  // Stores an index of the corner. Index -1 is the last of the `count` elements that have been read. Indices
-  // of later elements are stored too: check() tests all indices at the end of the file.
+  // Stores the corner's index. A negative index counts back from the last of the `count` elements read so
+  // far. A positive index can be too large: check() tests all indices at the end of the file.
   void put(std::vector<std::uint32_t>& indices, std::size_t corner, std::int64_t index, std::size_t count) {
     if (index == 0 && indices.empty()) return;
     indices.resize(corner, mesh::none);

@@ -107,7 +107,7 @@ private:
     return &vectors;
   }
 
-  // Returns a list for the face row of each corner, or null if faces have no normals. lists() fills the list.
+  // Returns a list that lists() fills with the face row of each corner. Without face normals, returns null.
   std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
     FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     if (!vectors) return nullptr;

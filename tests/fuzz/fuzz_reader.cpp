@@ -85,7 +85,6 @@ void check_morphs(const ReadResult& read) {
   if (!clip->seconds().empty()) require(clip->at_key(clip->seconds().size() - 1).size() == vertices);
 }
 
-// A reader must accept every written file.
 ReadResult read_back(ReadResult (*read)(const Source&), const std::string& bytes) noexcept {
   return read(Source{"written", "", bytes, nullptr});
 }

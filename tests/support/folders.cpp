@@ -1,4 +1,4 @@
-// The only source with absolute paths. A compiler cache can thus use all other sources in any checkout.
+// The only source with absolute paths. A compiler cache can thus share all other results between checkouts.
 #include "support/data.h"
 
 namespace viete::test {
