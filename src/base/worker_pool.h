@@ -58,7 +58,7 @@ inline constexpr std::size_t large_block = std::size_t{1} << 15;
 void for_blocks(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& body,
                 std::size_t block = large_block);
 
-/// Returns the sum of body(begin, end) for all blocks. Adds in the order of the blocks, by add(sum, result).
+/// Returns the sum of body(begin, end) over all blocks, computed with add(sum, result) in block order.
 template <class Body, class Add = std::plus<>>
 auto sum_of_blocks(std::size_t count, const Body& body, const Add& add = {}) {
   std::vector<decltype(body(0, 0))> sums((count + large_block - 1) / large_block);

@@ -47,7 +47,7 @@ struct ImportTimes {
 /// .glb, .gltf            the cage with animated morph targets. Each key of the file gives a key at the same
 ///                        time. Linear interpolation.
 ///
-/// Only posed cages store whole turns of the cage. In keys from other files, each rotation gets the number of
+/// Only numbered posed cages store whole turns. In keys from other files, each rotation gets the number of
 /// whole turns that brings it nearest to the rotation in the previous key. If several keys have the same
 /// frame, uses the first key and adds a warning. Throws base::Error in these cases: the number of vertices
 /// differs, a frame is out of range, or the number of frames is 0 or too large. Thread-safe.

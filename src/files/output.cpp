@@ -128,7 +128,7 @@ void add_surface(document::FilesInUse& files, const fs::path& file, const format
 
 void add_document(document::FilesInUse& files, const document::Document& document, std::string_view own) {
   const auto add = [&](const document::OpenedSurface& surface, std::string_view what) {
-    const bool is_own = own == what;  // this file may be overwritten, the files that it uses must not
+    const bool is_own = own == what;  // if true, adds only the files that this file uses
     add_surface(files, is_own ? fs::path() : surface.path, surface.original.get(), surface.attributes.get(),
                 what);
   };

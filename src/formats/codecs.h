@@ -41,8 +41,7 @@ void write_ply(const Content& content, TextWriter& out);
 ReadResult read_off(const Source& source);
 /// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// Returns true if the file has only numbers after the optional keyword. If the whole file was read, there
-/// must also be enough numbers for the counts in its header.
+/// Returns true if the file has only numbers after the optional keyword. A whole file needs enough numbers.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 

@@ -221,7 +221,7 @@ private:
     return true;
   }
 
-  // Reads binary triangles on all processors. If a face has other content, reads nothing and returns false.
+  // Reads binary triangles on all processors. If a face is anything else, reads nothing and returns false.
   bool read_triangles(const PlyElement& element) {
     mesh::Surface& s = builder_.surface();
     const std::string_view bytes = values_.bytes();

@@ -17,7 +17,8 @@ public:
     if (!a_.corner_normal.empty()) normals_ = one_a_vertex(s_, a_.corner_normal);
     if (!a_.corner_texture.empty()) texture_ = one_a_vertex(s_, a_.corner_texture);
     faces_textured_ = !a_.corner_texture.empty() && !texture_;
-    const std::uint32_t most = faces_textured_ ? 127 : 255;  // list lengths are one byte
+    // The length of a list is one byte. Lists of texture points have two numbers for each corner.
+    const std::uint32_t most = faces_textured_ ? 127 : 255;
     for (std::size_t p = 0; p < s_.polygon_count(); ++p)
       large_ |= s_.polygon_starts[p + 1] - s_.polygon_starts[p] > most;
   }

@@ -18,7 +18,6 @@ class Printed {
 public:
   explicit Printed(Digits digits = {}) : digits_(digits) {}
 
-  /// Learns the format from a word of the file, normally a number.
   void learn(std::string_view word);
 
   /// Sets a minimum of decimals: a number as large as `size` gets at least `significant` digits.
