@@ -269,8 +269,8 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles that are connected across edges with exactly two triangles. The comparison gives the order of
-// removal: patches to keep last, open before closed, small before large.
+// Triangles that are connected across edges with exactly two triangles. Patches are compared in the order of
+// removal: patches with `keep` are last, open patches before closed patches, small before large patches.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -333,7 +333,6 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // If the normals cancel, moves each vertex along the normal of its own polygons.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {

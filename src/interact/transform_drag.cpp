@@ -43,14 +43,13 @@ std::string length_text(double value, double cell) {
   return print(("%." + std::to_string(static_cast<int>(decimals)) + "f").c_str(), value);
 }
 
-
 bool follows(const TransformDrag& drag, int axis) {
   const Constraint& c = drag.constraint();
   if (drag.tool() == Tool::rotate || c.kind == Kind::free) return false;
   return (c.kind == Kind::axis) == (axis == c.axis);
 }
 
-// Returns the arc that the rotation describes from the press, in logical pixels.
+// Returns the arc from the pressed point to its rotated position, in logical pixels.
 std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const document::Camera& camera,
                              const document::Viewport& viewport) {
