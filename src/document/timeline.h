@@ -120,8 +120,8 @@ Moment moment_at(const Timeline& timeline, double frame);
 /// `backward` is the direction of a ping-pong timeline; it changes at both ends of the range.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Returns the smoothly interpolated camera. If there are no camera keys, returns nullopt. At the first and
-/// the last key, the speed is 0, unless the camera continues smoothly: after full turns, or in a loop.
+/// Returns the smoothly interpolated camera; nullopt without camera keys. At the first and the last key, the
+/// speed is 0, unless both keys have equal cameras, and the camera makes whole turns or the timeline loops.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::document

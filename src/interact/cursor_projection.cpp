@@ -41,7 +41,7 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 
 namespace {
 
-constexpr double edge_on = 0.12;  // if the sine of the angle to the view is less, a ring or plane is edge-on
+constexpr double edge_on = 0.12;  // a plane is edge-on if the sine of its angle to the view direction is less
 
 }  // namespace
 

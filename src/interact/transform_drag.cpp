@@ -212,7 +212,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document
   return moved / space_.scale;
 }
 
-// Angles of the cursor are known up to whole turns. Uses the angle that is nearest to the previous angle.
+// The cursor's angle is known only up to whole turns. Chooses the value nearest to the previous angle.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;
