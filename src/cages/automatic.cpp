@@ -324,7 +324,7 @@ private:
   Made made_;
   std::size_t target_;
   std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
-  // The distance that another attempt adds, in grid steps. It encloses components smaller than a step.
+  // The distance that another attempt adds, in grid steps, to enclose components smaller than a step.
   static constexpr double parts_margin_steps = 1.25;
   static constexpr std::size_t few_triangles = 150;  // up to this number, uses a slower, more careful method
   static constexpr double coarser = 0.62;            // the relative resolution of the coarse grid

@@ -194,8 +194,8 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Returns the clearance of an unreached node. `by_depth` has the right sign, but is not exact. `to_model` is
-// exact, but has no sign. If to_model or -to_model agrees with by_depth, returns this exact value.
+// Returns the clearance of an unreached node: the exact distance `to_model` with a sign, if it agrees with
+// the approximate clearance `by_depth`. Otherwise returns the smaller value.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;

@@ -176,7 +176,7 @@ private:
     renew_wide(to);
   }
 
-  // Computes the costs of all edges at the neighbours again, because the neighbours moved too.
+  // Computes the costs of all edges at the vertex's neighbours again, because tighten_around() moved them.
   void renew_wide(VertexId v) {
     ++stamp(v);
     std::vector<int> changed;

@@ -1,4 +1,4 @@
-// The document: model, cage, pose, selection and settings. Revisions show which of them changed.
+// The document: model, cage, pose, selection and settings. Revisions show which parts changed.
 #pragma once
 
 #include <cstdint>

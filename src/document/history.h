@@ -74,7 +74,7 @@ private:
 
     EditKind kind() const { return step.kind; }
   };
-  /// Moves one step: removes the last entry of `from`, stores `now` in `to`, and returns the removed state.
+  /// Undoes or redoes: removes the last entry of `from` and returns its state. Stores `now` in `to`.
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
 
   std::vector<Entry> undo_, redo_;
