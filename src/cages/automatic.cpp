@@ -83,7 +83,7 @@ private:
 
   double size() const { return mesh::largest_abs(model_.box.high - model_.box.low); }
 
-  // Grid cells along the longest side of the model's box: about seven for the width of a cage triangle.
+  // Returns the number of grid cells along the longest side of the model's box.
   double cells() const {
     return std::clamp(3.2 * std::sqrt(static_cast<double>(wish_.triangles)), 40.0, 128.0);
   }
@@ -119,8 +119,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Returns a sound cage for this gap, or nullopt. For a preview, and for a gap larger than requested, makes
-  // a cage on a coarse grid first. If the coarse cage is not sound, returns nullopt.
+  // Returns a sound cage for this gap, or nullopt. A preview, and a gap larger than requested, use a coarse
+  // grid and begin with a quick cage. If the quick cage is not sound, returns nullopt.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
@@ -197,7 +197,7 @@ private:
     return cage.shell();
   }
 
-  // If the cage still has too many triangles, returns false. The drafts' progress ends at `share`.
+  // If the cage still has too many triangles, returns false. `share` scales the reported progress.
   bool reduced(WorkingCage& cage, double share) {
     const auto until = [&](double end) { return stages_.until(0.1 + share * (end - 0.1)); };
     collapse_to(cage, target_and(3, 1000), Accuracy::quadrics, until(0.3));
@@ -261,9 +261,9 @@ private:
     }
   }
 
-  // Prepares another attempt with the same gap. The first attempts add distance only around the missed
-  // components; the last attempt adds distance everywhere. If no further component was missed, or the last
-  // attempt was made, returns false.
+  // Prepares another attempt with the same gap, if the cage missed further components of the model. Otherwise
+  // returns false. The first attempts add balls around the missed components; the last attempt increases the
+  // margin. After the last attempt, returns false.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -324,7 +324,7 @@ private:
   Made made_;
   std::size_t target_;
   std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
-  // A margin in grid steps. With this margin, a cage encloses components that are smaller than a step.
+  // The distance that another attempt adds, in grid steps, to enclose components smaller than a step.
   static constexpr double parts_margin_steps = 1.25;
   static constexpr std::size_t few_triangles = 150;  // up to this number, uses a slower, more careful method
   static constexpr double coarser = 0.62;            // the relative resolution of the coarse grid

@@ -95,8 +95,8 @@ void for_neighbors(const Grid& grid, std::size_t index, Visit&& visit) {
   }
 }
 
-// Returns 1 for each node that is inside the model and farther than `least` from it. If the model is closed,
-// returns only 0, because the search from outside cannot enter the model.
+// Returns for each node whether it is inside the model, and farther than `least` from it. If the model is
+// closed, returns only 0: reached_from_outside() cannot enter a closed model, and needs no inside nodes.
 std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const std::vector<float>& distances,
                                 double least, base::WorkerPool& pool) {
   std::vector<std::uint8_t> inside(grid.node_count(), 0);
@@ -113,7 +113,8 @@ std::vector<std::uint8_t> wound(const Obstacle& model, const Grid& grid, const s
   return inside;
 }
 
-// Returns 1 for each node that is connected with the border by outside nodes farther than `least` away.
+// Searches from the grid's border. Returns for each node whether the search reached it. The search visits
+// only nodes that are outside the model, and farther than `least` from it.
 std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vector<float>& distances,
                                                const std::vector<std::uint8_t>& inside, double least) {
   std::vector<std::uint8_t> reached(grid.node_count(), 0);
@@ -137,8 +138,8 @@ std::vector<std::uint8_t> reached_from_outside(const Grid& grid, const std::vect
   return reached;
 }
 
-// Computes the distance from each unreached node to the reached region, at most `most`. Each node passes its
-// nearest border point on to its neighbours (Danielsson 1980, Euclidean distance mapping).
+// Computes the distance from each unreached node to the reached region, clamped to `most`. Each node passes
+// its nearest border point on to its neighbours (Danielsson 1980, Euclidean distance mapping).
 class Depths {
 public:
   Depths(const Grid& grid, const std::vector<std::uint8_t>& reached, const std::vector<float>& distances,
@@ -193,8 +194,8 @@ private:
   std::vector<std::size_t> queue_;
 };
 
-// Returns the clearance of an unreached node. `by_depth` is computed from the distance to the reached region.
-// `to_model` is exact but has no sign. If they agree for one sign, returns this; otherwise the smaller one.
+// Returns the clearance of an unreached node: the exact distance `to_model` with a sign, if it agrees with
+// the approximate clearance `by_depth`. Otherwise returns the smaller value.
 double signed_distance(double to_model, double by_depth, double tolerance) {
   if (std::abs(to_model - by_depth) < tolerance) return to_model;
   if (std::abs(-to_model - by_depth) < tolerance) return -to_model;

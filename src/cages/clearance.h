@@ -96,7 +96,7 @@ Clearance clearance(const Obstacle& model, const Grid& grid, const Closing& clos
                     base::Progress* progress = nullptr);
 
 /// Adds balls around the points `centers` to the model. The balls represent details that are smaller than a
-/// grid step. Values above `most` can be too large.
+/// grid step. Updates only nodes that are nearer than `most` to a ball.
 Clearance with_balls(const Clearance& clearance, std::span<const Point> centers, double radius, double most);
 
 }  // namespace viete::cages

@@ -41,7 +41,7 @@ struct Quadric {
                        2 * (a[1] * x[0] * x[1] + a[2] * x[0] * x[2] + a[4] * x[1] * x[2]);
     return std::max(0.0, xax - 2 * mesh::dot(b, x) + c);
   }
-  // The matrix has an inverse, because the sum also has distances to points.
+  // The matrix has an inverse, because add_point() makes it positive definite.
   Point minimum() const {
     const Vec3 r0{a[0], a[1], a[2]}, r1{a[1], a[3], a[4]}, r2{a[2], a[4], a[5]};
     const Vec3 c0 = mesh::cross(r1, r2), c1 = mesh::cross(r2, r0), c2 = mesh::cross(r0, r1);
@@ -55,8 +55,8 @@ constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // the sum of the stamps of the edge's ends, when the cost was computed
-  bool placed;           // true if the cost belongs to a tested position
+  std::uint32_t stamps;  // stamps_of() the edge; if it has changed since, the cost is outdated
+  bool placed;           // true if the cost belongs to a position that fits
   Point place{};
 
   bool operator<(const Candidate& other) const {
@@ -125,7 +125,7 @@ private:
     return stamp(mesh_.from_vertex_handle(h)) + stamp(mesh_.to_vertex_handle(h));
   }
 
-  // The `to` vertex of the returned half-edge remains: the end on the mirror plane if only one end is there.
+  // Returns the half-edge whose `to` vertex remains. If one end is on the mirror plane, this end remains.
   HalfEdgeId direction(Connectivity::EdgeHandle e) const {
     const auto h = mesh_.halfedge_handle(e, 0);
     return mesh_.is_boundary(mesh_.from_vertex_handle(h)) ? mesh_.opposite_halfedge_handle(h) : h;
@@ -176,7 +176,7 @@ private:
     renew_wide(to);
   }
 
-  // Computes the costs of all edges at the neighbours again, because the neighbours moved too.
+  // Computes the costs of all edges at the vertex's neighbours again, because tighten_around() moved them.
   void renew_wide(VertexId v) {
     ++stamp(v);
     std::vector<int> changed;
@@ -225,7 +225,7 @@ private:
     renew(to);
   }
 
-  // Returns the cost as a volume: the root of the mean squared distance, multiplied by the area.
+  // Returns the cost as a volume: the area * the root of the mean squared distance.
   static double price(const Quadric& q, const Point& x) {
     return std::sqrt(q(x) * (q.a[0] + q.a[3] + q.a[5]));
   }

@@ -269,8 +269,8 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles that are connected across edges with exactly two triangles. The comparison gives the order of
-// removal: patches to keep last, open before closed, small before large.
+// Triangles that are connected across edges with exactly two triangles. Patches are compared in the order of
+// removal: patches with `keep` are last, open patches before closed patches, small before large patches.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -333,7 +333,6 @@ Edited extrude(const Surface& surface, std::span<const std::uint32_t> polygons, 
     for (const auto v : p) normals[v] = normals[v] + area;
     for (std::size_t i = 0; i < p.size(); ++i) sides.insert({p[i], p[(i + 1) % p.size()]});
   }
-  // If the normals cancel, moves each vertex along the normal of its own polygons.
   const double length = mesh::norm(normal);
   const bool together = length > 0.1 * areas;
   const auto up = [&](std::uint32_t v) {
@@ -400,7 +399,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // Skips corners in the plane, from corner i in steps of `step`. True if the next other corner is above.
+  // True if the first corner outside the plane is above it, from corner i in steps of `step`.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);
@@ -426,7 +425,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
     }
   };
   for (const Polygon& p : cage.all) {
-    std::size_t rises = 0;  // if 2 or more, the part above the plane may consist of several pieces
+    std::size_t rises = 0;  // edges that lead above the plane; if 2, the part above can be two pieces
     for (std::size_t i = 0; i < p.size(); ++i) rises += !above(p[i]) && above(p[(i + 1) % p.size()]);
     if (rises < 2) {
       keep_above(p);

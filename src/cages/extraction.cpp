@@ -44,9 +44,9 @@ constexpr std::array<std::array<int, 4>, 6> faces = {
 
 using Next = std::array<std::int8_t, 12>;  // per edge: the next edge of its loop; -1 if the edge is not cut
 
-// Finds the loops in a cell. Bit c of `above` is set if corner c is above the level. A walk around a face
-// enters each run of corners above the level on one edge, and leaves on another. The loop connects both
-// edges.
+// Returns the loops of the isosurface in a cell, as cycles of cut edges. Bit c of `above` is set if corner c
+// is above the level. On a face, a loop connects the cut edges before and after consecutive corners above
+// the level.
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);

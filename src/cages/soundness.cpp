@@ -81,7 +81,7 @@ public:
   }
 
 private:
-  // Returns the number of triangles that are too near. Writes to away_ how their vertices must move.
+  // Returns the number of triangles that are too near. Writes the directions for their vertices to away_.
   template <class Report>
   std::size_t look(Report&& report) {
     away_.assign(mesh_.n_vertices(), {0, 0, 0});

@@ -41,10 +41,10 @@ struct Star {
   }
 };
 
-/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if it keeps the limits of
-/// Shape and these conditions. The new triangles intersect neither other triangles nor the model. Their
-/// clearance is at least `margin`, to the resolution of the grid. No `enclosed` point changes from one side
-/// of the cage to the other. A mirrored cage stays in x >= 0.
+/// A cage under construction: an oriented manifold. Not thread-safe. A change fits if:
+/// - the new triangles keep the limits of Shape, and intersect neither other triangles nor the model,
+/// - their clearance is at least `margin`, to the resolution of the grid,
+/// - each `enclosed` point stays on its side of the cage, and a mirrored cage stays in x >= 0.
 class WorkingCage {
 public:
   WorkingCage(const Shell& shell, const mesh::TriangleTree& model, const Clearance& clearance, double margin,
@@ -76,7 +76,7 @@ public:
   /// the normals cancel. If the star is on the mirror plane, the result is parallel to this plane.
   Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Returns a position for the star's vertex that fits and encloses less volume than x. Otherwise returns x.
+  /// Returns a position for the star's vertex that fits and encloses less volume than x; x if none is found.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
   /// Returns the volume that the cage gains if the star, with its vertex at x, replaces the old triangles.
   double added_volume(const Star& star, const Point& x) const;

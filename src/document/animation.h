@@ -20,8 +20,8 @@ struct ShapeTerm {
   double factor;
 };
 
-/// If `held` is null, blends vertex positions linearly. Otherwise blends in log space, and `held` sets the
-/// translation. If a vertex is at rest in all terms, keeps its exact rest position.
+/// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
+/// space, with the translations in `held`. A vertex that is at rest in all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
@@ -37,7 +37,7 @@ SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> te
 /// Returns messages about problems in the shapes, for the user.
 std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports);
 
-/// Caches log vectors: of the poses of one cage, and of the shapes of one model. Not thread-safe.
+/// Caches the log vectors (deform::LogVector) of one cage's poses and of one model's shapes. Not thread-safe.
 class VectorCache {
 public:
   /// Sets the cage, which may be null. Clears the cached poses if the cage changed.
@@ -46,14 +46,14 @@ public:
   void follow_model(const std::shared_ptr<const mesh::Surface>& model);
   /// Returns the pose space of the cage, or null without a cage.
   const std::shared_ptr<const deform::PoseSpace>& space() const { return space_; }
-  /// Returns PoseSpace::vector(), or null without a cage. Keeps the vector while other code owns the pose.
+  /// Returns PoseSpace::vector(); null without a cage. Caches the result while other code owns the pose.
   std::shared_ptr<const deform::LogVector> of(const SharedPose& pose,
                                               std::span<const mesh::Vec3> turns_before = {});
 
   /// Returns the shape space. Requires a model. The first call creates the space and can throw base::Error.
   const std::shared_ptr<const deform::ShapeSpace>& shapes(base::WorkerPool& pool);
-  /// Returns ShapeSpace::vector(), and throws its errors. `before` is the vector of the preceding shape. If
-  /// `shape` is null, uses the rest shape. Keeps the vector while other code owns the shape.
+  /// Returns ShapeSpace::vector() of the shape, and throws its errors. A null shape is the rest shape.
+  /// `before` is the vector of the preceding shape. Caches the result while other code owns the shape.
   std::shared_ptr<const deform::LogVector> of(const SharedShape& shape,
                                               const std::shared_ptr<const deform::LogVector>& before,
                                               base::WorkerPool& pool, deform::ShapeReport& report);
@@ -110,7 +110,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate; not less than any coordinate in a key
+  double farthest_ = most_drawn;  // the largest allowed coordinate: most_drawn, or more if a key has more
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

@@ -26,7 +26,7 @@ deform::Mask mask_of(const std::vector<float>& shares) {
   return whole ? nullptr : std::make_shared<const std::vector<float>>(shares);
 }
 
-// Returns the strength of the brush. `distance` = distance from the brush's center / radius of the brush.
+// Returns the strength of the brush at a distance from its center. The distance is relative to the radius.
 float coverage(double distance) {
   const double t = std::clamp(2 * (1 - distance), 0.0, 1.0);
   return static_cast<float>(t * t * (3 - 2 * t));

@@ -8,14 +8,14 @@ namespace viete::document {
 /// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, each vertex returns to its pose, moved by the change of its rest
-/// position. Undoable. Both functions require a cage.
+/// Begin and end cage editing. At the end, the cage returns to its pose. If a rest position has changed, the
+/// vertex has moved by the same displacement in the pose. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 
-/// Makes the moved positions the cage's rest shape, as part of the edit that moved them. If no vertex moved,
-/// or outside cage editing, returns false. If the new cage is invalid, undoes the edit and throws
-/// base::Error.
+/// Call this after an edit that moved vertices. Makes the moved positions the cage's rest shape, as part of
+/// this edit. If no vertex moved, or outside cage editing, does nothing and returns false. If the new cage is
+/// invalid, undoes the edit and throws base::Error.
 bool commit_cage_edit(Document& document);
 
 /// Each function below is one undoable edit. If the selection is unsuitable or the new cage would be invalid,

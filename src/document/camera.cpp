@@ -184,8 +184,7 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// Centers the points in the free area above the covered pixels. `raised` is the height of this area's center
-// above the pane's center, as the slope of a view ray.
+// Centers the points in the free area above the covered pixels.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;
@@ -196,6 +195,7 @@ void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool ea
   const glm::vec3 middle = 0.5f * (low + high);
   const float half_field = std::tan(0.5f * vertical_field);
   const glm::vec2 tangent = half_field * (v.seen() - glm::vec2(0, covered)) / v.window.y / margin;
+  // The slope of the view ray to the free area's center, which is above the pane's center.
   const float raised = half_field * covered / v.window.y;
   float distance = smallest / std::min(tangent.x, tangent.y);
   for (const auto& p : points) {

@@ -1,4 +1,4 @@
-// The document: model, cage, pose, selection and settings. Revisions show which of them changed.
+// The document: model, cage, pose, selection and settings. Revisions show which parts changed.
 #pragma once
 
 #include <cstdint>
@@ -59,7 +59,7 @@ struct Document : DocumentState {
   OpenedSurface model;
   std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
   std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;       ///< one per probe, from the last drawn picture; others are at rest
+  std::vector<Carried> carried;  ///< per probe, from the last drawn picture; a missing entry means at rest
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
@@ -135,7 +135,6 @@ Carried carried_probe(const Document& document, std::size_t probe);
 /// Returns the probe's current position. The cage and the probe's own pose have moved it.
 mesh::Point probe_center(const Document& document, std::size_t probe);
 std::vector<mesh::Point> probe_centers(const Document& document);
-/// Returns the current position of a pin's vertex.
 mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 
 /// Returns a message like "Binding 50,000 vertices to 148 faces, 72 MB". Requires a cage.

@@ -44,13 +44,13 @@ struct PoseLibrary {
 
   std::vector<NamedPose> poses;
   SharedPose unmixed{};  ///< the pose without the mix; null if unknown or if all weights are 0
-  SharedPose mixed{};    ///< the pose with the mix; later edits change only the document's pose
+  SharedPose mixed{};    ///< the document's pose right after the last change of the mix
 
   bool mixes() const;
   friend bool operator==(const PoseLibrary& a, const PoseLibrary& b) { return a.poses == b.poses; }
 };
 
-/// The poses of all probes, and their factor in a sum of logs. Missing probes are at rest.
+/// A term of blended_probes(): the poses of all probes, and their factor. Missing probes are at rest.
 struct ProbeTerm {
   const std::vector<deform::ProbePose>* poses;
   double factor;

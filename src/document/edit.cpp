@@ -18,7 +18,6 @@ EditStep binding_step(Setting setting) {
   return {EditKind::binding, static_cast<std::size_t>(setting)};
 }
 
-// Changes a setting of the deformer. Consecutive changes of one setting form one edit.
 template <class Place, class Value>
 void slide(Document& document, const char* label, EditStep step, const Value& value, const Place& place) {
   deform::Scheme scheme = document.scheme;

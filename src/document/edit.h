@@ -15,8 +15,8 @@ void reset_pose(Document& document);
 /// Resets the selected elements to rest. If there is a mirror, also resets their mirror partners. Undoable.
 void reset_selected(Document& document, const Mirror* mirror = nullptr);
 
-/// Sets the kind of elements that the user selects. Keeps elements selected if all their vertices were
-/// selected; to or from probes, clears the selection. Undoable.
+/// Sets the kind of elements that the user selects. Selects the elements of this kind whose vertices were all
+/// selected. If the old or the new kind is `probe`, clears the selection. Undoable.
 void select_kind(Document& document, ElementKind kind);
 
 void set_scheme(Document& document, const deform::Scheme& scheme);
@@ -24,8 +24,8 @@ void set_scheme(Document& document, const deform::Scheme& scheme);
 /// Set one setting of the deformer. Undoable. Consecutive changes of one setting form one edit.
 void set_radius(Document& document, double radius);
 void set_amounts(Document& document, const deform::Amounts& amounts);
-/// Sets the number of iterations of stitching, at most deform::most_iterations. 0 turns stitching off. Other
-/// numbers require elements that rotate and stretch.
+/// Sets Scheme::iterations, at most deform::most_iterations. 0 turns stitching off. Stitching requires a
+/// scheme with Scheme::has_maps().
 void set_iterations(Document& document, int iterations);
 void set_holding(Document& document, const deform::Holding& holding);
 /// Sets the scheme to `instead` after binding failed. If the last edit changed the scheme, removes the edit.

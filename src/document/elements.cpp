@@ -18,7 +18,8 @@ Marks marks_of(const deform::Cage& cage, const Selection& selection) {
   return marks;
 }
 
-// Returns the elements with marked vertices: all vertices if `holds` is all_of, at least one if it is any_of.
+// Returns the elements with marked vertices. `holds` is std::ranges::all_of if all vertices of an element
+// must be marked, or std::ranges::any_of if one marked vertex is sufficient.
 template <class Holds>
 Selection elements_with(const deform::Cage& cage, ElementKind kind, const Marks& marks, const Holds& holds) {
   std::vector<std::uint32_t> found;

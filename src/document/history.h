@@ -28,7 +28,7 @@ public:
 
   /// Adds a change of the selection. The revision stays, because a selection need not be saved.
   void record_selection(DocumentState before);
-  /// Replaces the selection in the stored state before the last edit. Requires can_undo().
+  /// Replaces the selection in the state that the next undo restores. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }
 
   /// Increases the revision. Call this after a change that belongs to the last edit.
@@ -74,7 +74,7 @@ private:
 
     EditKind kind() const { return step.kind; }
   };
-  /// Moves one step: removes the last entry of `from`, stores `now` in `to`, and returns the removed state.
+  /// Undoes or redoes: removes the last entry of `from` and returns its state. Stores `now` in `to`.
   DocumentState step(std::vector<Entry>& from, std::vector<Entry>& to, DocumentState now);
 
   std::vector<Entry> undo_, redo_;

@@ -114,7 +114,7 @@ bool are_weights(const PoseLibrary& library) {
 }
 
 // Calls `change` for a copy of the state, and applies the new mix. If a weight or the new pose is out of
-// range, changes nothing and returns false. If `played` is not empty, it has the current weights.
+// range, changes nothing and returns false. set_weight() explains `played`.
 template <class Change>
 bool remix(Document& document, VectorCache& vectors, const std::string& label, Change change,
            EditStep step = {}, std::span<const double> played = {}) {
@@ -356,7 +356,6 @@ void carry_poses(Document& document, const std::function<deform::Pose(const defo
 
 namespace {
 
-// Returns text such as "3 poses and 2 keys". If both numbers are 0, returns an empty text.
 std::string counted_poses(std::size_t poses, std::size_t keys) {
   const std::string some = poses == 0 ? "" : base::counted(poses, "pose");
   const std::string others = keys == 0 ? "" : base::counted(keys, "key");

@@ -49,7 +49,8 @@ void remove_pose(Document& document, VectorCache& vectors, std::size_t pose);
 
 /// Sets a pose's weight in the mix, clamped to the range in PoseLibrary. Consecutive changes for one pose
 /// form one edit. If the mix would be out of the drawable range (see in_range()), changes nothing and returns
-/// false. If the current pose comes from keys, `played` must have the weights of all named poses.
+/// false. If the current pose comes from keys, `played` has the weights of all named poses in this pose.
+/// Otherwise `played` is empty.
 bool set_weight(Document& document, VectorCache& vectors, std::size_t pose, double weight,
                 std::span<const double> played = {});
 /// Sets all weights to 0. Can return false like set_weight().
@@ -62,10 +63,10 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 // The next four functions do not record an edit.
 
-/// Ends the mix. Replaces the cage's pose in all named poses and keys by carried(pose), after a cage edit.
+/// After a cage edit: ends the mix, and replaces the cage's pose by carried(pose) in named poses and keys.
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
-/// Ends the mix. Adapts the poses to a new cage: removes poses without a shape; in other poses, puts the cage
-/// at rest. Returns text such as "3 poses and 2 keys" for the removed poses, or an empty text.
+/// Ends the mix. Adapts named poses and keys to the new cage `by`: removes poses without a shape; in other
+/// poses, puts the cage at rest. Returns the number of removed poses, such as "3 poses and 2 keys", or "".
 std::string drop_poses(Document& document, const deform::Cage& by);
 /// Copies shape, named poses and keys to another document of an equal model, and calls drop_poses() on it.
 std::string keep_shapes(Document& to, const Document& from);

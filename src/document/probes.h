@@ -19,7 +19,8 @@ bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The functions below act on selected probes. Only set_locked() and mirror_probes() include locked probes.
+// The functions from here to set_radius() act on the selected probes. They ignore locked probes, except
+// set_locked() and mirror_probes().
 
 void remove_probes(Document& document);
 /// Resets the probes to rest. Their motion with the cage stays.
@@ -36,7 +37,6 @@ void set_falloff(Document& document, Part part, deform::Falloff falloff);
 /// Sets the radius of a part. Consecutive changes for one part and selection form one edit.
 void set_radius(Document& document, Part part, double radius);
 
-/// Sets how overlapping probes combine.
 void set_mix(Document& document, deform::ProbeMix mix);
 
 /// Returns the axis (0 x, 1 y, 2 z) across which the model is most symmetric.

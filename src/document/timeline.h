@@ -46,7 +46,6 @@ std::span<const Choice> choices(Easing);
 enum class Repeat { once, loop, ping_pong };
 std::span<const Choice> choices(Repeat);
 
-/// The weight of a named pose in a key.
 struct MixedPose {
   std::string name;
   double weight;
@@ -109,19 +108,20 @@ struct Moment {
 /// Returns the interpolation at any frame, also between whole frames. Requires a key. Before the first key,
 /// uses the first key's pose. After the last key, uses the last key's pose.
 ///
-/// `smooth` is a cubic Hermite spline with the slopes of E. Catmull and R. Rom (A class of local
-/// interpolating splines, 1974; non-uniform as in P. J. Barry and R. N. Goldman, 1988). If an interval next
-/// to a key is `linear`, the slope at the key is the slope of this interval. Otherwise, if an interval next
-/// to the key is `hold`, the slope is 0. At the first and the last key, the slope is 0, unless the timeline
-/// loops and both keys have equal poses.
+/// `smooth` is a cubic Hermite spline. Its slope at a key is:
+/// - at the first and the last key: 0, unless the timeline loops and both keys have equal poses
+/// - otherwise, next to a `linear` interval: the slope of this interval
+/// - otherwise, next to a `hold` interval: 0
+/// - otherwise: the slope of E. Catmull and R. Rom (A class of local interpolating splines, 1974),
+///   non-uniform as in P. J. Barry and R. N. Goldman, 1988
 Moment moment_at(const Timeline& timeline, double frame);
 
-/// Returns the frame after `seconds` of playing. At the end, returns nullopt. `backward` is the direction of
-/// a ping-pong timeline; the function changes it at both ends of the range.
+/// Returns the frame after `seconds` of playing. If playing ends (see Repeat::once), returns nullopt.
+/// `backward` is the direction of a ping-pong timeline; it changes at both ends of the range.
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
-/// Returns the smoothly interpolated camera. If there are no camera keys, returns nullopt. At the first and
-/// the last key, the speed is 0, unless the camera continues smoothly: after full turns, or in a loop.
+/// Returns the smoothly interpolated camera; nullopt without camera keys. At the first and the last key, the
+/// speed is 0, unless both keys have equal cameras, and the camera makes whole turns or the timeline loops.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::document

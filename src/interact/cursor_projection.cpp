@@ -41,7 +41,7 @@ std::optional<std::array<glm::vec3, 2>> Projector::segment(const mesh::Point& a,
 
 namespace {
 
-constexpr double edge_on = 0.12;  // if the sine of the angle to the view is less, a ring or plane is edge-on
+constexpr double edge_on = 0.12;  // a plane is edge-on if the sine of its angle to the view direction is less
 
 }  // namespace
 
@@ -62,15 +62,15 @@ CursorProjection::CursorProjection(const glm::dvec3& point, const document::Came
   at_ = glm::dvec2(v.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
 }
 
-// A point at depth z moves with the velocity d = (side, n); n is the depth component. At time t, the position
-// on screen is (slope * z + t * side) / (z + t * n). The derivative at t = 0 is (side - slope * n) / z.
+// The point is at depth z. A motion by t * d has the components t * side (right, up) and t * n (forward). The
+// point appears at (slope * z + t * side) / (z + t * n). The derivative at t = 0 is (side - slope * n) / z.
 glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   const glm::dvec2 side(glm::dot(d, right_), glm::dot(d, up_));
   const glm::dvec2 moved = side - glm::dot(d, forward_) * slope_;
   return glm::dvec2(moved.x, -moved.y) / per_pixel_;
 }
 
-// A point at t along the axis is at u = t * speed / (1 + t * bend) on screen. Returns t for the cursor's u.
+// A point at distance t along the axis appears at u = t * speed / (1 + t * bend) on screen. Solves for t.
 double CursorProjection::along(const glm::dvec3& axis, const glm::dvec2& cursor) const {
   const glm::dvec2 m = motion(axis);
   const double speed = glm::length(m);

@@ -85,7 +85,6 @@ float distance_to_ring(const std::vector<Gizmo::RingPoint>& ring, const glm::vec
   return nearest;
 }
 
-// Returns the axis with the smallest distance. If the distance is above the tolerance, returns no axis.
 template <class Distance>
 std::optional<Constraint> nearest_axis(float tolerance, Distance distance) {
   float nearest = tolerance;

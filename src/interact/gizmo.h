@@ -15,12 +15,13 @@ namespace viete::interact {
 /// The sizes of the gizmo, in logical pixels.
 inline constexpr float gizmo_radius = 84;  ///< the radius of the rings; also the distance of the arrow heads
 inline constexpr float gizmo_head = 14;    ///< the length of an arrow head
-inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring for the view direction
+inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring that rotates in the view plane
 inline constexpr float gizmo_center = 9;       ///< the radius of the handle in the middle
 inline constexpr float gizmo_tolerance = 7;    ///< the largest distance from the cursor to a handle
 inline constexpr float gizmo_reach = 14;       ///< the tolerance if no small element is under the cursor
 
-/// The handles, in logical pixels. If a handle points at the viewer, it fades and cannot be hit.
+/// The handles, in logical pixels. If an arm or a plane is seen end-on or edge-on, it fades and cannot be
+/// hit.
 struct Gizmo {
   struct Arm {
     glm::vec2 base, tip, end;  ///< the shaft is from base to tip, the head from tip to end

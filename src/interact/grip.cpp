@@ -70,7 +70,8 @@ Vertices border_of(const deform::Cage& cage, const Vertices& vertices) {
   }
   std::vector<std::size_t> size(count, 0);
   for (std::uint32_t v = 0; v < count; ++v) ++size[together.find(v)];
-  std::vector<std::uint32_t> joined_to(count, 0);  // the size of the largest fixed part next to a vertex
+  // For each given vertex: the size of the largest part next to the vertex.
+  std::vector<std::uint32_t> joined_to(count, 0);
   std::size_t largest = 0;
   const auto meet = [&](std::uint32_t moving, std::uint32_t staying) {
     if (!moves[moving] || moves[staying]) return;
@@ -190,7 +191,7 @@ Transform share_of(const Transform& t, double share) {
   return part;
 }
 
-// Adds mirror partners. If a vertex would move with both sides, it moves with the side of the larger share.
+// Adds the mirror partners. If a partner is already in `own`, the larger share decides the partner's side.
 std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mirror& mirror) {
   std::vector<Gripped> by_vertex(mirror.partners.size(), Gripped{0, 0});
   for (const Gripped& g : own) by_vertex[g.vertex] = g;
@@ -255,7 +256,7 @@ namespace {
 mesh::Point shaped_on_its_side(const Grip& grip, std::size_t i, double amount, const mesh::Point& p) {
   const Gripped& g = grip.vertices[i];
   if (!grip.shaping.ways.empty()) return p + g.share * amount * grip.shaping.ways[i];
-  // Without effect, the amount is 1 for taper (a factor), and 0 for other shapes.
+  // The amount that changes nothing is 1 for taper (a factor), and 0 for other shapes.
   const double own = grip.shaping.shape == Shape::taper ? 1 + g.share * (amount - 1) : g.share * amount;
   return moved([&](const mesh::Point& at) { return shaped(grip.shaping, own, at); }, g.side, grip.plane, p);
 }

@@ -15,7 +15,6 @@ void put_visible(document::Document& document, std::span<const std::uint8_t> hid
   if (v >= hidden.size() || !hidden[v]) document.pose.positions[v] = place;
 }
 
-// Records an edit. Returns the positions before the edit.
 std::vector<mesh::Point> begin_edit(document::Document& document, const char* label) {
   record_edit(document, label);
   return document.changed_pose().positions;

@@ -26,7 +26,7 @@ float Sight::nearness(float depth) const {
   return orthographic_ ? -depth : 1 / depth;
 }
 
-// In each sample with its center inside the triangle, stores the surface if it is the nearest.
+// Updates each sample whose center is inside the triangle, if the triangle is the nearest surface there.
 void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const glm::vec2 p = glm::vec2(a) / cell, u = glm::vec2(b) / cell - p, v = glm::vec2(c) / cell - p;
   const float area = u.x * v.y - u.y * v.x;
@@ -51,7 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Compares with the farthest of the 3 x 3 nearest samples, so that silhouettes and steep faces are visible.
+// Compares with the farthest of the 3 x 3 samples around the point. One sample would hide steep faces.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))
@@ -75,7 +75,7 @@ constexpr float tolerance = 8;  // in logical pixels
 
 using Flags = std::vector<std::uint8_t>;
 
-// Finds the nearest candidate. Among candidates up to 2 pixels farther, chooses the front candidate.
+// Chooses one of the candidates near the cursor, as pick_element() describes.
 class Nearest {
 public:
   Nearest(const Sight* sight, const Flags& hidden) : sight_(sight), hidden_(hidden) {}
@@ -111,7 +111,7 @@ std::optional<Pick> pick_point(const Projector& project, std::span<const mesh::P
   return nearest.best();
 }
 
-// Interpolates the depth linearly on screen. This is not exact in perspective, but it finds the front edge.
+// Interpolates an edge's depth linearly on screen. In perspective, this depth is only approximate.
 std::optional<Pick> pick_edge(const Projector& project, std::span<const mesh::Point> points,
                               std::span<const mesh::Edge> edges, const glm::vec2& cursor, const Sight* sight,
                               const Flags& hidden) {
@@ -187,7 +187,6 @@ std::optional<Pick> pick_element(const document::Document& document, const docum
   return pick_element(document, document.selection.kind(), camera, viewport, cursor, sight);
 }
 
-// True if at least eight visible vertices are within four times the tolerance from the cursor.
 bool is_crowded(const document::Document& document, const document::Camera& camera,
                 const document::Viewport& viewport, const glm::vec2& cursor, const Sight* sight) {
   constexpr int crowd = 8;

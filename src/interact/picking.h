@@ -28,7 +28,7 @@ public:
   bool sees(const glm::vec3& at) const;
 
 private:
-  float nearness(float depth) const;  // linear on screen; increases towards the eye
+  float nearness(float depth) const;  // larger for points nearer to the camera; linear on screen
 
   bool orthographic_;
   int columns_, rows_;
@@ -40,9 +40,9 @@ struct Pick {
   float depth;  ///< the depth of the picked point from the camera, in view units
 };
 
-/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. Among elements that are up
-/// to 2 pixels farther, prefers the front element. If no face is under the cursor, picks a face at the
-/// nearest edge. Ignores elements hidden by the user and, if `sight` is given, elements behind surfaces.
+/// Picks the element of this kind nearest to the cursor, within 8 logical pixels. If several distances differ
+/// by at most 2 pixels, picks the element nearest to the camera. If no face is under the cursor, picks a face
+/// at the nearest edge. Ignores hidden elements and, if `sight` is given, elements behind surfaces.
 std::optional<Pick> pick_element(const document::Document& document, document::ElementKind kind,
                                  const document::Camera& camera, const document::Viewport& viewport,
                                  const glm::vec2& cursor, const Sight* sight = nullptr);

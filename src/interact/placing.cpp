@@ -43,7 +43,7 @@ struct Motion {
     }
   }
 
-  // Follows one whole turn in the direction of `count`. Multiplies the change of the turns by |count|.
+  // Adds `count` whole turns. Rotates only once, and multiplies the change of the pose's turns by |count|.
   void follow_whole(double from, int count) {
     if (count == 0) return;
     auto& turns = document.pose.turns;
@@ -56,7 +56,7 @@ struct Motion {
   }
 };
 
-// Returns the rotation axis of each part of the cage. If a part does not rotate rigidly, returns 0 for it.
+// Returns the rotation axis of each part of the cage; (0, 0, 0) for a part that does not rotate rigidly.
 std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip, const glm::dvec3& axis) {
   const mesh::Vec3 own{axis.x, axis.y, axis.z}, other = -1.0 * document::reflected_direction(grip.plane, own),
                                                 none{};
@@ -91,8 +91,8 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
   return state.report().turns;
 }
 
-// Returns the number of whole turns about the axis. If `turn` has whole turns about another axis, returns
-// nullopt. `least` is the same rotation without whole turns.
+// Returns the number of whole turns about the axis in `turn`. If `turn` has whole turns about another axis,
+// returns nullopt. `least` is `turn` without its whole turns.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
@@ -150,7 +150,7 @@ bool place(document::Document& document, const document::DocumentState& snapshot
   return false;
 }
 
-// A part has whole turns about one axis only. Whole turns about another axis replace the previous turns.
+// A part stores whole turns about one axis only. New turns about another axis replace the stored turns.
 void count_whole_turns(document::Document& document, const document::DocumentState& before, const Grip& grip,
                        const Transform& t) {
   if (t.degrees == 0 || !document.has_cage() || grip.shaping.shape != Shape::none) return;

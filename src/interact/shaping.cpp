@@ -10,7 +10,7 @@ namespace viete::interact {
 
 namespace {
 
-// Uses the vertices with share 1. Returns the mean position of the fifth that is farthest from `from`.
+// Sorts the vertices with share 1 by distance from `from`. Returns the mean position of the farthest 20 %.
 glm::dvec3 far_end(const document::Document& document, const Grip& grip, const glm::dvec3& from) {
   std::vector<std::pair<double, glm::dvec3>> places;
   for (const Gripped& g : grip.vertices) {

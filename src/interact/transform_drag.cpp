@@ -43,14 +43,13 @@ std::string length_text(double value, double cell) {
   return print(("%." + std::to_string(static_cast<int>(decimals)) + "f").c_str(), value);
 }
 
-
 bool follows(const TransformDrag& drag, int axis) {
   const Constraint& c = drag.constraint();
   if (drag.tool() == Tool::rotate || c.kind == Kind::free) return false;
   return (c.kind == Kind::axis) == (axis == c.axis);
 }
 
-// Returns the arc that the rotation describes from the press, in logical pixels.
+// Returns the arc from the pressed point to its rotated position, in logical pixels.
 std::vector<glm::vec2> swept(double degrees, const CursorProjection& projection, const glm::dvec3& center,
                              const TransformDrag& drag, const document::Camera& camera,
                              const document::Viewport& viewport) {
@@ -213,7 +212,7 @@ glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document
   return moved / space_.scale;
 }
 
-// Angles of the cursor are known up to whole turns. Uses the angle that is nearest to the previous angle.
+// The cursor's angle is known only up to whole turns. Chooses the value nearest to the previous angle.
 double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjection& projection) {
   const auto now = projection.angle(direction(), input.cursor), then = projection.angle(direction(), press_);
   double turned = 0;

@@ -34,10 +34,11 @@ public:
   void update(document::Document& document, const DragInput& input, const document::Camera& camera,
               const document::Viewport& viewport);
 
-  /// Handles a typed character. x, y and z set an axis as constraint; X, Y and Z set the plane perpendicular
-  /// to this axis. Typing the same character again removes the constraint. A rotation and a bend use the axis
-  /// in both cases. Other shapes have no axis. Digits, point and minus enter the amount. If the character has
-  /// no effect, returns false.
+  /// Handles a typed character. If the character has no effect, returns false.
+  /// - x, y and z constrain to this axis; X, Y and Z constrain to the plane perpendicular to this axis
+  /// - rotations and bends have no plane: X, Y and Z act like x, y and z; other shapes have no constraint
+  /// - the same character again removes the constraint
+  /// - digits, point, comma and minus enter the amount
   bool type(char c);
   void backspace() { entry_.backspace(); }
 
@@ -90,7 +91,7 @@ private:
   Tool tool_;
   Constraint constraint_;
   glm::dvec3 view_hinge_;         // the axis for bending in the view plane
-  std::optional<int> along_way_;  // the last requested bending axis, if parallel to `to - from`
+  std::optional<int> along_way_;  // the last typed axis, if no bend about it is possible
   glm::dvec3 pivot_, view_axis_;  // view_axis_: the direction to the eye
   double depth_;
   glm::dvec2 press_, cursor_, lag_{0, 0};  // lag_: slow mode subtracts it from the cursor position

@@ -18,7 +18,7 @@ void check_sound(const NamedModel& model, const cages::Wish& wish) {
     FAIL_CHECK(complaint);
 }
 
-// The models use these wishes one after another.
+// Each model is tested with one of these wishes, in turn.
 const std::vector<cages::Wish> wishes = {
     {.triangles = 12},
     {.triangles = 200, .effort = cages::Effort::preview},

@@ -47,7 +47,7 @@ TEST_CASE("automatic_cages_are_no_larger_than_manual_ones" * doctest::test_suite
   const struct {
     const char* name;
     std::size_t triangles;
-    double volume;  // the volume of the manual cage divided by that of the model
+    double volume;  // the volume of the manual cage divided by the volume of the model
   } by_hand[] = {
       {"armadillo-man", 216, 2.04}, {"octopus", 102, 2.43}, {"horse", 98, 2.80}, {"hand", 82, 2.32}};
   for (const auto& [name, triangles, volume] : by_hand) {

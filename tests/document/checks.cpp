@@ -57,7 +57,7 @@ deform::Cage cage_of(int cubes) {
   return deform::make_cage(mesh::from_triangles(surface.positions, surface.triangles));
 }
 
-// Returns the messages about a pose in which `map` has moved the first vertices.
+// Returns the messages about a pose: `map` is applied to the first `mapped` vertices.
 std::vector<std::string> notes(deform::Cage cage, std::size_t mapped, auto map) {
   deform::Pose pose = deform::rest_pose(cage);
   for (std::size_t v = 0; v < mapped; ++v) map(pose.positions[v]);

@@ -97,7 +97,7 @@ TEST_CASE("smooth_keys_flow_with_one_slope_at_uneven_times_and_rest_at_both_ends
     CHECK(n.slope(frame, -1e-5) == doctest::Approx(n.slope(frame, 1e-5)).epsilon(1e-4));
   CHECK(n.slope(1, 1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
   CHECK(n.slope(50, -1e-5) == doctest::Approx(0).scale(1).epsilon(1e-4));
-  // The keys are uneven, but the motion is constant. The speed differs only in the first and last interval.
+  // The intervals differ, but the value is linear in the frame. The curve is linear between inner keys.
   EasedKeys even;
   for (const int frame : {0, 1, 7, 9, 30}) even.add(frame, 2.5 * frame);
   for (double frame = 1; frame <= 9; frame += 0.25) CHECK(even.at(frame) == doctest::Approx(2.5 * frame));
