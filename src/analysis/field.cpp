@@ -180,7 +180,7 @@ constexpr FieldEntry table[] = {
      .floor = 1e-12,
      .compute = [](const FieldInput& in) { return distances(in.drawn, in.first, in.strain->diagonal()); }},
     {.choice = {"signed-difference", "Signed difference",
-                "Distance from the first view along its normals: orange outside, blue inside."},
+                "Distance from the first view's surface along its normals: orange outside, blue inside."},
      .unit = "% of diagonal",
      .source = Source::first,
      .symmetric = true,

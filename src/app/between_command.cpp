@@ -151,7 +151,7 @@ void add_between_command(CLI::App& app, Action& action) {
   whole_in_range(frames, 2, most_frames)->default_str("25");
   auto* at = command->add_option_function<double>(
       "--at", [o](double at) { o->at = at; },
-      "Write one shape: 0 is the first shape, 1 the second, 1.5 halfway to the third");
+      "Write only the shape at this place (0: first shape, 1: second, 1.5: halfway to the third)");
   in_range(at, 0, most_frames)->excludes(frames);
   add_file_option(*command, "--rest", o->rest, "File of the rest shape")->default_str("the first shape");
   command->add_flag("--loop", o->loop, "Also interpolate from the last shape to the first");

@@ -110,12 +110,12 @@ void add_mix_command(CLI::App& app, Action& action) {
           [o](const std::vector<std::string>& texts) {
             for (const auto& text : texts) o->shares.push_back(share_of(text));
           },
-          "Shape with the same faces, and its weight: smile.obj=0.5, or face.glb:smile=0.5 for a shape in a "
-          "file of several; repeatable")
+          "Shape with the same faces, and its weight: smile.obj=0.5, or face.glb:smile=0.5 if the file "
+          "contains several shapes; repeatable")
       ->allow_extra_args(false)
       ->option_text("FILE=WEIGHT ...")
       ->required();
-  command->add_flag("--straight", o->straight, "Combine vertex positions, not in log space");
+  command->add_flag("--straight", o->straight, "Combine vertex positions instead of logarithms");
   add_output_options(*command, o->output);
   add_examples(*command, {"mix rest.obj --shape smile.obj=0.5 -o mixed.obj",
                           "mix rest.obj --shape face.glb:smile=1 --shape sad.obj=-0.2 -o mix.ply"});

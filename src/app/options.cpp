@@ -24,12 +24,13 @@ bool read_whole_text(const std::string& text, Number& number) {
   return code == std::errc() && stop == end;
 }
 
-std::string number_text(double number) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, number).ptr};
-}
 std::string number_text(std::int64_t number) {
   return (number < 0 ? "-" : "") + base::with_thousands(static_cast<std::size_t>(std::abs(number)));
+}
+std::string number_text(double number) {
+  char text[32];
+  if (number >= 1e4 && number < 1e15) return number_text(static_cast<std::int64_t>(number));
+  return {text, std::to_chars(text, text + sizeof text, number).ptr};
 }
 
 std::string suggestion(const std::string& word, const std::vector<std::string>& names) {
@@ -71,7 +72,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Also replace input files, and files with content of another kind");
+  app.add_flag("--force", force, "Replace existing files even if they are inputs or of another kind");
 }
 
 files::Force force_of(bool given) {
@@ -151,7 +152,7 @@ void add_digits_option(CLI::App& app, formats::Digits& digits) {
   };
   app.add_option_function<std::string>("--digits", take, "Decimal places in text files: 0 to 17, or all")
       ->option_text("NUMBER|all")
-      ->default_str("as in MODEL");
+      ->default_str("as in the input");
 }
 
 void add_size_option(CLI::App& app, glm::ivec2& size) {

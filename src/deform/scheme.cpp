@@ -31,9 +31,9 @@ constexpr std::array weights_table = {
 };
 
 constexpr std::array blend_table = {
-    BlendEntry{
-        {"srl", "Log space", "sums the logarithms of rotations and stretches around the blended centre"},
-        Blend::srl},
+    BlendEntry{{"srl", "Log space",
+                "sums the logarithms of rotations and of stretches; both act around the blended centre"},
+               Blend::srl},
     BlendEntry{{"mls-affine", "Least squares (MLS)", "fits an affine map by least squares"},
                Blend::mls_affine,
                true},
@@ -209,7 +209,7 @@ constexpr std::array numbers_table = {
                 [](Scheme& s) -> double& { return s.holding.radius; },
                 &AskedScheme::pins,
                 is_stitched},
-    NumberEntry{{"hold", "Hold", "ARAP: pull each vertex to its position without ARAP"},
+    NumberEntry{{"hold", "Hold", "ARAP: pull each vertex towards the position that it has without ARAP"},
                 [](Scheme& s) -> double& { return s.holding.weight; },
                 &AskedScheme::hold,
                 is_stitched},

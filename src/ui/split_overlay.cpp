@@ -63,7 +63,12 @@ void caption(const Context& ui, std::size_t view, glm::vec2 at, float room, bool
   const ImVec2 padding{10, 6};
   const float most = std::max(room - 16 - 2 * padding.x, 1.0f);
   const Caption shown = shown_in(ui.workspace, view);
-  const auto height_of = [](ImFont* font) { return font->FontSize * ImGui::GetIO().FontGlobalScale; };
+  const auto height_of = [](ImFont* font) {
+    ImGui::PushFont(font);
+    const float height = ImGui::GetFontSize();
+    ImGui::PopFont();
+    return height;
+  };
   const auto size_of = [&](ImFont* font, const std::string& words) {
     return words.empty() ? ImVec2(0, 0) : font->CalcTextSizeA(height_of(font), FLT_MAX, most, words.c_str());
   };

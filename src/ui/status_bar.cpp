@@ -86,7 +86,7 @@ std::string mouse_text(const workspace::Workspace& w) {
   if (w.view.interaction.over_axes) return "Click to view along an axis, drag to orbit";
   if (w.view.interaction.handle && rotates_posed_cage(w))
     return interact::handle_name(w.view.tool, *w.view.interaction.handle) +
-           ":  drag;  rotating a posed cage changes the model's shape slightly: orbit the camera instead";
+           ":  drag.  This changes the model's shape slightly.  To see another side, orbit the camera.";
   if (w.view.interaction.handle)
     return interact::handle_name(w.view.tool, *w.view.interaction.handle) +
            ":  drag;  Ctrl snaps,  Shift slows,  digits set the amount";

@@ -85,13 +85,13 @@ inline constexpr Condition can_make_cage{[](const Workspace& w) {
                                            return has_model(w) && !w.making.open && !w.jobs.loading.running &&
                                                   !is_dragging(w);
                                          },
-                                         "Open a model first. Finish a new cage with Done."};
+                                         "Open a model first. If you are making a cage, choose Done."};
 inline constexpr Condition lacks_pairs{
     [](const Workspace& w) { return can_make_cage(w) && mirror_of(w) && mirror_of(w)->unpaired() > 0; },
     "Choose a mirror in Transform first. All vertices of the cage may have a mirror image already."};
 inline constexpr Condition can_edit_cage{
     [](const Workspace& w) { return has_cage(w) && !w.making.open && !is_dragging(w); },
-    "Open or make a cage first. Finish a new cage with Done."};
+    "Open or make a cage first. If you are making one, choose Done."};
 inline constexpr Condition is_editing{
     [](const Workspace& w) { return is_editing_cage(w.document) && !is_dragging(w); },
     "Start cage editing first (Tab)."};

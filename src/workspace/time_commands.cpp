@@ -187,7 +187,7 @@ void add_time_commands(CommandTable& table) {
             {Key::left, false, true}, shows_time, to_end<&document::Playing::first>);
   table.add("last_frame", "Last frame", "Go to the last frame of the playback range.",
             {Key::right, false, true}, shows_time, to_end<&document::Playing::last>);
-  table.add("fit_range", {"Set range to keys", "Range to keys"},
+  table.add("fit_range", {"Set range to keys", "Fit to keys"},
             "Set the playback range from the first to the last key.", has_time, fit_range);
   add_choices<document::Easing>(table, "Easing", has_pose_keys, [](Workspace& w, document::Easing easing) {
     set_easing(w.document, eased_keys(w), easing);
