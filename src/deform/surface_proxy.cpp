@@ -321,8 +321,40 @@ void SurfaceProxy::adopt_loose_vertices() {
     if (of_vertex_[v] == none) of_vertex_[v] = tree.nearest(model_.positions[v]);
 }
 
+namespace {
+
+// Sums of factor * x^i * y^j for i + j <= 4, at the index place_of(i, j).
+using Powers = std::array<double, 15>;
+
+constexpr std::size_t place_of(std::size_t i, std::size_t j) {
+  return (i + j) * (i + j + 1) / 2 + j;
+}
+
+void add_powers(const std::array<double, 2>& place, double factor, Powers& sums) {
+  Powers powers;
+  powers[0] = factor;
+  for (std::size_t d = 1; d <= 4; ++d) {
+    for (std::size_t j = 0; j < d; ++j)
+      powers[place_of(d - j, j)] = place[0] * powers[place_of(d - 1 - j, j)];
+    powers[place_of(0, d)] = place[1] * powers[place_of(0, d - 1)];
+  }
+  for (std::size_t k = 0; k < powers.size(); ++k) sums[k] += powers[k];
+}
+
+// Solves the normal equations of the fit. The value of the fitted polynomial at the vertex is the sum of
+// factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the clusters.
+Eigen::Matrix<double, 6, 1> fitted_value(const Powers& sums) {
+  constexpr std::size_t x[] = {0, 1, 0, 2, 1, 0}, y[] = {0, 0, 1, 0, 1, 2};
+  Eigen::Matrix<double, 6, 6> m;
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j <= i; ++j) m(i, j) = sums[place_of(x[i] + x[j], y[i] + y[j])];
+  for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
+  return m.llt().solve(Eigen::Matrix<double, 6, 1>::Unit(0));
+}
+
+}  // namespace
+
 void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
-  using Vector6 = Eigen::Matrix<double, 6, 1>;
   const auto own = of_vertex_[vertex];
   const std::span near(nearby_.data() + starts_[own], nearby_.data() + starts_[own + 1]);
   const mesh::Point& p = model_.positions[vertex];
@@ -347,19 +379,20 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
   if (!(length > 0)) return take_own();
   u = (1 / (length * radii_[own])) * u;
   const Vec3 v = (1 / norm(normal)) * cross(normal, u);
-  Eigen::Matrix<double, 6, 6> m = Eigen::Matrix<double, 6, 6>::Zero();
-  std::array<Vector6, 64> basis;
-  terms.resize(std::min(terms.size(), basis.size()));
+  std::array<std::array<double, 2>, 64> places;  // u and v coordinates of the clusters
+  Powers sums{};
+  terms.resize(std::min(terms.size(), places.size()));
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Vec3 d = surface_.positions[terms[i].cluster] - p;
-    const double x = dot(u, d), y = dot(v, d);
-    basis[i] << 1, x, y, x * x, x * y, y * y;
+    places[i] = {dot(u, d), dot(v, d)};
     terms[i].factor *= std::max(least_facing, dot(normals_[terms[i].cluster], normal) / norm(normal));
-    m.selfadjointView<Eigen::Lower>().rankUpdate(basis[i], terms[i].factor);
+    add_powers(places[i], terms[i].factor, sums);
   }
-  for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
-  const Vector6 fit = m.selfadjointView<Eigen::Lower>().ldlt().solve(Vector6::Unit(0));
-  for (std::size_t i = 0; i < terms.size(); ++i) terms[i].factor *= fit.dot(basis[i]);
+  const auto fit = fitted_value(sums);
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    const auto [x, y] = places[i];
+    terms[i].factor *= fit[0] + x * (fit[1] + x * fit[3] + y * fit[4]) + y * (fit[2] + y * fit[5]);
+  }
 }
 
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
