@@ -254,8 +254,8 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
   for (int g = 0; g < G; ++g) To::template store<streaming>(d, to[g], out, i + g * lanes);
 }
 
-/// Processes as many whole groups as possible. Returns the index after the last processed item. Not inline,
-/// so that the compiler can keep constants in all registers.
+/// Processes as many whole groups as possible. Returns the index after the last processed item. This function
+/// is not inline, so that the compiler can use all registers for its constants.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -374,8 +374,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// Stores the only lane of N registers as N contiguous numbers, 16 bytes at a time. A later load of 16 bytes
-/// would be slow after smaller stores.
+/// Stores the only lane of N registers as N contiguous numbers. Stores 16 bytes at a time, because a later
+/// load of 16 bytes is slow if several smaller stores have written them.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;

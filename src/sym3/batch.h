@@ -22,8 +22,8 @@ enum class Stores : unsigned char {
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };
 
-/// By default a batch uses the active kernel and the calling thread. If there is an executor, the batch is
-/// split into chunks of at least `least_chunk` items. The number of chunks does not change the results.
+/// By default a batch runs in the calling thread. If there is an executor, the batch is split into chunks of
+/// at least `least_chunk` items. The number of chunks does not change the results.
 struct Batch {
   const Kernel* kernel = nullptr;  ///< one of kernels(); null selects the active kernel
   const Executor* executor = nullptr;

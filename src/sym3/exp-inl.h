@@ -201,12 +201,11 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// How often A must be halved until p is at most p_limit.
+/// `count` says how often A must be halved until p is at most p_limit. If this needs more than max_squarings
+/// halvings, `count` is max_squarings. `scale` is 2^-count, and `p` is the value after the halvings.
 template <class V>
 struct Halvings {
-  V p;      ///< p after the halvings
-  V scale;  ///< 2^-count
-  V count;  ///< number of halvings, at most max_squarings, even if p remains above p_limit
+  V p, scale, count;
 };
 
 template <class D, class V = hn::Vec<D>>
@@ -243,7 +242,7 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   const Six<V> a = times(m.a, halvings.scale), c = adjugate(a);
   const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int, const V&) {});
   Six<V> e = combine(times(z, hn::Set(d, C::lead)), a, c);
-  // Squares the matrix: if coefficients z were squared, rounding errors would grow as the squared spread.
+  // Squares the matrix, not the coefficients z: their rounding errors would grow with the squared spread.
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;

@@ -13,8 +13,8 @@
 //   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A
 //   dz_k = u_k dp + u_{k+1} dq,   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}
 //   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S)
-// The numbers u_k do not depend on E. A squaring of f replaces f' by f f' + f' f. The polynomial is not that
-// of exp-inl.h, because its derivative must also be close to exp, see exp_tables.h.
+// The numbers u_k do not depend on E. A squaring of f replaces f' by f f' + f' f. The polynomial differs from
+// that of exp-inl.h, because its derivative must also be close to exp, see exp_tables.h.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H

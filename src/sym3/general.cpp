@@ -292,7 +292,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // another branch can be nearer
+  const bool other = turned + pair.angle() > pi;  // another branch can be nearer to `turn`
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);

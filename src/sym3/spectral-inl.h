@@ -50,10 +50,10 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// Returns 4/3 of the discriminant D of B: the sum of (x_i y_j - x_j y_i)^2 over all i < j. (D is the Gram
-/// determinant of I, B and C.) The vectors x and y are sqrt 2 times the coordinates of B and of
-/// C - (tr C / 3) I in an orthonormal basis of the matrices with trace zero.
-/// The sum of squares gives the square root of D with an error of u, D = 4 p^3 - 27 q^2 with sqrt(u).
+/// Returns 4/3 of the discriminant D of B: the sum of (x_i y_j - x_j y_i)^2 over all i < j. The vectors x and
+/// y are sqrt 2 times the coordinates of B and of C - (tr C / 3) I in an orthonormal basis of the matrices
+/// with trace zero. With this sum, the square root of D has an error of u. With the formula
+/// D = 4 p^3 - 27 q^2, the square root would have an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -140,13 +140,13 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y) and slope = log(x / y) / (x - y). x and y must be positive and normal. `difference` must be an
-/// accurate x - y.
+/// log(x / y) and slope = log(x / y) / (x - y).
 template <class V>
 struct LogRatio {
   V log, slope;
 };
 
+/// x and y must be positive and normal. `difference` must be x - y, without cancellation.
 template <class D, class V>
 static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using T = hn::TFromD<D>;
