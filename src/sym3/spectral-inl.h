@@ -146,7 +146,7 @@ struct LogRatio {
   V log, slope;
 };
 
-/// x and y must be positive and normal. `difference` must be x - y, without cancellation.
+/// x and y must be positive and normal. `difference` must be x - y, computed without cancellation.
 template <class D, class V>
 static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using T = hn::TFromD<D>;
