@@ -98,10 +98,10 @@ public:
   /// Computes the model's vertices from the cage's vertices. All spans have three numbers for each vertex. If
   /// `normals` is not empty, it gets unit vectors.
   /// The double version gives the same bits as `viete deform`. The float version is three to nine times as
-  /// fast, but compresses the weights. This causes errors of up to 1e-4 (usually 1e-5) of the cage's
-  /// diagonal, at rest or posed. Normals in float are accurate to 1e-4. `turns` counts full turns: it has a
-  /// rotation vector for each part of the cage. Pass an empty list for the first pose, and the same list for
-  /// each later pose. If `turns` is null, rotations are the shortest.
+  /// fast. Its compressed weights cause errors of up to 1e-4 (usually 1e-5) of the cage's diagonal, at rest
+  /// or posed, and its normals are accurate to 1e-4.
+  /// `turns` counts full turns: it has a rotation vector for each part of the cage. Pass an empty list for
+  /// the first pose, and the same list for each later pose. If null, each part has its shortest rotation.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
               std::vector<Point3>* turns = nullptr);
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},
@@ -109,7 +109,7 @@ public:
 
   /// Scales the motion of each vertex by a factor from 0 to 1. An empty span removes the scaling.
   void set_mask(std::span<const float> shares);
-  /// Sets the shape that the cage deforms, three numbers for each vertex. If empty: the model at rest.
+  /// Sets the shape that the cage deforms, three numbers for each vertex. Empty means the model at rest.
   void set_shape(std::span<const double> positions);
 
 private:

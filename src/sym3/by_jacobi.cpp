@@ -42,8 +42,8 @@ double times_exp(double x, const DoubleDouble& y) {
   return x * (1 + y.lo);
 }
 
-/// Returns entry (i, j) of V exp(values) V^T. Divides all terms by the largest exponential and adds them.
-/// Skips terms that are 0: 0 times an infinite exponential would be NaN.
+/// Returns entry (i, j) of V exp(values) V^T. The largest exponential is a common factor, so that only the
+/// result can overflow. Skips terms that are 0: 0 times an infinite exponential would be NaN.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];

@@ -70,8 +70,8 @@ static HWY_INLINE void complete(D d, const Three<V>& n, Three<V>& u, Three<V>& v
   v = {b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)};
 }
 
-/// Computes the eigenvectors. A rotation in the plane (u, v) gives those of `b` and `c`. If `b` and `c` are
-/// close, rounding may decide the rotation, but then F is almost equal for all rotations.
+/// Computes the eigenvectors. If the eigenvalues b and c are close, rounding may rotate the eigenvectors of b
+/// and c in their plane. The derivative remains accurate, because then entries of F are also close.
 template <class D, class V>
 static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   using T = hn::TFromD<D>;

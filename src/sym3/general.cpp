@@ -18,7 +18,7 @@ namespace {
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
 // The smallest stretch relative to the largest stretch. This value replaces smaller stretches.
 constexpr double flattest = 1e-12;
-// bounded_log() is log M up to the first value of |log M| / (|X| + |Y|), and X + Y from the second value on.
+// bounded_log() is log M up to |log M| = kept_up_to * (|X| + |Y|), and X + Y from left_from * (|X| + |Y|) on.
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;

@@ -102,8 +102,8 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Returns the number with the most accurate reciprocal in T, among x and the next 2000 smaller numbers. With
-/// this `lead`, the rounded polynomial is accurate at 0.
+/// Returns the number with the most accurate reciprocal in T, among x and the next 2000 smaller numbers. The
+/// callers divide coefficients by this number, so that the rounded polynomial is accurate at 0.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
