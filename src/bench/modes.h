@@ -124,9 +124,9 @@ struct ModeSettings {
   bool named_only = false;  ///< if true, measures only named deformers
 };
 
-/// Measures all valid schemes that match settings.choice. Shapes are computed in double by the staged engine,
-/// except for stitched schemes. Frame times are for the first pose, on one thread, in interleaved rounds.
-/// `poses` must not be empty. Throws base::Error and base::Cancelled.
+/// Measures the named deformers and all other valid schemes, if they match settings.choice. Shapes are in
+/// double by the staged engine, except for stitched schemes. Frame times are for the first pose, on one
+/// thread, in interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);
