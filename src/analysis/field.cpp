@@ -58,7 +58,7 @@ std::vector<double> volumes(const FieldInput& in) {
   return values;
 }
 
-// Returns the smallest gap between eigenvalues / the largest absolute eigenvalue, for each matrix.
+// Returns for each matrix the smallest gap between eigenvalues, divided by the largest absolute eigenvalue.
 std::vector<double> gaps(const FieldInput& in) {
   std::vector<std::array<double, 3>> eigenvalues(in.matrices.size());
   if (in.matrices.empty()) return {};
@@ -73,7 +73,7 @@ std::vector<double> gaps(const FieldInput& in) {
   return values;
 }
 
-// Returns relative errors of exp in the Frobenius norm, against a 106-bit reference, in about 2 us each.
+// Returns for each matrix the relative error of exp. The reference has 106 bits and takes about 2 us.
 std::vector<double> exp_errors(const FieldInput& in) {
   std::vector<double> values;
   std::vector<sym3::Sym3<double>> computed(portion);
@@ -88,7 +88,7 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-// Returns the differences from the first view, signed along the normals of the first view.
+// Returns the offsets from the first view along its normals, in diagonals.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();

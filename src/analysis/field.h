@@ -42,7 +42,7 @@ std::span<const base::Choice> choices(Field);
 
 /// The stored form of values: unchanged, or as logarithms.
 enum class Scale : unsigned char { plain, log2, log10 };
-/// The input that a field is computed from.
+/// The input that a field needs.
 enum class Source : unsigned char {
   nothing,
   surface,   ///< positions at rest and as displayed
@@ -68,10 +68,10 @@ struct FieldEntry {
   std::string_view unit{};  ///< displayed after the title, for example "in diagonals"
   Source source = Source::nothing;
   Scale scale = Scale::plain;
-  bool symmetric = false;  ///< true if 0 is the value at rest and has the middle colour
-  double least_range = 1;  ///< smallest range of the colours
-  double floor = 0;        ///< smallest value before logarithms are taken
-  bool worst_is_least = false;
+  bool symmetric = false;       ///< true if 0 is the value at rest and has the middle colour
+  double least_range = 1;       ///< smallest range of the colours
+  double floor = 0;             ///< smallest value before logarithms are taken
+  bool worst_is_least = false;  ///< true if FieldStats::worst is the vertex of the smallest value
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
@@ -82,7 +82,7 @@ struct FieldStats {
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0 if the field is not computed
   double least = 0, median = 0, most = 0;    ///< of all finite values
-  std::uint32_t worst = 0;                   ///< vertex of the largest value (smallest if worst_is_least)
+  std::uint32_t worst = 0;                   ///< vertex of the largest (symmetric fields: absolute) value
   bool is_nan = false;                       ///< true if a value is NaN
   /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most
   /// 0.5 % are above `high`.

@@ -36,9 +36,9 @@ struct Stretches {
 Stretches stretches(const PlaneMap& map);
 
 /// Compares deformed surfaces with a surface at rest. The value at a vertex is the mean over the adjacent
-/// triangles, weighted by area at rest. If these triangles have no area, the value is 0. A measurement takes
-/// one to two milliseconds for 100,000 triangles. The number of threads does not change the results.
-/// Thread-safe.
+/// triangles, weighted by area at rest. Triangles without area are ignored; without any other triangle, the
+/// value is 0. A measurement takes one to two milliseconds for 100,000 triangles. The number of threads does
+/// not change the results. Thread-safe.
 class Strain {
 public:
   explicit Strain(const mesh::Surface& rest);

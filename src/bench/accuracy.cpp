@@ -26,7 +26,7 @@ template <class To, class From>
 
 using Make = std::function<Matrices(std::size_t count)>;
 
-// Returns an ensemble of the matrices change(s), for all s of `from`.
+// Returns an ensemble like `from`, with each matrix s replaced by change(s).
 template <class Change>
 Make changed(const Make& from, Change change) {
   return [=](std::size_t count) {

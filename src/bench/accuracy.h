@@ -14,11 +14,11 @@ namespace viete::bench {
 /// Results of one method for one ensemble.
 struct Accuracy {
   double worst = 0;      ///< largest relative Frobenius error of the finite results
-  double nan_share = 0;  ///< part of the results that should be finite but are not
+  double nan_share = 0;  ///< part of the results that are NaN or infinite, from 0 to 1
 };
 
 struct AccuracyTable {
-  std::string title, by;  ///< by: the quantity of each row, for example "gap"
+  std::string title, by;  ///< `by` is the quantity that differs between rows, for example "gap"
   struct Row {
     std::string name;
     double value = 0;             ///< the gap, spread or scale; 0 for ensembles

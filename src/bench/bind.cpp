@@ -28,7 +28,7 @@ constexpr deform::Weighting faces{}, mean_values{deform::Elements::point, deform
 
 class BindRuns {
 public:
-  /// `with_plain_loops`: also measures simple loops, which need much memory.
+  /// If `with_plain_loops` is true, also measures PlainWeights, which needs much memory.
   BindRuns(const mesh::Surface& model, const deform::Cage& cage, bool with_plain_loops)
       : model_(model), cage_(cage) {
     if (with_plain_loops)

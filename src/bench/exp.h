@@ -26,8 +26,8 @@ struct ExpMethod {
   sym3::Sym3<float> operator()(const sym3::Sym3<float>& s) const { return in_float(s); }
 };
 
-/// The methods for one matrix: Diag; Direct (Eigen's closed-form computeDirect instead of QR); SD; Improved
-/// SD as printed and guarded; Pade (scaling and squaring, Eigen's unsupported MatrixBase::exp); Fast.
+/// The methods for one matrix: all of sym3::Method, "Direct" (like Diag, but with Eigen's closed-form
+/// computeDirect instead of QR) and "Pade" (Eigen's unsupported MatrixBase::exp).
 std::span<const ExpMethod> exp_methods();
 
 /// Times for one layout and size, measured in one interleaved run.

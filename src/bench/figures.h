@@ -51,7 +51,6 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
 /// Returns all measurements in the JSON format of the benchmarks.
 nlohmann::json to_json(const Figures& figures);
 
-/// Quotes a path for the shell.
 std::string shell_word(const std::filesystem::path& path);
 
 }  // namespace viete::bench

@@ -38,14 +38,14 @@ using namespace frame_names;
 using deform::Link;
 using sym3::Method;
 
-/// A limit for the ratio: time of `over` / time of `under`.
+/// A limit `bar` for the ratio: time of `over`, divided by the time of `under`.
 struct RatioBar {
   const char* over;
   std::size_t over_faces;
   const char* under;
   std::size_t under_faces;
   double bar;
-  bool at_least = true;
+  bool at_least = true;   ///< true if the ratio must be at least `bar`, false if at most
   bool threaded = false;  ///< true if `under` runs on all threads
 };
 
@@ -142,7 +142,6 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
   return largest;
 }
 
-/// A frame of the fused engine, from tiles only.
 struct FusedFrame {
   FusedFrame(std::shared_ptr<const deform::Cage> cage,
              const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)

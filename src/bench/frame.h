@@ -20,7 +20,7 @@ struct FrameTime {
   std::string name;  ///< see frame_names
   int threads;
   double cpu_ms, wall_ms;   ///< medians; cpu_ms is the time of the slowest thread
-  double error;             ///< distance from the staged frame by QR, in cage diagonals; NaN if unknown
+  double error;             ///< largest distance from the staged vertices, in cage diagonals; NaN if unknown
   std::size_t bytes;        ///< number of bytes that one frame reads
   deform::LinkTimes links;  ///< medians of wall time
 };
@@ -34,7 +34,7 @@ inline constexpr const char* dragged = "one vertex dragged";
 }  // namespace frame_names
 
 /// Measures the model in the cage. If options.cage is empty, measures one generated cage for each number of
-/// faces. All rounds are interleaved. Throws base::Error and base::Cancelled.
+/// faces. Each round runs every frame once. Throws base::Error and base::Cancelled.
 std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progress& progress);
 nlohmann::json to_json(std::span<const FrameTime> times);
 

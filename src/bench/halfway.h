@@ -38,9 +38,9 @@ struct ShapePicture {
 
 /// Results halfway from rest to each shape, in log space and with linear interpolation.
 struct Halfway {
-  /// One row for each shape. "edges": see edge_error(). "volume": relative to the smaller volume of rest and
-  /// shape; NaN if the model encloses no volume. "volumes": the relative volume at 21 even steps from rest to
-  /// the shape.
+  /// One row for each shape. "edges" is edge_error(). "volume" is relative to the smaller volume of rest and
+  /// shape, or NaN if the model encloses no volume. "volumes" has the relative volumes at 21 even steps from
+  /// rest to the shape.
   nlohmann::json rows;
   std::size_t most_lost = 0;           ///< row of the shape with the smallest volume by linear interpolation
   std::vector<ShapePicture> pictures;  ///< pictures from rest to the shape of row `most_lost`

@@ -36,8 +36,7 @@ bool sees(const std::vector<Point>& p, const mesh::Triangle& t, const Point& x) 
   return dot(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]), x - p[t[0]]) > 0;
 }
 
-// Adds one point after the other. Removes all triangles visible from the point, and fills the hole with
-// triangles between the point and the rim.
+// Returns the convex hull of the points. Adds one point after the other.
 std::vector<mesh::Triangle> hull(const std::vector<Point>& p) {
   std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 1}};
   for (std::uint32_t i = 3; i < p.size(); ++i) {
@@ -65,8 +64,8 @@ std::optional<Point> in_cone(const std::vector<Point>& p, const mesh::Triangle& 
   return w;
 }
 
-// Returns a radius for each direction. If w are the coefficients of a vertex (see in_cone()), the triangle
-// encloses the vertex when the corners are scaled by w_0 + w_1 + w_2 or more.
+// Returns a radius for each direction: with corners at these radii, `triangles` enclose the model. A vertex
+// with the coefficients w in a triangle (see in_cone()) needs corners with radii of at least w_0 + w_1 + w_2.
 std::vector<double> radii_around(const mesh::Surface& model, const Point& center,
                                  const std::vector<Point>& directions,
                                  const std::vector<mesh::Triangle>& triangles) {
@@ -183,7 +182,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// The common apex of all tetrahedra is on the surface, so that models far from 0 lose no digits.
+// Adds tetrahedra with a common apex. The apex is a vertex, so that models far from 0 lose no digits.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;

@@ -22,7 +22,7 @@ struct ModelOptions {
   std::filesystem::path model;
   std::filesystem::path cage;                ///< if empty, cages of `faces` triangles are generated
   std::vector<std::filesystem::path> poses;  ///< posed cages
-  std::size_t count = 0;                     ///< number of vertices to truncate or subdivide to; 0: no change
+  std::size_t count = 0;                     ///< approximate number of vertices to use; 0 keeps the model
   std::vector<std::size_t> faces = {50, 100, 300, 600};
   std::size_t rounds = 11;
   std::filesystem::path json;  ///< file for the numbers; if empty, no file is written
@@ -73,7 +73,7 @@ public:
   bool encloses() const { return volume_ != 0; }
   /// Returns the number of triangles without area. All functions ignore these triangles.
   std::size_t without_area() const { return without_area_; }
-  /// Returns each vertex's part of the area: a third of the triangles around the vertex. The sum is 1.
+  /// Returns for each vertex: a third of the area of its triangles, divided by the area of the model.
   const std::vector<double>& vertex_shares() const { return shares_; }
 
   Distortion distortion(std::span<const mesh::Point> positions) const;
@@ -86,9 +86,9 @@ public:
   double volume(std::span<const mesh::Point> positions) const;
 
 private:
-  /// Two triangles with a common edge: the ends of the edge, then the opposite corners.
+  /// Two triangles with a common edge.
   struct Hinge {
-    std::array<std::uint32_t, 4> corners;
+    std::array<std::uint32_t, 4> corners;  ///< the ends of the edge, then the opposite corners
     double weight, angle;
   };
 

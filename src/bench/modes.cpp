@@ -170,7 +170,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
 
 namespace {
 
-// Smaller energies per area and bendings are rounding errors.
+// If a value of mean value coordinates is smaller, it is a rounding error, and ratios to it are NaN.
 constexpr double next_to_none = 1e-10;
 
 class ModeRuns {
@@ -182,7 +182,8 @@ public:
     nearest_ = nearest_on_cage(*cage_, model_.positions(), all_);
   }
 
-  // Measures stitched schemes by the fused binding, others in double. Keeps only one (large) staged binding.
+  // Uses a fused binding for stitched schemes, and otherwise a staged binding. Staged bindings are large, so
+  // only the last one is kept.
   void measure_shapes(Mode& mode) {
     const deform::Weighting& weighting = mode.scheme.weighting;
     if (mode.scheme.stitched()) {
@@ -265,7 +266,7 @@ private:
     return bound_.back();
   }
 
-  // Returns the constraints of the first call for all modes.
+  // The first call computes the constraints. All later calls return the same constraints.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_)
       stitching_ =

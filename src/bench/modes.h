@@ -38,8 +38,8 @@ struct ShapeQuality {
   double volume = 1;          ///< relative to rest; NaN if the model encloses no volume
   double gap = 0;             ///< see bench::gap()
   double torn = 0;            ///< see bench::torn()
-  /// `energy`, `bending` and `torn`, divided by the same number of mean value coordinates in this run. NaN if
-  /// the divisor is nearly 0 or unknown.
+  /// `energy`, `bending` and `torn` of this scheme, divided by those of mean value coordinates. NaN if the
+  /// divisor is nearly 0 or unknown.
   double energy_ratio = NAN, bending_ratio = NAN, torn_ratio = NAN;
 };
 
@@ -59,7 +59,7 @@ struct ModeComparison {
   std::vector<Mode> modes;
   bool encloses = true;                 ///< true if the model has a volume to compare
   std::size_t without_area = 0;         ///< number of ignored triangles without area
-  double rest_gap = 0;                  ///< gap at rest, to compare with poses
+  double rest_gap = 0;                  ///< bench::gap() at rest, to compare with the gaps of poses
   std::vector<std::string> warnings{};  ///< warnings of the bindings, without duplicates
 };
 
@@ -103,29 +103,30 @@ std::vector<CagePoint> nearest_on_cage(const deform::Cage& cage, std::span<const
 double gap(const deform::Cage& cage, std::span<const CagePoint> nearest, std::span<const double> shares,
            std::span<const mesh::Point> posed_cage, std::span<const mesh::Point> points);
 
-/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one. Vertices of
-/// different parts must be at most 1 % of the model's diagonal apart. Vertices of one part must be at most
-/// 0.1 % apart, and no path of edges shorter than 1 % may join the vertices. The model must have a triangle.
-/// In large models, only 20,000 evenly chosen vertices are compared with all other vertices.
+/// Returns pairs of vertices that are near but not connected. Vertices at one place count as one vertex. The
+/// pairs are, with distances in percent of the model's diagonal:
+///   - vertices of different parts, with a distance of at most 1 %
+///   - vertices of one part, with a distance of at most 0.1 %, if all paths of edges between them exceed 1 %
+/// In large models, only 20,000 evenly chosen vertices are compared with all other vertices. The model must
+/// have a triangle.
 std::vector<mesh::Edge> near_pairs(const mesh::Surface& model);
-/// Returns the largest change of a pair's distance, in diagonals of the model at rest. Returns 0 if there are
-/// no pairs.
+/// Returns the largest change of the distance of a pair, in diagonals of the model at rest; 0 without pairs.
 double torn(std::span<const mesh::Edge> pairs, std::span<const mesh::Point> rest,
             std::span<const mesh::Point> positions);
 
 struct ModeSettings {
   std::size_t rounds = 11;
-  deform::PartialChoice choice{};  ///< if set: all schemes with these choices, and mean value coordinates
+  deform::PartialChoice choice{};  ///< limits the schemes; mean value coordinates are always measured
   std::optional<double> radius{};  ///< radius of cut-off weights
   sym3::Method method = sym3::Method::fast;
   int iterations = 0;  ///< number of solves for stitched schemes
   deform::Holding holding{};
-  bool named_only = false;  ///< true for named deformers only
+  bool named_only = false;  ///< if true, measures only named deformers
 };
 
-/// Measures named deformers and other valid schemes that match settings.choice. Schemes that are not stitched
-/// compute shapes in double by the staged engine. Times frames of the first pose on one thread, in
-/// interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
+/// Measures the named deformers and all other valid schemes, if they match settings.choice. Shapes are in
+/// double by the staged engine, except for stitched schemes. Frame times are for the first pose, on one
+/// thread, in interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,
                              base::Progress& progress);

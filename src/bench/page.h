@@ -22,7 +22,7 @@ std::string figure(std::string_view title, std::string_view svg);
 
 /// A section of the page: text, drawings, numbers, and the commands to repeat the measurement.
 struct Section {
-  std::string id, origin, title;  ///< origin: the source of the figure
+  std::string id, origin, title;  ///< `origin`: "Figure 1 of the paper" or "Not in the paper"
   std::string seen;               ///< one or two sentences about the result
   std::string why;
   std::string body;  ///< drawings and tables in HTML
@@ -36,13 +36,12 @@ std::string summary_of(const Figures& figures);
 
 /// The time and the computer of the measurement.
 struct Made {
-  std::string date, processor;  ///< "2026-11-26 11:18 UTC"; processor: name and number of threads
+  std::string date, processor;                             ///< `date` is for example "2026-11-26 11:18 UTC"
   std::vector<std::pair<std::string, std::string>> facts;  ///< labels and values in reading order
 };
 /// Returns the facts about this computer. `command` is the command line of the user.
 Made made_here(const std::string& command, double seconds);
 
-/// Returns the numbers of the page, for report.json.
 nlohmann::json report_json(const Figures& figures, const Made& made);
 /// Returns the page as well-formed XML. The tables, plots and texts come from the figures.
 std::string report_page(const Figures& figures, const Made& made);

@@ -35,7 +35,6 @@ public:
   void dots(std::span<const SvgPoint> centers, const char* color, double size);
   void bar(SvgPoint corner, double width, double height, const char* color);
 
-  /// Returns a document with all that has been drawn.
   std::string document() const { return body_ + "</svg>\n"; }
 
 private:
@@ -46,7 +45,7 @@ struct PlotBar {
   std::string name;
   double ns = 0;
   const char* color;
-  double part = 0;  ///< length of the coloured part; 0 colours the whole bar
+  double part = 0;  ///< length of the coloured part, in the unit of `ns`; 0 colours the whole bar
 };
 
 struct PlotCurve {
@@ -65,7 +64,8 @@ struct Plot {
   std::string unit = " ns";  ///< unit of the bars
   bool compared = true;      ///< true shows ratios to the first bar
   std::string across = "matrices in a batch";
-  /// True: axes from 0 to 1, no end values. False: logarithmic axes, which skip values of 0 and below.
+  /// If true, axes are linear from 0, and names of curves have no values. If false, axes are logarithmic and
+  /// skip values of 0 and below.
   bool linear = false;
 };
 

@@ -25,10 +25,11 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// For each element, computes the map, its polar decomposition by SVD, and the principal logarithms of
-/// stretch and rotation. In a pose, each element must have an area and rotate by less than 180 degrees. For
-/// each vertex, adds the 9 + 9 + 3 numbers of each cage triangle times the weight, in double. Then applies
-/// improved SD, Rodrigues' formula and the affine product. Triangles add their normals to vertices.
+/// Computes frames in double, in three steps:
+///   - for each cage triangle, the logarithms of stretch and rotation, by SVD
+///   - for each vertex, the weighted sums of logarithms and centres, then improved SD and Rodrigues' formula
+///   - vertex normals
+/// In a pose, each cage triangle must have an area and rotate by less than 180 degrees.
 class ReferenceFrame {
 public:
   /// Keeps references to the arguments. The binding must have weights.

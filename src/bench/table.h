@@ -35,8 +35,8 @@ double faster(const std::vector<BenchResult>& results, const std::string& slow, 
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// Rows of text for the terminal and for the page. The first column has names. The others have right-aligned
-/// numbers, except the columns in `words`, which have text.
+/// Rows of text for the terminal and for the page. The first column has names. All other columns have
+/// right-aligned numbers, except the columns whose names are in `words`.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;
@@ -59,11 +59,12 @@ void write_json(const std::filesystem::path& path, const nlohmann::json& json);
 /// Returns a name like "AMD EPYC 9654", or "" if the system does not report the name.
 std::string processor_name();
 
-/// The limits that one run has checked, in order.
+/// The limits that one run has checked.
 struct Bars {
   nlohmann::json rows = nlohmann::json::array();
 
-  /// Prints if `measured` is at least `bar` (at most `bar`, if `at_least` is false), and adds a row.
+  /// Prints whether `measured` is at least `bar`, and adds a row. If `at_least` is false, `measured` must be
+  /// at most `bar`.
   void check(const std::string& what, double measured, double bar, bool at_least);
 };
 

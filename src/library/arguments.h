@@ -23,7 +23,8 @@ std::vector<Point3> outside(std::span<const mesh::Point> points);
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
 /// Points with larger coordinates cannot be deformed.
 inline constexpr double most_deformable = 1e60;
-/// Like surface_of(), but also throws if a coordinate is above most_deformable, or the size is too small.
+/// Like surface_of(). Also throws if a coordinate is above most_deformable, or if the size is above 0 and
+/// below 1e-60.
 mesh::Surface deformable_surface_of(const Mesh& mesh, const char* what);
 Mesh mesh_of(const mesh::Surface& surface);
 

@@ -96,12 +96,12 @@ public:
   const std::vector<std::string>& notes() const;
 
   /// Computes the model's vertices from the cage's vertices. All spans have three numbers for each vertex. If
-  /// `normals` is not empty, it gets unit vectors. The double version gives the same bits as `viete deform`.
-  /// The float version is three to nine times as fast, with compressed weights as in the window. Its error,
-  /// besides rounding, is up to 1e-4 (usually 1e-5) of the diagonal of the cage, at rest or posed. Its
-  /// normals are accurate to 1e-4. `turns` has a rotation vector with full turns for each part of the cage.
-  /// Pass an empty list for the first pose, and later the list that deform() has stored in it. If `turns` is
-  /// null, each part uses the shortest rotation.
+  /// `normals` is not empty, it gets unit vectors.
+  /// The double version gives the same bits as `viete deform`. The float version is three to nine times as
+  /// fast. Its compressed weights cause errors of up to 1e-4 (usually 1e-5) of the cage's diagonal, at rest
+  /// or posed, and its normals are accurate to 1e-4.
+  /// `turns` counts full turns: it has a rotation vector for each part of the cage. Pass an empty list for
+  /// the first pose, and the same list for each later pose. If null, each part has its shortest rotation.
   void deform(std::span<const double> cage, std::span<double> positions, std::span<double> normals = {},
               std::vector<Point3>* turns = nullptr);
   void deform(std::span<const double> cage, std::span<float> positions, std::span<float> normals = {},
@@ -109,7 +109,7 @@ public:
 
   /// Scales the motion of each vertex by a factor from 0 to 1. An empty span removes the scaling.
   void set_mask(std::span<const float> shares);
-  /// Sets the shape that the cage deforms, three numbers for each vertex. If empty: the model at rest.
+  /// Sets the shape that the cage deforms, three numbers for each vertex. Empty means the model at rest.
   void set_shape(std::span<const double> positions);
 
 private:

@@ -53,7 +53,6 @@ void check_points(std::span<const mesh::Point> points, std::size_t vertices, con
                "use finite coordinates");
 }
 
-// Throws base::Error if a coordinate is above most_deformable, or if the size is above 0 and below `least`.
 void check_deformable(std::span<const mesh::Point> points, double least, const char* what) {
   const mesh::Bounds box = mesh::bounds(points);
   const double extent = mesh::largest_abs(box.high - box.low);

@@ -83,10 +83,10 @@ bool is_finite(const AffineLog& log) {
   return std::ranges::all_of(log.linear, finite) && std::ranges::all_of(log.translation, finite);
 }
 
-// If the sum is not finite, adds again at a smaller scale: terms can overflow although the sum is in range.
+// Returns the sum of weights[i] * log_of(i). If a term overflows, adds all terms again at a smaller scale.
 template <class LogOf>
 AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
-  constexpr int room = 64;  // the sum can have this number of bits more than a term
+  constexpr int room = 64;  // bits of reserve, so that a sum of many scaled terms does not overflow
   AffineLog sum = scaled_sum(weights, 0, log_of);
   if (is_finite(sum)) return sum;
   const int shift = std::max(exponent_of(weights), 0) + room;
@@ -124,7 +124,7 @@ WeightSum sum_of(std::span<const double> weights) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // smaller steps decrease until only rounding errors remain
+  constexpr double near_the_end = 1e-6;  // steps below this size that do not decrease are rounding errors
   const auto [shift, total] = sum_of(weights);
   const auto [least, most] = std::ranges::minmax_element(weights);
   AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};

@@ -1,4 +1,4 @@
-// Turns a function of registers into a function of batches in every layout of view.h. Internal.
+// Applies functions of vector registers to batches in every layout of view.h. Internal.
 #if defined(VIETE_SYM3_BATCH_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_BATCH_INL_H
 #undef VIETE_SYM3_BATCH_INL_H
@@ -39,7 +39,7 @@ struct InPlanes {
     for (int k = 0; k < N; ++k) put<streaming>(d, e[k], v.plane[k] + i);
   }
   template <class T>
-  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // hardware does it
+  static HWY_INLINE void prefetch(const View<const T, 6>&, std::size_t, std::size_t) {}  // done by hardware
 };
 
 static HWY_INLINE void prefetch_beyond(const void* p, std::size_t bytes) {
@@ -63,7 +63,8 @@ static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
-/// Loads each matrix as two groups of three entries. transpose_pairs() separates the groups.
+/// Access to a view with the layout `packed`. Loads the first and the last three entries of each matrix as
+/// two items; transpose_pairs() separates these items.
 struct InPacked {
   template <class D, class T, class V>
   static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
@@ -91,7 +92,7 @@ struct InPacked {
   }
 };
 
-/// Loads consecutive matrices of nine entries, in two steps: Highway can only separate three entries.
+/// Loads consecutive matrices of nine entries, in two steps. Highway has no function for nine entries.
 template <class D, class T, class V = hn::Vec<D>>
 static HWY_INLINE void load_nine(D d, const T* data, V (&e)[9]) {
   constexpr std::size_t lanes = hn::MaxLanes(D());
@@ -254,7 +255,7 @@ static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>
 }
 
 /// Processes as many whole groups as possible. Returns the index after the last processed item. This function
-/// is not inline, so that its constants can use all registers.
+/// is not inline, so that the compiler can use all registers for its constants.
 template <class From, class To, bool streaming, class F, class D, class T>
 static HWY_NOINLINE std::size_t map_groups(D d, const F& f, View<const T, F::in> in, View<T, F::out> out,
                                            std::size_t i, std::size_t end) {
@@ -373,8 +374,8 @@ static HWY_INLINE void map_many(const F& f, const View<const T, F::in>& in, cons
   map_to_layout(d, f, in, out, range.begin, range.end);
 }
 
-/// Stores the only lane of N registers as N contiguous numbers, 16 bytes at a time. A later load of 16 bytes
-/// would be slow after smaller stores.
+/// Stores the only lane of N registers as N contiguous numbers. Stores 16 bytes at a time, because a later
+/// load of 16 bytes is slow if several smaller stores have written them.
 template <class D, class T, class V, int N>
 static HWY_INLINE void store_row(D d, const V (&v)[N], T* out) {
   int k = 0;

@@ -12,7 +12,7 @@ namespace {
 // first load each cache line.
 constexpr std::size_t streaming_bytes = 24u << 20;
 
-constexpr std::size_t granule = 64;  // every chunk begins at a multiple: whole registers and cache lines
+constexpr std::size_t granule = 64;  // chunks begin at a multiple of this number of items
 
 struct Chunks {
   const RangeTask& task;

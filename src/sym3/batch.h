@@ -17,13 +17,13 @@ struct Executor {
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming if the output is aligned and not the input, and the data exceeds the caches
+  automatic,  ///< streaming, if the data exceeds the caches and the output is aligned and is not the input
   ordinary,
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };
 
-/// By default a batch uses the active kernel and the calling thread. If there is an executor, the batch is
-/// split into chunks of at least `least_chunk` items. The number of chunks does not change the results.
+/// By default a batch runs in the calling thread. If there is an executor, the batch is split into chunks of
+/// at least `least_chunk` items. The number of chunks does not change the results.
 struct Batch {
   const Kernel* kernel = nullptr;  ///< one of kernels(); null selects the active kernel
   const Executor* executor = nullptr;

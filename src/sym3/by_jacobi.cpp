@@ -17,7 +17,7 @@ namespace {
 // double is 0. The factor e^700 of times_exp() is in range.
 constexpr double exponent_limit = 2800;
 
-// If an entry is above large_entry, the matrix is multiplied by `down`, so that Jacobi's method is in range.
+// If an entry is above large_entry, the matrix is multiplied by `down`, so that nothing overflows.
 constexpr double large_entry = 1e270, down = 0x1p-64;
 
 /// The eigenvalues of S are eigen.values / scale. exponent() clamps quotients that overflow.
@@ -42,8 +42,8 @@ double times_exp(double x, const DoubleDouble& y) {
   return x * (1 + y.lo);
 }
 
-/// Returns entry (i, j) of V exp(values) V^T. Skips zero terms, so that an overflow stays in one diagonal
-/// block of the matrix. Sums the other terms relative to the largest exponential.
+/// Returns entry (i, j) of V exp(values) V^T. The largest exponential is a common factor, so that only the
+/// result can overflow. Skips terms that are 0: 0 times an infinite exponential would be NaN.
 double entry(const Exponents& e, int i, int j) {
   const auto& [values, vectors] = e.eigen;
   double weight[3];

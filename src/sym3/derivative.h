@@ -16,8 +16,8 @@
 //   exp        <= (6 + 2 spread) u with fused multiply-add, (8 + 2.5 spread) u without, at any trace
 //   log, sqrt  <= (16 + 2 k) u
 //   pow        <= (16 + 4 (1 + |p|) k + 4 |p log S|) u
-// In two cases the bound is 16 (1 + |p|) u, and a derivative takes about 5 us: if log.h uses Jacobi's
-// eigenvectors for S, or if an eigenvalue of S^p is outside e^(+-500) (float e^(+-50)). The bounds are
+// If log.h uses Jacobi's eigenvectors for S, or an eigenvalue of S^p is outside e^(+-500) (float e^(+-50)),
+// the bound of log, sqrt and pow is 16 (1 + |p|) u, and a derivative takes about 5 us. The bounds are
 // empirical: tests/sym3 verifies them against results with 113 bits.
 //
 // If S or E has a NaN or an infinity, the result is six NaN. If S is not positive definite, log, sqrt and pow

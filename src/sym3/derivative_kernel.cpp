@@ -11,17 +11,12 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-// log, sqrt and pow: f'(S)[E] = V (F o V^T E V) V^T as in derivative.h (Daleckii and Krein 1965). The columns
-// of V must be orthonormal, and S V = V diag(eigenvalues) up to rounding. If eigenvalues are close, any basis
-// of the eigenspace is accurate, because the entries of F are also close. The eigenvalue `a` is far from `b`
-// and `c` (spectral-inl.h). Its eigenvector is a column of adj(B - a I) = adj B + a B + a^2 I. A rotation
-// diagonalises the 2x2 block of `b` and `c`.
-
-/// The eigenvectors of the eigenvalues a, b and c of S, and the matrix F. This data does not depend on E.
+/// The data for f'(S)[E] = V (F o V^T E V) V^T, where f is log, sqrt or pow (Daleckii and Krein 1965). See
+/// derivative.h for F. The data does not depend on E.
 template <class V>
 struct Slopes {
-  Three<V> a, b, c;
-  Six<V> f;
+  Three<V> a, b, c;  ///< the columns of V: unit eigenvectors of the eigenvalues a, b and c (Spectrum)
+  Six<V> f;          ///< F
 };
 
 template <class V>
@@ -40,15 +35,15 @@ static HWY_INLINE Three<V> select(M mask, const Three<V>& yes, const Three<V>& n
           hn::IfThenElse(mask, yes.z, no.z)};
 }
 
-/// Returns a number that avoids divisions by 0. The square of this number is positive, but 1 plus this number
-/// is 1.
+/// Returns a number to add to divisors that can be 0. Its square is positive, but 1 plus this number is 1.
 template <class D>
 static HWY_INLINE hn::Vec<D> next_to_nothing(D d) {
   using T = hn::TFromD<D>;
   return hn::Set(d, T(sizeof(T) == 8 ? 1e-100 : 1e-15));
 }
 
-/// Returns the unit eigenvector of the eigenvalue `a`, or (1, 0, 0) if B = 0.
+/// Returns the unit eigenvector of the eigenvalue `a`: the column with the largest diagonal entry of
+/// adj(B - a I) = adj B + a B + a^2 I, divided by its length. If B = 0, returns (1, 0, 0).
 template <class D, class V>
 static HWY_INLINE Three<V> far_vector(D d, const Spectrum<V>& e) {
   const Six<V>&m = e.matrix, &c = e.adjugate;
@@ -75,6 +70,8 @@ static HWY_INLINE void complete(D d, const Three<V>& n, Three<V>& u, Three<V>& v
   v = {b, hn::MulAdd(hn::Mul(n.y, n.y), a, sign), hn::Neg(n.y)};
 }
 
+/// Computes the eigenvectors. If the eigenvalues b and c are close, rounding may rotate the eigenvectors of b
+/// and c in their plane. The derivative remains accurate, because then entries of F are also close.
 template <class D, class V>
 static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   using T = hn::TFromD<D>;
@@ -94,7 +91,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.c = combination(hn::Neg(sine), u, cosine, v);
 }
 
-/// Returns 1 / (x + y) for all x and y among the numbers a, b and c: the square roots of the eigenvalues.
+/// Returns F for sqrt: the entries 1 / (x + y). x and y are two of the eigenvalues' square roots a, b and c.
 template <class D, class V>
 static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
   using T = hn::TFromD<D>;

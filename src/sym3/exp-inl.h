@@ -16,11 +16,10 @@
 //
 // Algorithm: let S = (mean + rest) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
-// with p = |A|^2 / 2 and q = det A. Proof: x^3 - p x - q is 0 at x = A (Cayley-Hamilton). Dividing f by this
-// polynomial gives the quotient sum z_{k+3} x^k and the remainder z_2 x^2 + z_1 x + z_0 - p z_2. At x = A,
-// the remainder is the formula, because A^2 - p I = adj A. The algorithm needs no eigenvalues and no special
-// cases, so equal eigenvalues lose no accuracy. If p is at most p_limit, f is the minimax polynomial of exp.
-// For larger p, A is divided by 2^j, and the result is squared j times.
+// with p = |A|^2 / 2 and q = det A. This is the remainder of f(x) divided by the characteristic polynomial
+// x^3 - p x - q, at x = A. Equal eigenvalues lose no accuracy and need no special cases. If p is at most
+// p_limit, f is the minimax polynomial of exp. For larger p, A is divided by 2^j, and the result is squared
+// j times.
 #if defined(VIETE_SYM3_EXP_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_INL_H
 #undef VIETE_SYM3_EXP_INL_H
@@ -202,8 +201,8 @@ static HWY_INLINE Six<V> times_exp(D d, const Six<V>& m, V x, V rest) {
   return times(out, add_to_exponent(d, one, hn::Add(last, magic)));
 }
 
-/// `count` halvings of A, at most max_squarings, that reduce p to p_limit or below if possible. `scale` is
-/// 2^-count, and `p` is the value after the halvings.
+/// `count` says how often A must be halved until p is at most p_limit. If this needs more than max_squarings
+/// halvings, `count` is max_squarings. `scale` is 2^-count, and `p` is the value after the halvings.
 template <class V>
 struct Halvings {
   V p, scale, count;
@@ -225,13 +224,10 @@ static HWY_INLINE Halvings<V> halvings_of(D d, V minus_p) {
   return h;
 }
 
-/// Returns exp of any input. Each lane computes exp(A) = exp(A / 2^j)^(2^j) with the smallest j that brings p
-/// to p_limit or below, then multiplies by e^mean. The code squares the matrix, not the coefficients z. With
-/// coefficients, a rounding error of q would cause an error of u * spread^2. With the matrix, the error is
-/// proportional to the spread. Lanes with is_quick() use the steps of exp_quick(), so that results do not
-/// depend on other lanes.
-/// Some lanes use Jacobi's method one by one: after overflow or too many squarings, and for NaN, infinities
-/// and diagonal matrices. For diagonal matrices, Jacobi's method makes each entry accurate.
+/// Returns exp of any input. Lanes where is_quick() is true get the bits of exp_quick(), so that results do
+/// not depend on other lanes. All other lanes get e^mean * exp(A / 2^j)^(2^j), where j is Halvings::count.
+/// Exceptions: exp_by_jacobi() computes NaN, infinities, diagonal matrices, results that overflow, and
+/// matrices that need too many squarings.
 template <class D, class V = hn::Vec<D>>
 static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   using T = hn::TFromD<D>;
@@ -246,6 +242,7 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   const Six<V> a = times(m.a, halvings.scale), c = adjugate(a);
   const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int, const V&) {});
   Six<V> e = combine(times(z, hn::Set(d, C::lead)), a, c);
+  // Squares the matrix, not the coefficients z: their rounding errors would grow with the squared spread.
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;

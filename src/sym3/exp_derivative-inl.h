@@ -9,17 +9,12 @@
 // For bounds and special values see derivative.h. exp_value() has the error bounds of sym3::exp but other
 // bits, because it uses another polynomial.
 //
-// The code differentiates the algorithm of exp-inl.h. Let t = tr E / 3 and C = adj A. Then E - t I has trace
-// zero, and
-//   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A,
-//   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S).
-// The coefficient z_k is the sum of a_{n+k} h_n over n, where h_n are the coefficients of the power series of
-// g(x) = 1 / (1 - p x^2 - q x^3). The derivatives of g by p and q are x^2 g^2 and x^3 g^2. Therefore
-// dz_k = u_k dp + u_{k+1} dq. A second recurrence gives u_k, which does not depend on E:
-//   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}.
-// The algorithm needs no eigenvalues and no special cases, so equal eigenvalues lose no accuracy. The
-// derivative of the polynomial is close to exp, see exp_tables.h. A squaring replaces f by f f, and f' by
-// f f' + f' f.
+// The code differentiates the formulas of exp-inl.h. With C = adj A and t = tr E / 3:
+//   dp = <A, E>,   dq = <C, E> + t p,   dC = adj'(A)[E] + t A
+//   dz_k = u_k dp + u_{k+1} dq,   u_k = p u_{k+2} + q u_{k+3} + z_{k+2}
+//   exp'(S)[E] = dz_0 I + dz_1 A + z_1 (E - t I) + dz_2 C + z_2 dC + t exp(S)
+// The numbers u_k do not depend on E. A squaring of f replaces f' by f f' + f' f. The polynomial differs from
+// that of exp-inl.h, because its derivative must also be close to exp, see exp_tables.h.
 #if defined(VIETE_SYM3_EXP_DERIVATIVE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_EXP_DERIVATIVE_INL_H
 #undef VIETE_SYM3_EXP_DERIVATIVE_INL_H
@@ -46,9 +41,8 @@ struct ExpParts {
   V beside_x, beside_y, beside_z;  ///< z1 minus w.xx, w.yy, w.zz
 };
 
-/// Computes the parts for A = `a` and multiplies them by scalar.value(). Calls scalar.step() during
-/// recurrence(). Writes to a parameter, because GCC would compile the copy of a returned value without the
-/// instruction set.
+/// Computes the parts for A = `a`, times scalar.value(). Writes to a parameter, because GCC would compile the
+/// copy of a returned value without the instruction set.
 template <class D, class V, class Scalar>
 static HWY_INLINE void put_exp_parts(D d, const Six<V>& a, Scalar scalar, ExpParts<V>& parts) {
   using C = ExpDerivativeTables<hn::TFromD<D>>;
@@ -82,7 +76,7 @@ static HWY_INLINE Coefficients<V> coefficient_slopes(const ExpParts<V>& m, V t, 
           sum_of_products(m.u2, dp, m.u3, dq, m.z.z2, t)};
 }
 
-/// Returns exp'(S)[E] in lanes with valid parts.
+/// Returns exp'(S)[E] from the parts of exp(S).
 template <class D, class V>
 static HWY_INLINE Six<V> exp_slope(D d, const ExpParts<V>& m, const Six<V>& e) {
   const Six<V>&a = m.a, &c = m.c, &w = m.w;
@@ -146,7 +140,7 @@ struct ExpPoint {
   Halvings<V> halvings;  ///< without halvings if `ok`
 };
 
-/// Like ScalarExp, but in lanes that are not `ok` the value is Table::lead.
+/// Gives the value of ScalarExp in lanes of `ok`, and Table::lead in all other lanes.
 template <class Table, class D, class V>
 struct ScalarExpOrLead {
   ScalarExp<Table, D, V> scalar;

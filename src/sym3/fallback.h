@@ -16,14 +16,14 @@ void exp_by_jacobi(const double* in, double* out);
 void exp_by_jacobi(const float* in, float* out);
 
 /// Computes exp'(S)[E]. `in` has six numbers of S, then six of E. The error is at most 16 u |E| e^x, where x
-/// is the largest eigenvalue. Otherwise works like exp_by_jacobi().
+/// is the largest eigenvalue. For special values and time see exp_by_jacobi().
 void exp_derivative_by_jacobi(const double* in, double* out);
 void exp_derivative_by_jacobi(const float* in, float* out);
 
-// These functions use Jacobi's method in double, in about 0.5 us. If eigenvalues differ by more than a factor
-// of about 8 to 16, the functions use double-double, in 2.5 us. The relative error in the Frobenius norm is
-// at most 24 u in double, even for small log S. In float the error is at most 1.5 u with u = 2^-24. These
-// bounds hold for condition numbers up to 1e15 and any gaps between eigenvalues. For NaN see log.h.
+// log, sqrt and inv_sqrt by Jacobi's method, in about 0.5 us. If the condition number is above about 8 to 16,
+// the functions use double-double, in 2.5 us. The relative error in the Frobenius norm is at most 24 u in
+// double, and at most 1.5 * 2^-24 in float. These bounds hold for condition numbers up to 1e15 and any gaps
+// between eigenvalues. For NaN see log.h.
 void log_by_jacobi(const double* in, double* out);
 void log_by_jacobi(const float* in, float* out);
 void sqrt_by_jacobi(const double* in, double* out);

@@ -16,9 +16,9 @@ namespace viete::sym3 {
 namespace {
 
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
-// The smallest stretch relative to the largest stretch. Smaller stretches are raised to this value.
+// The smallest stretch relative to the largest stretch. This value replaces smaller stretches.
 constexpr double flattest = 1e-12;
-// bounded_log() changes from log M to X + Y while |log M| / (|X| + |Y|) is in this range.
+// bounded_log() is log M up to |log M| = kept_up_to * (|X| + |Y|), and X + Y from left_from * (|X| + |Y|) on.
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
@@ -292,7 +292,7 @@ std::optional<Mat3<double>> log_of_branch(const Mat3<double>& m, const Vec3<doub
   const auto d = deflated(m, v.mean() + largest_root(v.p, v.q));
   if (!d) return std::nullopt;
   const Pair pair(d->t);
-  const bool other = turned + pair.angle() > pi;  // another branch can be nearer
+  const bool other = turned + pair.angle() > pi;  // another branch can be nearer to `turn`
   if (!(d->t[0] > 0) || !pair.positive()) return std::nullopt;
   if ((other || (pair.turns() && pair.middle < 0)) && !pair.clear()) return std::nullopt;
   const Mat3<double> l = close ? log_of_close(m, v.mean()) : log_of_apart(*d, pair);
@@ -347,7 +347,7 @@ bool commute(const PolarLog& parts) {
 
 struct Split {
   PolarLog parts;
-  bool whole;  // true if M = exp(Y) exp(X), that is, no stretch was raised or changed its sign
+  bool whole;  // true if M = exp(Y) exp(X); false if log_of_sizes() replaced a stretch or its sign
 };
 
 Sym3<double> log_of_sizes(const Sym3<double>& stretch) {
@@ -361,7 +361,7 @@ Split split(const Mat3<double>& m, const Vec3<double>& near) {
   const InRange r = in_range(m);
   const Polar<double> p = polar(r.m);
   const Vec3<double> turn = log_rotation(p.rotation);
-  // Both directions of a half turn are equally near to 0. Then log_rotation() chooses the direction.
+  // If `near` is 0, both directions of a half turn are equally near; log_rotation() chooses the direction.
   Split s{{log(p.stretch), norm(near) > 0 ? nearest_branch(turn, near) : turn}, true};
   Mat3<double> across = full(s.parts.stretch);
   add_to_diagonal(across, -trace(across) / 3);
@@ -378,9 +378,9 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// With v = angle * n and |n| = 1, the squared distance of (angle + 2 pi k) * n from the reference is a
-// parabola in k. Its minimum is at k = (n . reference - angle) / 2 pi; the nearest integer gives the branch.
-// If v is nearly 0, rounding decides the direction of v. Then a long reference defines the axis.
+// With v = angle * n and |n| = 1, the branch is (angle + 2 pi k) * n. k is the integer nearest to
+// (dot(n, reference) - angle) / (2 pi), where the distance from the reference is smallest. If v is nearly 0,
+// rounding errors decide its direction; then the axis of a long reference replaces n.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
   // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;

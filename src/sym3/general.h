@@ -25,7 +25,7 @@ Mat3<double> exp_general(const Mat3<double>& l);
 /// false. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
-/// Returns true if exp_general(log_general(M)) is M up to rounding.
+/// Returns true if M has a logarithm, so that exp_general(log_general(M)) is M up to rounding.
 bool has_log(const Mat3<double>& m);
 
 /// Adds whole turns to the rotation vector v, so that the result is nearest to `reference`. The axis does not
@@ -39,10 +39,9 @@ struct PolarLog {
   Vec3<double> turn;     ///< Y: the logarithm of the rotation, as a rotation vector
 };
 
-/// Returns X and Y of M. Y is the branch nearest to `near`, see nearest_branch(). If M is finite, X is
-/// finite: stretches below 1e-12 of the largest stretch are raised to this value, and a negative stretch
-/// (det M < 0) becomes positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is
-/// NaN.
+/// Returns X and Y of M. Y is the branch nearest to `near`, see nearest_branch(). If M is finite, X is also
+/// finite: 1e-12 * the largest stretch replaces smaller stretches, and a negative stretch (det M < 0) becomes
+/// positive. M = 0 counts as 2^-1074 I. If an entry of M is not finite, the result is NaN.
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// Returns the logarithm of M on the branch nearest to Y = parts.turn, which may have any number of whole

@@ -1,4 +1,4 @@
-// Selects the instruction sets of the kernels. Include it before all headers of Highway. Internal.
+// Selects the instruction sets of the kernels. Include this header before all headers of Highway. Internal.
 #pragma once
 
 // With this macro, "scalar" is the fallback with every compiler. The code below disables SSE, AVX-512

@@ -21,9 +21,9 @@ struct Kernel {
 ///   not fused:  "scalar"
 std::span<const Kernel> kernels();
 
-/// Returns the active kernel. Single calls always use this kernel; batches use it by default. The first call
-/// chooses: the kernel of kernels() that the environment variable VIETE_KERNEL names, otherwise the first of
-/// kernels(). Thread-safe.
+/// Returns the active kernel: the kernel that the environment variable VIETE_KERNEL names in the first call,
+/// or else the first of kernels(). Single calls always run in this kernel, and batches by default.
+/// Thread-safe.
 const Kernel& kernel();
 
 std::string_view kernel_name();

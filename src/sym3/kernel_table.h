@@ -17,7 +17,7 @@ struct Range {
   bool stream;  ///< true for non-temporal stores
 };
 
-/// A function from N numbers to M numbers. More: the types of further parameters, such as an exponent.
+/// A function from N numbers to M numbers. `More` are types of further parameters, such as an exponent.
 template <class T, int N, int M, class... More>
 struct Function {
   void (*one)(const T* in, T* out, More... more);

@@ -42,7 +42,8 @@ Real exp_taylor(const Real& x) {
   return sum;
 }
 
-/// Like above, at a matrix with trace zero and norm up to about 1, by the recurrence of exp-inl.h.
+/// Works like exp_taylor() above, for a matrix with trace zero and a norm up to about 1. Uses the recurrence
+/// of exp-inl.h.
 Matrix exp_taylor(const Matrix& m) {
   const Matrix c = {m.yy * m.zz - m.yz * m.yz, m.xz * m.yz - m.xy * m.zz, m.xy * m.yz - m.xz * m.yy,
                     m.xx * m.zz - m.xz * m.xz, m.xy * m.xz - m.xx * m.yz, m.xx * m.yy - m.xy * m.xy};

@@ -6,9 +6,8 @@
 // the complex number |q| + i sqrt(D / 27), where D is the discriminant of B. The eigenvalues of B, times the
 // sign of q, are
 //   2 g cos t   and   -g (cos t -+ sqrt(3) sin t).
-// The code computes D as a sum of squares of minors of (I, B, C). This sum subtracts no close numbers, so
-// close eigenvalues are as accurate as others. Errors are relative to the largest eigenvalue. For the
-// eigenvalues a, b and c of B, Newton's form is
+// squared_minors() computes D so that close eigenvalues are as accurate as all others. Errors are relative to
+// the largest eigenvalue. For the eigenvalues a, b and c of B, Newton's form is
 //   f(B) = f(b) I + f[b,c] (B - b I) + f[a,b,c] (B - b I)(B - c I) = z0 I + z1 B + z2 C.
 #if defined(VIETE_SYM3_SPECTRAL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_SYM3_SPECTRAL_INL_H
@@ -51,16 +50,10 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// Returns 4/3 of the discriminant D of B, as a sum of squares.
-///
-/// D is the product of the squared differences of the eigenvalues. D is also the Gram determinant of
-/// (I, B, B^2) for the inner product tr(X Y), and also of (I, B, C), because C = B^2 - p I. B and
-/// C' = C - (tr C / 3) I are orthogonal to I, and tr(I I) = 3. Therefore D = 3 (|B|^2 |C'|^2 - tr(B C')^2).
-/// By Lagrange's identity, D is 3 times the sum of all (b_i c_j - b_j c_i)^2 with i < j. Here b_i and c_i are
-/// the coordinates of B and C' in an orthonormal basis of the matrices with trace zero:
-///   (xx - yy) / sqrt 2, sqrt(3/2) zz, sqrt 2 xy, sqrt 2 xz, sqrt 2 yz.
-/// The code uses sqrt 2 times these coordinates. Each minor has an error of u, so the square root of the sum
-/// also has an error of u. With the formula D = 4 p^3 - 27 q^2, the root of D would have an error of sqrt(u).
+/// Returns 4/3 of the discriminant D of B: the sum of (x_i y_j - x_j y_i)^2 over all i < j. The vectors x and
+/// y are sqrt 2 times the coordinates of B and of C - (tr C / 3) I in an orthonormal basis of the matrices
+/// with trace zero. With this sum, the square root of D has an error of u. With the formula
+/// D = 4 p^3 - 27 q^2, the square root would have an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;
@@ -147,13 +140,13 @@ static HWY_INLINE Six<V> inv_sqrt_lanes(D d, const Spectrum<V>& e) {
                      hn::Mul(hn::Mul(st, e.size), hn::Add(a, hn::Add(b, c))));
 }
 
-/// log(x / y) and slope = log(x / y) / (x - y). x and y must be positive and normal. `difference` must be an
-/// accurate x - y.
+/// log(x / y) and slope = log(x / y) / (x - y).
 template <class V>
 struct LogRatio {
   V log, slope;
 };
 
+/// x and y must be positive and normal. `difference` must be x - y, computed without cancellation.
 template <class D, class V>
 static HWY_INLINE LogRatio<V> log_ratio(D d, V x, V y, V difference) {
   using T = hn::TFromD<D>;

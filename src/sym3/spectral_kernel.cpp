@@ -10,7 +10,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace viete::sym3::HWY_NAMESPACE {
 
-/// A function of positive definite matrices: F::lanes(), or F::one() in lanes that are not ordinary.
+/// A function of positive definite matrices: F::lanes(), or F::one() in lanes where is_ordinary() is false.
 template <class F>
 struct OfPositive {
   static constexpr int in = 6, out = 6, group = 1;

@@ -3,7 +3,7 @@
 
 namespace viete::sym3 {
 
-/// The upper triangle by rows. Every layout of view.h stores entries in this order.
+/// The upper triangle by rows. The layouts `planes` and `packed` of view.h store entries in this order.
 template <class T>
 struct Sym3 {
   T xx{}, xy{}, xz{}, yy{}, yz{}, zz{};

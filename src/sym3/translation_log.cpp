@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// Returns the damping factor of E (see the header): 0 at 360, 720 ... degrees, 1 at a distance of pole_width.
+// Returns a factor that keeps E bounded: 0 at 360, 720 ... degrees, 1 at a distance of pole_width or more.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);
@@ -26,7 +26,7 @@ double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
 }
 
-// Returns the factor of E perpendicular to the axis: (angle / 2) cot(angle / 2), times the damping factor.
+// Returns the eigenvalue of E perpendicular to the axis: (angle / 2) cot(angle / 2) * kept(angle).
 double across(double angle) {
   const double square = angle * angle;
   if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));

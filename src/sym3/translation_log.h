@@ -13,14 +13,13 @@ namespace viete::sym3 {
 // E is an even function of L. If L is a rotation by the angle theta, E is symmetric: E is 1 along the axis,
 // and (theta / 2) cot(theta / 2) perpendicular to the axis.
 //
-// The centre of a handle moves from c to c'. If coordinates are relative to m before and to m' after the
-// motion, the map has the translation (c' - m') - e^L (c - m). Let v be W times this translation. Since
-// W e^L = E + L / 2, v is linear in m and m':
+// Use for handles: the map of a handle moves its centre from c to c'. Let m be the origin of coordinates
+// before the motion, and m' the origin after the motion. The translation part v of the logarithm is then
 //
 //     v = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
 //
-// Therefore programs can blend E, L and a, and then compute v from the blended centres m and m'. The result
-// does not depend on the origin. If all handles move rigidly together, v is 0.
+// Programs blend E, L and a of the handles, and then compute v once, from the blended centres m and m'. If
+// all handles move rigidly together, v is 0.
 //
 // For rotations by 360, 720 ... degrees there is no logarithm, because cot is infinite. Within 60 degrees of
 // these angles, E perpendicular to the axis decreases smoothly to 0, so that E is continuous and bounded.

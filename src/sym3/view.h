@@ -57,10 +57,9 @@ SymView<const T> packed(const Sym3<T>* data) {
   return {Layout::packed, reinterpret_cast<const T*>(data)};
 }
 
-/// Returns a stride between planes of `count` numbers. Each plane starts 448 bytes further into a page than
-/// the previous plane, so that planes use different cache sets. A processor can also confuse a load with a
-/// store 4096 bytes away; the stride avoids this confusion. If the first plane is aligned to 64 bytes, all
-/// planes are aligned.
+/// Returns a fast stride between planes of `count` numbers: a multiple of 4096 bytes plus 448 bytes. Planes
+/// then use different cache sets, and no load waits for a store to another plane. If the first plane is
+/// aligned to 64 bytes, all planes are aligned.
 template <class T>
 constexpr std::size_t padded_stride(std::size_t count) {
   constexpr std::size_t page = 4096 / sizeof(T), step = 448 / sizeof(T);

@@ -84,7 +84,7 @@ TEST_CASE("the_gap_is_the_mean_distance_from_the_posed_nearest_points") {
   const auto& rest = cage.surface.positions;
   CHECK(gap(cage, nearest, shares, rest, points) ==
         doctest::Approx((0.75 * 0.1 + 0.25 * 0.3) / cage.diagonal));
-  // The cage moves by 0.5 along x: away from the first point, and sideways for the second point.
+  // The cage moves by 0.5 along x. This is away from the first point, and parallel to the face at the second.
   const auto away = test::mapped(rest, [](const mesh::Point& p) { return p + mesh::Point{0.5, 0, 0}; });
   CHECK(gap(cage, nearest, shares, away, points) ==
         doctest::Approx((0.75 * 0.6 + 0.25 * std::hypot(0.5, 0.3)) / cage.diagonal));

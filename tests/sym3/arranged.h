@@ -89,7 +89,7 @@ public:
     const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
     return layout_ != sym3::Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
   }
-  /// True if the numbers of the first `count` items were written, and no other numbers.
+  /// Returns true if all numbers of the first `count` items were written, and nothing else.
   bool holds(std::size_t count) const {
     const std::size_t width = layout_ == sym3::Layout::full ? 9 : N;
     return memory_.size() - std::count(memory_.begin(), memory_.end(), guard) == width * count;
@@ -111,7 +111,7 @@ private:
   T* data_;
 };
 
-/// True if all numbers of two items are equal. NaN equals NaN.
+/// Returns true if all numbers of two items are equal. NaN equals NaN.
 template <class T, class Item>
 bool same_or_nan(const Item& a, const Item& b) {
   using Numbers = std::array<T, sizeof(Item) / sizeof(T)>;

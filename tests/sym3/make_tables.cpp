@@ -102,8 +102,8 @@ void rotations(double cosine_error, double sine_error, double arc_error) {
   check_minimax<T>("atan x / x", arc, make(arc, 1, static_cast<int>(both.size())), both, arc_error);
 }
 
-/// Tries 2000 numbers below x. Returns the number whose product with a number of T is closest to 1, so that
-/// f(0) is about 1.
+/// Returns the number with the most accurate reciprocal in T, among x and the next 2000 smaller numbers. The
+/// callers divide coefficients by this number, so that the rounded polynomial is accurate at 0.
 template <class T>
 T divisor_of_one(T x) {
   T best = x;
@@ -114,7 +114,7 @@ T divisor_of_one(T x) {
   return best;
 }
 
-/// Returns f for the eigenvalues of A. The weights make errors relative to the norm (exp_tables.h).
+/// Returns f at the possible eigenvalues of A. The weights make errors relative to the norm (exp_tables.h).
 template <class T>
 Target matrix_target(const QuadFunction& f) {
   const Quad reach = 2 * sqrtq(Quad(ExpTables<T>::p_limit) / 3);

@@ -210,8 +210,8 @@ inline double distance(const sym3::Mat3<double>& computed, const QuadMat& exact)
   return static_cast<double>(quad_norm(quad_combined(to_quad(computed), exact, 1, -1)));
 }
 
-/// Returns condition number * |f(m)|: the largest singular value of the difference quotient, by power
-/// iteration.
+/// Returns the condition number of f at m, times |f(m)|. This is the largest singular value of the derivative
+/// of f, times |m|.
 template <class F>
 double sensitivity(const F& f, const QuadMat& m) {
   const QuadMat at = f(m);
