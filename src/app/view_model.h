@@ -163,7 +163,7 @@ public:
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// If `binding` has the tiles of the current binding, later deformers use `binding`.
+  /// Replaces the current binding by `binding` if only staged weights were added. Later deformers use it.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }

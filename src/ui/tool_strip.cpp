@@ -106,7 +106,7 @@ void more_icon(const Pen& pen) {
 struct StripTool {
   const char* command;
   void (*icon)(const Pen&);
-  bool apart;  // separated from the previous tool
+  bool apart;  // there is a gap before this tool
 };
 constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},

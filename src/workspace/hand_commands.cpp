@@ -103,7 +103,6 @@ void add_in_view(Workspace& w) {
   w.view.options.cage = true;  // this option also displays probes
 }
 
-// True if holds(probe) is true for all selected probes.
 bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
   return std::ranges::all_of(w.document.selection.indices(),
                              [&](auto i) { return holds(w.document.probes.all[i]); });

@@ -23,8 +23,7 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == document::the_session;
-    const bool anew =
-        session && path == w.files.saved.session;  // the session's own file may have any content
+    const bool anew = session && path == w.files.saved.session;  // a session may overwrite its own file
     check_output(path, session ? files::Content::session : files::Content::surface, files_open(w, own),
                  anew ? files::Force::given : files::Force::none);
     step();
