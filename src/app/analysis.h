@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The timed binding. time_methods() adds missing staged weights if they need at most 256 MiB.
+  /// The timed binding. time_methods() adds missing weights of the staged engine, up to 256 MiB.
   std::shared_ptr<const deform::Binding> binding;
 };
 

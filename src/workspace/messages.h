@@ -75,7 +75,7 @@ struct Question {
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
-    fins,          ///< opening a cage that has fins
+    fins,          ///< opening a cage with fins (surfaces with the outside on both sides)
     discard        ///< deleting recovered edits
   };
   Kind kind = Kind::close;
