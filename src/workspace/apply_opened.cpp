@@ -64,7 +64,7 @@ void take_view(Workspace& w, const files::Session& session) {
   w.view.options.hints = hints && session.view.hints;
 }
 
-// Takes the session's settings. Without a session, if the model changes, resets the placed pivot and mirror.
+// Takes the session's transform settings. Without a session, a new model resets the placed pivot and mirror.
 void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   if (opened.session) {
     w.view.handling = opened.session->handling;

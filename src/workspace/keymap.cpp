@@ -138,7 +138,8 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // Delete resets the selection, removes elements in cage editing, or deletes keys over the timeline.
+  // Delete resets the selection, removes elements of the cage, or deletes keys. Esc cancels work or a
+  // selection.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };

@@ -41,7 +41,7 @@ bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// True if the probes equal the saved probes. If `by_time`, ignores the probes' poses, because keys set them.
+// True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.files.saved.state.probes.all;

@@ -67,7 +67,7 @@ void widen(std::vector<glm::vec3>& points) {
   }
 }
 
-// The first deformer that no view uses.
+// The first deformer that no view uses. If views use all deformers, returns the document's deformer.
 deform::Scheme unused_scheme(const Workspace& w) {
   const auto is_used = [&](const deform::Scheme& scheme) {
     for (std::size_t view = 0; view < w.view.split.count(); ++view)
