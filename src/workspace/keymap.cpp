@@ -138,8 +138,7 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // Delete resets the selection, removes elements of the cage, or deletes keys. Esc cancels work or a
-  // selection.
+  // The two commands of each pair apply in different modes, for example during cage editing.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };
