@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The timed binding. time_methods() adds missing staged weights if they need at most 256 MiB.
+  /// The timed binding. time_methods() adds missing weights of the staged engine, up to 256 MiB.
   std::shared_ptr<const deform::Binding> binding;
 };
 
@@ -26,7 +26,7 @@ struct MethodTimings {
 MethodTimings time_methods(FrameInput timed, base::Progress& progress);
 
 /// Measures CPU time and error of each compared method for these matrices. Times are medians. Errors are
-/// relative to a reference with 106 bits. If one error of a method is NaN, both errors in its sample are NaN.
+/// relative to a reference with 106 bits. If a method gives NaN, its two errors are NaN.
 workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matrices);
 
 /// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.

@@ -14,12 +14,12 @@ namespace viete::app {
 /// base directory specification). Without a home folder, returns an empty path: nothing is stored.
 std::filesystem::path state_folder();
 
-/// While there are unsaved edits, writes the session to a recovery file after each finished edit or change of
-/// settings. If only the camera, transform settings or current frame change, writes nothing. Writing runs in
-/// the background; a frame waits at most a millisecond. If the edits are saved or undone, deletes the file.
-/// If another document is opened, renames the file to keep it. Recovered edits stay in their original file
-/// until the next edit. If a write fails, shows a message and tries again after the next edit. Written edits
-/// survive a crash of the program, but perhaps not a power failure.
+/// Keeps unsaved edits in a recovery file, which survives a crash, but perhaps not a power failure.
+/// - Each edit or change of settings writes the file in the background. A frame waits at most a millisecond.
+/// - A change of the camera, transform settings or current frame does not write the file.
+/// - If all edits are saved or undone, deletes the file. If another document is opened, renames the file.
+/// - Recovered edits stay in their original file until the next edit.
+/// - If writing fails, shows a message and tries again after the next edit.
 class Autosave {
 public:
   /// An empty folder disables autosave. The queue must outlive this object.
@@ -35,7 +35,7 @@ public:
   bool keep_now(workspace::Workspace& workspace);
   /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);
-  /// Call when a document with recovered edits is closed. Unchanged edits are not offered at the next start.
+  /// Call when a document is closed. Recovered edits that are unchanged are not offered at the next start.
   void close_recovered(workspace::Workspace& workspace);
   /// The reason why the current edits could not be written.
   std::string problem() const;

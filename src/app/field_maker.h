@@ -19,7 +19,7 @@ struct FieldSubject {
   analysis::Field field;
   const ViewModel& model;  ///< a slow field waits for the first frame of this model
   sym3::Method method;
-  document::PosedModel posed, first;  ///< the model in this view; the model in the first view; empty: at rest
+  document::PosedModel posed, first;  ///< the model in this view and in the first view; empty: at rest
 };
 
 /// Computes the shown fields of all views, again after each change of the input. Not thread-safe.

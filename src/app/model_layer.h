@@ -27,8 +27,8 @@ struct ModelLooks {
 };
 
 /// Converts colours, materials and images. Reads image files; skips damaged images. normals: the vertex
-/// normals at rest. A triangle is flat shaded if its group is flat in the file, or at a sharp edge: its
-/// corner normals in the file equal the face normal, but a vertex normal differs. Thread-safe.
+/// normals at rest. A triangle gets flat shading if its group is flat in the file, or at a sharp edge. There,
+/// the file's corner normals equal the face normal, but a vertex normal differs. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 

@@ -60,8 +60,8 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
     derived_.reset();
     unprepared_ = true;
   }
-  // If staged weights or the stitching are missing, computes them. Until then, frames use `fast` without
-  // stitching.
+  // If the staged engine's weights or the stitching are missing, starts to compute the missing data. Until
+  // then, the method is `fast`, without stitching.
   if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
   take_binding(w, false);
   w.jobs.binding = binder_.state();

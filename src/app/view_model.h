@@ -100,7 +100,7 @@ protected:
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
                 std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "") {
-    // If all methods use the staged engine, binds as for `diag`: this binding has staged weights.
+    // If all methods use the staged engine, binds as for `diag`, which always uses the staged engine.
     const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
     binder_.start(
         [=, scheme = need.scheme](base::Progress& progress) {
@@ -163,7 +163,7 @@ public:
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// If `binding` has the tiles of the current binding, later deformers use `binding`.
+  /// If `binding` is the current binding with weights added for the staged engine, later deformers use them.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }

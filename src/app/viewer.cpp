@@ -141,7 +141,7 @@ void Viewer::take_input(float seconds) {
   place_viewport();
 }
 
-// Software rendering uses multisampling only for the view at rest.
+// True if the view has been at rest for some time, but was drawn with fewer samples than possible.
 bool Viewer::wants_refinement() const {
   return view_.fineness() < view_.finest() && base::wall_seconds() - last_change_ > still_seconds;
 }
@@ -328,7 +328,7 @@ void Viewer::finish_views() {
   if (workspace_.view.split.on()) share_ranges();
 }
 
-// Activates the view under the cursor, except during a drag.
+// Activates the view under the cursor, except during a drag or a motion of the camera.
 void Viewer::enter_view_under_cursor() {
   auto& view = workspace_.view;
   if (view.split.active >= view.split.count()) workspace::enter_view(workspace_, 0);

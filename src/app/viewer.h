@@ -149,15 +149,15 @@ private:
   ViewCache view_;
   ui::FieldColors field_colors_;
 
-  std::tuple<bool, unsigned, float> notices_;  ///< last frame: question, messages, notice height
+  std::tuple<bool, unsigned, float> notices_;  ///< the values that follow_notices() found in the last frame
   document::Revisions message_revisions_;      ///< revisions of the document in the last frame
   unsigned message_revision_ = 0;
   std::optional<document::Revision> cage_drawn_;  ///< revision of the uploaded pose; nullopt: upload again
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< wall seconds of the view's last change and of the last frame
   double last_motion_ = 0;                   ///< wall seconds of the last picture with motion
-  bool refines_ = false, moves_ = false;     ///< this frame refines the view; this frame shows motion
-  unsigned settle_frames_ = 3;               ///< remaining frames; ImGui needs some frames to compute sizes
+  bool refines_ = false, moves_ = false;  ///< refines_: this frame refines the view. moves_: it shows motion
+  unsigned settle_frames_ = 3;            ///< frames still to draw, until ImGui has computed all sizes
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
   bool at_rest_ = false;  ///< true: the view shows the model at rest

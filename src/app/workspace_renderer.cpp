@@ -158,7 +158,7 @@ void WorkspaceRenderer::set_cage(const workspace::Workspace& w) {
 void WorkspaceRenderer::set_hand(const workspace::Workspace& w) {
   const render::Theme theme = render::theme(w.view.options.dark);
   const auto& document = w.document;
-  // If edges or faces can be selected, vertices are drawn smaller.
+  // While vertices cannot be selected, they are drawn smaller.
   const bool vertices = !w.view.tools || document.selection.kind() == document::ElementKind::vertex;
   const auto selected = w.view.tools ? document::selected_vertices(*document.cage, document.selection)
                                      : std::vector<std::uint32_t>{};
@@ -197,7 +197,7 @@ ViewDrawing::Part WorkspaceRenderer::part(const workspace::Workspace& w, std::si
   part.view = glm::dmat4(camera.view()) * file_to_view(w.document.space);
   part.projection = glm::dmat4(camera.projection(workspace::viewport_of(w.view.split, v, view)));
   part.surface.wireframe = w.view.options.wireframe ? 0.3f : 0.0f;
-  // If the surface is closed, omits back faces. This halves the time of software rendering.
+  // Software rendering omits the back faces of a closed surface. This halves the time.
   const auto& summary = w.document.model.summary;
   part.surface.closed =
       gl_.software && summary.closed() && summary.manifold() && summary.oriented() && summary.volume > 0;

@@ -24,7 +24,7 @@ struct DiscStyle {
   glm::vec3 outline{0, 0, 0};  ///< the colour of the thin edge (theme.outline)
   glm::vec3 ring{1, 1, 1};     ///< the colour of rings (theme.hover)
   /// A factor for the opacity of hidden discs, but not of rings. A point counts as hidden if it is at least
-  /// 2.5 radii behind a face. With a smaller distance, faces around a visible point would cut its disc.
+  /// 2.5 radii behind a face. With a smaller limit, faces around a visible point would cut its disc.
   float hidden_opacity = 0.3F;
 };
 

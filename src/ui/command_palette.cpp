@@ -13,7 +13,7 @@ namespace {
 
 constexpr float palette_width = 520, palette_row = 24, palette_rows = 12;
 
-// Returns true if the row was clicked.
+// Draws the row of a command. Returns true if the row was clicked.
 bool row(const Context& ui, const workspace::Command& command, std::size_t index, bool follow) {
   const bool highlighted = index == ui.workspace.panels.palette.highlighted;
   const bool enabled = command.enabled(ui.workspace);

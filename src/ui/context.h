@@ -44,12 +44,12 @@ struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
   ImU32 model;                     ///< the model in small pictures
   ImU32 axis[3], on_axis;          ///< the axes x, y and z; letters on an axis
-  ImU32 neutral, highlight, halo;  ///< in this order: gizmo handle without axis, hovered handle, outline
+  ImU32 neutral, highlight, halo;  ///< gizmo handle without axis; hovered handle; outline
 };
 
 Palette palette(bool dark);
 
-/// Colour maps, from the low end to the high end.
+/// Colours for increasing values of a map. diverging: for signed values. even: for other values.
 struct FieldColors {
   std::vector<ImU32> even, diverging;
 };

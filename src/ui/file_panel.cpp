@@ -196,7 +196,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   return clicked;
 }
 
-// Opens a folder or file. When saving, copies the path into the field. If already copied, confirms the path.
+// Opens a folder or file. When saving, copies the file's path to the text field; the second call confirms it.
 void take(workspace::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.files.browser.folder / entry.name;
   if (entry.folder || !w.files.browser.saves()) return choose(w, path);
@@ -204,7 +204,7 @@ void take(workspace::Workspace& w, const Browser::Entry& entry) {
   w.files.browser.path = path.string();
 }
 
-// A click selects an entry. A double click opens a folder, and also a file, but not when saving.
+// A click selects an entry. A double click also opens the entry, except a file when saving.
 void click_entry(workspace::Workspace& w, std::size_t index) {
   workspace::highlight(w.files.browser, index);
   const Browser::Entry& entry = *workspace::shown(w.files.browser)[index];

@@ -147,7 +147,7 @@ void key_rows(const Context& ui) {
   if (found.empty()) note(ui, "No command matches.");
 }
 
-// Resets all keys. While the list is open, the same button restores the changes.
+// A button that resets all keys. After a reset, the button restores the user's keys until the list is closed.
 void reset_all_button(const Context& ui) {
   workspace::KeyList& list = ui.workspace.panels.key_list;
   workspace::Keymap& keymap = ui.workspace.preferences.keymap;

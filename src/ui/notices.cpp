@@ -99,7 +99,7 @@ void recovery_text(const Context& ui) {
 
 float notice_room(const Context& ui) {
   constexpr float tools = 64,
-                  least = 180;  // the width of the tools stays free on both sides, for centering
+                  least = 180;  // subtracts the tools on both sides, to center notices
   return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);
 }
 
@@ -218,7 +218,7 @@ bool answer_button(const Context& ui, std::size_t i) {
   return clicked;
 }
 
-// A destructive answer is at the right end, apart from other answers.
+// Draws the buttons of the answers. The button of a destructive answer is at the right end of the row.
 std::optional<Answer> answer_row(const Context& ui) {
   std::optional<Answer> answer;
   const float left = ImGui::GetCursorPosX();

@@ -7,7 +7,7 @@ namespace viete::ui {
 
 namespace {
 
-constexpr float halo_width = 1.25f;  // logical pixels on either side
+constexpr float halo_width = 1.25f;  // in logical pixels, on each side
 
 const ImVec2* as_imgui(std::span<const glm::vec2> points) {
   static_assert(sizeof(glm::vec2) == sizeof(ImVec2));

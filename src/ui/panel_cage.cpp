@@ -170,7 +170,7 @@ bool is_free(const workspace::Workspace& w) {
          !w.files.browser.open && !w.files.question && w.view.options.panels && !w.panels.key_list.open;
 }
 
-// The finding about vertices outside the cage; null after the first edit.
+// The finding about vertices outside the cage. Null during the checks and after the first edit.
 const document::Finding* outside(const workspace::Workspace& w) {
   const bool begun = w.document.history.can_undo() || w.document.kept_pose || w.view.interaction.drag;
   if (!w.document.has_cage() || begun || w.checks.running) return nullptr;

@@ -22,7 +22,7 @@ using document::entry;
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
-// Describes other settings that the choice would change, and the memory for binding.
+// Describes which settings, except `chosen`, would change with `next`, and the memory for binding.
 std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
                          std::string_view chosen) {
   const document::Scheme& now = w.document.scheme;

@@ -86,7 +86,7 @@ void colors(const Legend& l, const std::vector<ImU32>& all) {
   }
 }
 
-// The histogram of values. The height is the square root of the count, so that small counts are visible.
+// Draws the histogram. The height of a bar is the square root of the count, so that small counts are visible.
 void counts(const Legend& l) {
   const auto& all = l.stats.counts;
   const auto most = static_cast<float>(std::max(1u, *std::ranges::max_element(all)));

@@ -61,14 +61,12 @@ void file_panel(const Context& ui);
 void question_panel(const Context& ui);        ///< see workspace/messages.h
 void message_log(const Context& ui);           ///< all messages
 void toasts(const Context& ui, float bottom);  ///< recent messages, above `bottom`
-/// Notices at the bottom of the view. If a notice is shown, its function returns a smaller `bottom` for
-/// messages above the notice. cage_offer(): the next step, to get a cage or to enclose the model.
-/// key_question(): the choice of a keymap at the first start. work_bar(): running work with progress and
-/// Cancel. map_legend(): the colours of the mesh.
-float cage_offer(const Context& ui, float bottom);
-float key_question(const Context& ui, float bottom);
-float work_bar(const Context& ui, float bottom);
-float map_legend(const Context& ui, float bottom);
+// The next four functions draw a notice above the height `bottom`. They return the height of the notice's
+// top, or `bottom` if there is no notice.
+float cage_offer(const Context& ui, float bottom);    ///< suggests to get a cage, or to enclose the model
+float key_question(const Context& ui, float bottom);  ///< the choice of a keymap at the first start
+float work_bar(const Context& ui, float bottom);      ///< running work, with progress and Cancel
+float map_legend(const Context& ui, float bottom);    ///< the meaning of the colours of the mesh
 bool offers_next_step(const workspace::Workspace& workspace);  ///< true if cage_offer() is shown
 float notice_room(const Context& ui);                          ///< the width for notices, without the tools
 void notice_bar(const Context& ui);                            ///< offers to restore recovered edits

@@ -106,7 +106,7 @@ void more_icon(const Pen& pen) {
 struct StripTool {
   const char* command;
   void (*icon)(const Pen&);
-  bool apart;  // separated from the previous tool
+  bool apart;  // there is a gap before this tool
 };
 constexpr StripTool strip[] = {{"tool_select", select_icon, false}, {"tool_move", move_icon, false},
                                {"tool_rotate", rotate_icon, false}, {"tool_scale", scale_icon, false},
@@ -135,7 +135,7 @@ bool is_on(const Context& ui, const StripTool& entry) {
   return workspace::find_command(entry.command)->on(ui.workspace);
 }
 
-// Returns true if the card was clicked.
+// Draws a button with the icon of a tool. Returns true if the button was clicked.
 bool tool_card(const Context& ui, const char* name, void (*icon)(const Pen&), ImVec2 at, bool enabled,
                bool on) {
   ImGui::SetCursorScreenPos(at);

@@ -22,7 +22,7 @@ const workspace::Command& require(std::string_view name) {
   return *command;
 }
 
-// Prints as many digits as fit, from 2 to 5. If 2 digits do not fit, prints 5 digits.
+// Prints as many digits as fit into `room`, from 5 down to 2. If even 2 digits do not fit, prints 5 digits.
 std::string printed(double value, float room) {
   char text[64];
   for (int digits = 5; digits > 1; --digits) {

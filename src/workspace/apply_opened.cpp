@@ -25,7 +25,7 @@ void report(Workspace& w, const files::Opened& opened) {
   for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
-// Reports the sets and poses that were removed with the previous cage. If `in_file`, adds the session's name.
+// Warns that sets and poses were removed with the previous cage. in_file: the session still has them.
 void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.files.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
@@ -64,7 +64,7 @@ void take_view(Workspace& w, const files::Session& session) {
   w.view.options.hints = hints && session.view.hints;
 }
 
-// Takes the session's settings. Without a session, if the model changes, resets the placed pivot and mirror.
+// Takes the session's transform settings. Without a session, a new model resets the placed pivot and mirror.
 void take_handling(Workspace& w, const files::Opened& opened, bool same_model) {
   if (opened.session) {
     w.view.handling = opened.session->handling;

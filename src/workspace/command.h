@@ -48,17 +48,17 @@ inline Effect passing(Effect effect) {
 }
 
 struct Command : Effect {
-  std::string name;   ///< stable, for keys and tests: "undo"
+  std::string name;   ///< fixed identifier for keys and tests: "undo"
   std::string label;  ///< full label: "View from the front"
   std::string brief;  ///< label under the heading "Viewpoint": "Front"
   std::string hint;   ///< one sentence about the effect
   Condition enabled;
   std::string_view group{};  ///< heading in the command reference
   Shortcut shortcut{}, alternative{};
-  std::string_view submenu{};                          ///< title of the submenu of a choice; empty: none
-  std::string (*subject)(const Workspace&) = nullptr;  ///< the current object: "Rotate" in "Undo Rotate"
+  std::string_view submenu{};                          ///< title of the submenu; empty: no submenu
+  std::string (*subject)(const Workspace&) = nullptr;  ///< appended to the label: "Rotate" in "Undo Rotate"
 
-  /// The label with the current object: "Undo Rotate". `called` replaces the label.
+  /// The label followed by the result of subject(): "Undo Rotate". `called` replaces the label.
   std::string label_now(const Workspace& workspace, std::string_view called) const;
   std::string label_now(const Workspace& workspace) const { return label_now(workspace, label); }
   bool on(const Workspace& workspace) const { return is_on && is_on(workspace); }

@@ -9,7 +9,7 @@
 
 namespace viete::workspace {
 
-// True during a drag, a mask stroke or a brush selection. Other edits must wait for the end.
+// True during a drag of elements or keys, a mask stroke or a brush selection. Other edits must wait.
 inline bool is_dragging(const Workspace& w) {
   const auto& time = w.view.time.drag;
   return w.view.interaction.drag || w.view.interaction.stroke || w.view.interaction.brushing ||

@@ -1,4 +1,4 @@
-// The tables of commands, one per topic. A command has one row. A choice has one row for each value.
+// The tables of commands, one table per topic. Each command has one row.
 #pragma once
 
 #include <algorithm>
@@ -62,7 +62,7 @@ void add_hand_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
 void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
 
-/// The beginning of command names that choose a value of this type: "pivot_".
+/// The prefix of the names of all commands that choose a `Value`: "pivot_".
 template <class Value>
 constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, deform::Way>) return "way_";

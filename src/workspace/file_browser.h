@@ -90,7 +90,7 @@ void refresh(FileBrowser& browser);
 
 /// The entries that pass the filter.
 std::vector<const FileBrowser::Entry*> shown(const FileBrowser& browser);
-/// Highlights a shown entry and copies its path to the text field. When saving, a folder is not copied.
+/// Highlights a shown entry and copies its path to the text field, except the path of a folder when saving.
 void highlight(FileBrowser& browser, std::size_t index);
 /// Moves the highlight by `steps`, clamped to the list. When saving, keeps the text field.
 void move_highlight(FileBrowser& browser, int steps);
@@ -98,9 +98,9 @@ void move_highlight(FileBrowser& browser, int steps);
 /// True if the filter begins with / or ~. Then the filter is a path, not a part of a name.
 bool filters_by_path(const FileBrowser& browser);
 
-/// The path in the text field. A relative path starts in the folder; ~ is the home folder.
+/// The path in the text field. A relative path is relative to the shown folder; ~ is the home folder.
 std::filesystem::path typed_path(const FileBrowser& browser);
-/// typed_path(). When saving, adds a missing extension, and "_####" to numbered models of an animation.
+/// typed_path(). When saving, adds a missing extension. If each frame gets its own file, also adds "_####".
 std::filesystem::path chosen_file(const FileBrowser& browser);
 /// The reason why chosen_file() cannot be opened or written; empty if no reason is known.
 std::string problem_of_name(const FileBrowser& browser);

@@ -85,7 +85,7 @@ void browse_to_save_session(Workspace& w) {
 
 void browse_to_locate(Workspace& w, Purpose purpose) {
   const fs::path& session = w.files.unopened->files.front();
-  // The user keeps no models in the folder of recovery files.
+  // Does not browse the folder of recovery files, because it contains no models.
   const bool recovery = w.files.unopened->what == files::OpenRequest::What::recovery;
   recovery ? show(w.files.browser, purpose, w.preferences.folder) : browse_beside(w, purpose, session);
 }

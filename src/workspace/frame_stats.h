@@ -41,11 +41,10 @@ class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Medians over the last half second. If the newest frame deformed the model, includes only frames that
-  /// deformed, otherwise only frames that did not. Nullopt before the first frame that deformed the model.
-  /// Updated about four times a second.
+  /// Medians over the last half second, updated about four times a second. If the newest frame deformed the
+  /// model, only frames that deformed the model count; otherwise, only the other frames. Nullopt before the
+  /// first frame that deformed the model.
   const std::optional<FrameTimes>& median() const { return median_; }
-  /// The medians over frames that deformed the model.
   const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }
   void clear() { *this = {}; }
 
@@ -72,7 +71,7 @@ struct MethodStats {
 /// Times of one deformation of the current pose with each method, in the order of compared_methods.
 struct MethodTimes {
   std::array<deform::LinkTimes, compared_methods.size()> links{};  ///< all 0: not measured
-  bool measured = false;  ///< true: all methods were measured in the background; false: times of frames
+  bool measured = false;  ///< true: measured in the background; false: times of drawn frames
 };
 
 /// The last computed values of the map that colours the model.

@@ -92,7 +92,8 @@ Effect uses() {
   return {use, [](const Workspace& w) { return w.view.tool == Use; }};
 }
 
-// Adds a probe or pin at the model's point under the cursor. If there is no point, uses the view's center.
+// Adds a probe or pin at the model's point under the cursor. If there is no point, uses the model's point at
+// the center of the view, or else the camera's target.
 template <bool (*Add)(document::Document&, const document::PosedModel&, const mesh::Point&)>
 void add_in_view(Workspace& w) {
   auto at = w.view.interaction.cursor ? model_under(w, *w.view.interaction.cursor) : std::nullopt;
@@ -103,7 +104,6 @@ void add_in_view(Workspace& w) {
   w.view.options.cage = true;  // this option also displays probes
 }
 
-// True if holds(probe) is true for all selected probes.
 bool all_are(const Workspace& w, bool (*holds)(const deform::Probe&)) {
   return std::ranges::all_of(w.document.selection.indices(),
                              [&](auto i) { return holds(w.document.probes.all[i]); });

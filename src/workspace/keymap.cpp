@@ -26,7 +26,7 @@ constexpr Shortcut alt(char c) {
   return {key(c), false, false, true};
 }
 
-// The keys for Blender users that differ from the usual keys.
+// The keys of the preset Blender that differ from the preset Viete.
 constexpr auto blender_keys = std::to_array<PresetKeys>({
     {"grab", plain('G'), {}},
     {"grab_rotate", plain('R'), {}},
@@ -65,7 +65,7 @@ constexpr std::string_view blender_without[] = {
     "tool_move",   "select_lasso", "method_diag",      "method_sd",   "method_improved_sd",
     "method_fast", "add_probe",    "mirror_probe",     "toggle_z_up", "toggle_full_screen"};
 
-// The keys for Maya users that differ from the usual keys.
+// The keys of the preset Maya that differ from the preset Viete.
 constexpr auto maya_keys = std::to_array<PresetKeys>({
     {"frame_all", plain('A'), {}},
     {"frame_selection", plain('F'), {}},
@@ -138,7 +138,7 @@ std::string text(const Shortcuts& keys) {
 }
 
 bool shares_keys(std::string_view command, std::string_view other) {
-  // Delete resets the selection, removes elements in cage editing, or deletes keys over the timeline.
+  // The two commands of each pair apply in different modes, for example during cage editing.
   const auto is_pair = [&](std::string_view a, std::string_view b) {
     return (command == a && other == b) || (command == b && other == a);
   };

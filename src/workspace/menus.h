@@ -18,7 +18,7 @@ struct Menu {
 std::span<const Menu> menus();
 
 /// The commands that match all typed words, with the best match first. Without text, all commands. Omits
-/// `passing` commands that are disabled.
+/// disabled commands for which Effect::passing is true.
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed);
 
 }  // namespace viete::workspace

@@ -11,7 +11,7 @@ namespace viete::workspace {
 
 enum class Severity { info, warning, error };
 
-/// The object that a message is about. After a change of the model or cage, the message is removed.
+/// The object that a message is about. When the model or cage changes, its messages are removed.
 enum class Scope { program, model, cage };
 
 struct Concern {
@@ -49,7 +49,8 @@ public:
   /// Hides infos and warnings. Called after undo and redo.
   void hide_messages();
   void dismiss(std::size_t index) { all_[index].visible = false; }
-  /// Removes messages about the cage and, for Scope::model, the model. Keeps messages after `revision`.
+  /// Scope::cage: removes messages about the cage. Scope::model: also removes messages about the model. Keeps
+  /// messages that were added after this revision.
   void forget(Scope scope, unsigned revision);
   /// True if the time of a visible message has ended.
   bool due(double now) const;
@@ -74,7 +75,7 @@ struct Question {
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
-    fins,          ///< opening a cage that has fins
+    fins,          ///< opening a cage with fins (surfaces with the outside on both sides)
     discard        ///< deleting recovered edits
   };
   Kind kind = Kind::close;

@@ -26,7 +26,7 @@ std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::
   return handle || small ? handle : pick_handle(*gizmo, cursor, true);
 }
 
-// False for edges and faces, because an edge or a face is almost always near a handle.
+// True for a vertex or probe. Edges and faces do not count, because almost every handle is near one.
 bool is_small(const Workspace& w, const std::optional<interact::Pick>& element) {
   const document::ElementKind kind = w.document.selection.kind();
   return element && (kind == document::ElementKind::vertex || kind == document::ElementKind::probe);
@@ -306,7 +306,7 @@ void Pointer::press_left(Workspace& w, const PointerInput& input) {
   crowded_ = is_crowded(w.document, w.view.camera, w.view.viewport, press_, sight_.of(w));
 }
 
-// A brush starts immediately and stays armed. Other shapes start with the drag.
+// Handles a press with an armed selection tool. The brush selects at once; box and lasso begin with a drag.
 void Pointer::press_armed(Workspace& w, const PointerInput& input) {
   shape_ = w.view.interaction.armed;
   handle_.reset();
@@ -353,7 +353,8 @@ void Pointer::move(Workspace& w, const PointerInput& input) {
   }
 }
 
-// Faces and dense vertices leave no free place to begin a box. There, only selected elements can be dragged.
+// If faces or dense vertices leave no free place to start a box, a drag from an unselected element draws a
+// box. A drag from a selected element moves the selection.
 bool Pointer::draws_box(const Workspace& w) const {
   if (handle_) return false;
   const document::Selection& selection = w.document.selection;
@@ -409,7 +410,7 @@ void Pointer::transform(Workspace& w, const PointerInput& input) {
   finish(w, Gesture::ignored);
 }
 
-// The drag may have selected the pressed element. If nothing moved, the selection alone is the edit.
+// Records the drag and its change of the selection as one edit. If nothing moved, records only the selection.
 void Pointer::commit_drag(Workspace& w) {
   document::Document& document = w.document;
   const unsigned long edits = document.history.revision();
@@ -520,13 +521,13 @@ void Pointer::finish(Workspace& w, Gesture next) {
   gesture_ = next;
 }
 
-// Afterwards the pressed button is ignored until the user releases it.
+// Cancels the gesture. A pressed button is ignored until the user releases this button.
 void Pointer::cancel(Workspace& w) {
   if (w.view.interaction.drag) w.view.interaction.drag->cancel(w.document);
   if (w.view.interaction.stroke) w.view.interaction.stroke->cancel(w.document);
   if (gesture_ != Gesture::moving && gesture_ != Gesture::brushing)
     return finish(w, Gesture::ignored);  // the selection is unchanged
-  // If elements were removed during the gesture, the old indices can be invalid: then selects nothing.
+  // If elements were removed during the gesture, old indices can be invalid. Then nothing is selected.
   const auto& before = selection_before_.indices();
   const bool all_there =
       before.empty() || before.back() < element_count(w.document, selection_before_.kind());

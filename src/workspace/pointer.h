@@ -34,7 +34,7 @@ void disarm(Workspace& workspace);
 /// The gizmo; nullopt without a visible selection, for locked probes, and for tools without a gizmo.
 std::optional<interact::Gizmo> gizmo_of(const Workspace& workspace);
 
-/// The current grip. The selection must not be empty.
+/// The input for a transform of the selection, which must not be empty.
 interact::Grip grip_of(const Workspace& workspace);
 
 /// The axis widget, if it is shown.
@@ -79,7 +79,7 @@ public:
   /// - Left click: selects. Shift adds, Ctrl removes. A double click centers the view.
   /// - Left drag from a gizmo handle: transforms. From an element: moves the selection.
   /// - Left drag elsewhere, with Shift or Ctrl, or from an unselected face or dense element: draws a box.
-  /// - Left drag with Tool::paint: paints the mask. Ctrl paints the full share. Shift+wheel sets the radius.
+  /// - Left drag with Tool::paint: paints the mask. Ctrl erases. Shift+wheel changes the radius.
   /// - Middle, right or Alt+left drag: orbits. With Shift: pans. With Ctrl: zooms. The wheel zooms too.
   /// - Right click: requests the context menu.
   /// - With Interaction::grab, the selection follows the cursor until a click.

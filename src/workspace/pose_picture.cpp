@@ -101,7 +101,7 @@ namespace {
 
 constexpr std::size_t most_faces = 3000;  // thumbnails of larger cages are slow and illegible
 
-// A view that shows both sets of points.
+// A view that shows the points of `rest` and of `posed`.
 PictureView view_of(std::vector<mesh::Point> rest, const std::vector<mesh::Point>& posed, glm::vec2 size) {
   rest.insert(rest.end(), posed.begin(), posed.end());
   return {{-32, 18}, {rest, size, 3}};

@@ -54,7 +54,7 @@ private:
 /// The brightness of a face with this normal in view coordinates.
 float lightness(const mesh::Vec3& normal);
 
-/// The front-facing polygons of the model with their brightness, farthest first.
+/// The front-facing polygons of the model with their brightness. The farthest from the viewer is first.
 std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
                                     std::span<const mesh::Point> at);
 

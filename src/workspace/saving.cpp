@@ -23,8 +23,7 @@ bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_v
   const std::string topic = std::string("save ") + what;
   try {
     const bool session = own == document::the_session;
-    const bool anew =
-        session && path == w.files.saved.session;  // the session's own file may have any content
+    const bool anew = session && path == w.files.saved.session;  // a session may overwrite its own file
     check_output(path, session ? files::Content::session : files::Content::surface, files_open(w, own),
                  anew ? files::Force::given : files::Force::none);
     step();
@@ -42,7 +41,7 @@ bool is_timeline_pose(const Workspace& w) {
   return !w.document.timeline.keys.empty() && !is_editing_cage(w.document) && !has_unkeyed_pose(w);
 }
 
-// True if the probes equal the saved probes. If `by_time`, ignores the probes' poses, because keys set them.
+// True if the probes equal the saved probes. If `by_time`, ignores poses of unlocked probes: keys set them.
 bool same_probes(const Workspace& w, bool by_time) {
   deform::Probes now = w.document.probes;
   const auto& saved = w.files.saved.state.probes.all;

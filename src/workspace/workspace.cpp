@@ -67,7 +67,7 @@ void widen(std::vector<glm::vec3>& points) {
   }
 }
 
-// The first deformer that no view uses.
+// The first deformer that no view uses. If views use all deformers, returns the document's deformer.
 deform::Scheme unused_scheme(const Workspace& w) {
   const auto is_used = [&](const deform::Scheme& scheme) {
     for (std::size_t view = 0; view < w.view.split.count(); ++view)
@@ -178,7 +178,7 @@ void begin_widget_edit(Workspace& w) {
                           w.making.wish,       w.preferences.layout, w.files.opened};
 }
 
-// During cage generation, the document is not restored: the restored settings give the previous cage again.
+// During cage generation, restores only settings. With these settings, the previous cage is generated again.
 void cancel_widget_edit(Workspace& w) {
   if (!w.panels.before_edit || w.panels.before_edit->opened != w.files.opened) return;
   BeforeWidgetEdit before = *std::exchange(w.panels.before_edit, std::nullopt);

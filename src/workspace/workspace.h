@@ -53,7 +53,7 @@ struct Playback {
   bool backward = false;  ///< true while ping-pong plays backward
   bool auto_key = false;  ///< edits of the pose set a key at the current frame
   document::VectorCache vectors{};
-  std::shared_ptr<const document::Animation> animation{};  ///< of timeline, cage, model; null without keys
+  std::shared_ptr<const document::Animation> animation{};  ///< see animation_of(); null without keys
   document::Timeline timeline{};
   std::shared_ptr<const deform::Cage> cage{};
   std::shared_ptr<const mesh::Surface> model{};
@@ -84,7 +84,7 @@ struct Interaction {
   bool crowded = false;           ///< elements at the cursor are so dense that a drag draws a box
   std::optional<glm::vec2> menu;  ///< position of a right click, where the context menu must open
   glm::vec2 menu_at{0, 0};        ///< cursor position for commands of the open context menu
-  std::optional<Link> stage;      ///< stage of the deformation under the cursor in the timings
+  std::optional<Link> stage;      ///< the stage under the cursor in the panel of timings
   bool placing_pivot = false;     ///< the next click places the pivot
   struct Grab {
     interact::Tool tool;
@@ -114,7 +114,7 @@ struct TypedText {
 struct TypedSlider {
   std::string name;
   int frame = 0;  ///< number of the picture in which the field was last drawn
-  int waits = 0;  ///< number of pictures until the request for the keyboard focus fails
+  int waits = 0;  ///< number of pictures in which the field still waits for the keyboard focus
 };
 
 /// Requests to the program. Once per drawn picture, the program handles and clears the requests.
@@ -137,8 +137,8 @@ using base::WorkState;
 struct Saved {
   std::filesystem::path session{};         ///< the session's file; empty: Save asks for a name
   std::optional<std::uint64_t> content{};  ///< checksum of `session` when read or written; nullopt: unknown
-  document::DocumentState state{};  ///< as last opened or saved, see real_pose(); empty for recovered edits
-  bool recovered = false;           ///< the document contains recovered edits that are not saved yet
+  document::DocumentState state{};         ///< the saved document, see real_pose(); empty for recovered edits
+  bool recovered = false;                  ///< the document contains recovered edits that are not saved yet
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
   void put_pose(deform::Pose pose) { state.pose = std::move(pose), recovered = false, ++revision_; }
@@ -197,7 +197,7 @@ struct View {
   interact::Tool tool = interact::Tool::move;
   Interaction interaction;
   document::Handling handling;
-  document::MirrorCache mirror;            ///< cached mirror of the cage for `handling`
+  document::MirrorCache mirror;            ///< the cage's symmetry in the plane handling.mirror
   document::Brush brush;                   ///< used by Tool::paint
   std::optional<std::size_t> chosen_pose;  ///< index of the named pose that pose commands act on
   bool tools = true;                       ///< draw gizmo, selection, hover and handles; false in pictures

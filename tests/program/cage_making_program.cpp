@@ -76,7 +76,7 @@ TEST_CASE("a_model_without_a_cage_is_framed_above_the_cage_offer") {
     const float bottom = v.origin.y + v.size.y, offer = bottom - workspace::offer_height(d.workspace());
     const auto beside = d.viewer().recorder().find("open_cage_beside");
     REQUIRE(beside);
-    CHECK(beside->y0 - 94 < offer);  // three lines are above the button
+    CHECK(beside->y0 - 94 < offer);  // three lines of text are above the button
     CHECK(offer < beside->y0 - 60);
     const float above = lowest();
     CHECK(above < offer);

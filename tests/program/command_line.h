@@ -48,8 +48,8 @@ inline std::string quoted(const fs::path& path) {
   return "'" + path.string() + "'";
 }
 
-/// Runs the program in a folder, and sends the signal when the file `until` exists. `until` is a result, or
-/// `said`, the file with the output. If the program ends earlier, deletes the files `made` and starts again.
+/// Runs the program in a folder, and sends the signal when the file `until` exists. The file `said` contains
+/// the program's output. If the program ends before the signal, deletes the files `made` and starts again.
 inline Outcome ended_by(const std::string& signal, const fs::path& folder, const std::string& arguments,
                         const std::string& until, const std::string& made) {
   put_file(folder / "ended.sh",

@@ -129,7 +129,7 @@ TEST_CASE("the_model_is_shown_at_rest_on_request_and_follows_again") {
   d.press_key('N');
   CHECK(test::difference(rest, picture(), 8) < 0.01);
   CHECK(d.workspace().frame.posed.vertices.empty());
-  // A pose that is set while the model is at rest appears when the model follows again.
+  // Sets another pose while the model is shown at rest. The pose appears after the next N.
   for (auto& p : pose.positions) p[0] += 0.3;
   document::set_pose(d.document(), pose);
   CHECK(test::difference(rest, picture(), 8) < 0.01);

@@ -1,4 +1,4 @@
-// Widgets, with simulated events: Esc cancels active widgets and closes popups; dialogs; notices.
+// Widgets, dialogs and notices with simulated events. Esc cancels active widgets and closes popups.
 #include <imgui_internal.h>
 
 #include <functional>

@@ -11,7 +11,7 @@ namespace {
 
 const glm::dmat4 perspective = glm::perspective(glm::radians(60.0), 1.6, 0.1, 100.0);
 
-// Returns the largest value of a channel in the pixels from, from + step, ..., from + 19 * step.
+// Returns the largest value of a channel in 20 pixels: `from`, from + step, from + 2 * step and so on.
 int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int channel) {
   int most = 0;
   for (int i = 0; i < 20; ++i, from += step) most = std::max<int>(most, image.pixel(from.x, from.y)[channel]);
