@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char* f11_keycode = "95";  // see test::f12_keycode
 
-// Makes columns and bars black, because their fonts differ.
+// Makes the side columns and the bars black, because fonts differ between systems.
 void cut_panels(render::Image& image) {
   constexpr int left = 384, right = 320, top = 40, bottom = 26;
   for (int y = 0; y < image.height; ++y) {
