@@ -18,7 +18,7 @@ struct DistanceTriangle {
   /// Coefficients for the second and the third edge. For a point (x, y), dot(along, (x, y, 1)) is the
   /// coordinate along the edge. dot(inward, (x, y, 1)) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< an inside point has at least this inward distance; infinity without area, else 0
+  T outside;        ///< points with a smaller inward distance are outside: 0, or infinity without area
   T near;           ///< smaller squared distances are inaccurate in float; about (longest edge / 16)^2
   bool degenerate;  ///< true: the triangle has no area, and its weight is 0
 };

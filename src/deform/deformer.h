@@ -40,7 +40,7 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// If `all`, method `fast` also uses the staged engine for blends with exponentials, to compare times.
+  /// If `all`, blends with exponentials use the staged engine even with method `fast`, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
@@ -65,7 +65,8 @@ public:
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
   /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model.
-  /// Computes exact weights again (one or two microseconds per vertex). Empty without exponentials.
+  /// Computes the exact weights of these vertices, in one or two microseconds per vertex. Empty if the scheme
+  /// has no exponentials.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
   /// Returns deform::sampled_error() of the last frame; 0 after a staged frame. After a stitched frame,
   /// measures the blended vertices before stitching and probes.

@@ -7,8 +7,8 @@ namespace viete::deform {
 
 namespace {
 
-// Added to the ratio: squared motion of a vertex / largest squared motion. A resting vertex therefore has
-// 1e14 times the weight of the vertex that moves most.
+// A vertex gets the weight 1 / (m + stillness)^2, where m is its squared motion divided by the largest
+// squared motion. So a resting vertex has 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
 // Smaller singular values of a fitted map are ignored: the fixed point would be too far away to matter.
 constexpr double least_motion = 1e-4;

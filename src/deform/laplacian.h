@@ -16,10 +16,10 @@ inline constexpr double thin_triangle = 1e-6;
 
 bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
-/// For each corner k, returns half the cotangent h_k of the angle. h_k is the weight of the opposite edge ij
-/// in the Dirichlet energy of a function f: sum h_k * (f_i - f_j)^2 / 2 = area * |grad f|^2 / 2. Lengths may
-/// be from 1e-300 to 1e300. A thin triangle uses a larger area (see thin_triangle), so |h_k| is at most 0.5 /
-/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the energy is never negative, and is
+/// Returns h_k = cotangent(angle at k) / 2 for each corner k. For a function f, the sum of h_k * (f_i -
+/// f_j)^2 over the edges ij opposite to k is area * |grad f|^2, the Dirichlet energy. Lengths may be from
+/// 1e-300 to 1e300. For a thin triangle, the area is increased (see thin_triangle), so |h_k| is at most 0.5 /
+/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the sum is never negative, and is
 /// positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 

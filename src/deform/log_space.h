@@ -70,11 +70,11 @@ public:
   /// The buffers of one thread. Reuse avoids allocations.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
-    std::vector<Vec3> wholes;                // whole turns of the sum, per part
+    std::vector<Vec3> wholes;                // per part: weighted sum of LogVector::wholes
     std::vector<sym3::Mat3<double>> turned;  // rotation matrices of wholes; empty if all wholes are 0
     std::vector<double> doubts;              // per triangle: weighted sum of Doubt::share
     std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubts
-    std::vector<std::uint32_t> doubted;      // places of the corners of doubtful triangles
+    std::vector<std::uint32_t> doubted;      // corners of doubtful triangles, see place()
     SparseCholesky::Workspace solve;
   };
 
@@ -102,7 +102,8 @@ public:
   /// of all parts.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards a best fit of work.ways.
+  /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards the rotations that best
+  /// fit the displacements work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.
