@@ -19,18 +19,17 @@ struct BindKernel {
   /// Fills `rows`, including RowJob::totals, with cut-off weights of 16 points. If a distance or a total is
   /// too small for float precision, returns false and leaves `rows` undefined.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask. A set bit
-  /// means that the lane is invalid and needs mean_value_weights(), because the point is too near to a
-  /// triangle's plane or the sum is 0.
+  /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask of invalid
+  /// lanes, where the point is too near to a triangle's plane or the sum is 0. For these, use
+  /// mean_value_weights().
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Writes weights [handle][8 lanes] as floats to eight lanes of rows.rows. Computes rows.sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
   /// Makes each row orthogonal to the unit vector `unit_row`: subtracts coefficients[slot] * unit_row. Writes
   /// `coefficients`, and the squared norm of each new row to squared_norms [slot].
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
-  /// Solves u = f * lower for each slot, where u are the coefficients [tile][pivot][lane]. Replaces u by the
-  /// factors f. The slot's row is then the sum of f[k] * (row of pivot k). `lower` is lower triangular, rank
-  /// x rank, row by row.
+  /// Replaces each slot's coefficients u [tile][pivot][lane] by the solution f of f * lower = u. The slot's
+  /// row is then the sum of f[k] * (row of pivot k). `lower` is lower triangular, rank x rank, row by row.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
 };
 

@@ -31,7 +31,6 @@ using Mask = std::shared_ptr<const std::vector<float>>;
 /// Vertex positions to deform instead of the rest positions, or null. Weights are always computed at rest.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
-/// The weights and the rest positions of a model that is bound to a cage.
 struct Binding {
   Weighting weighting;
   std::size_t vertices = 0, handles = 0;

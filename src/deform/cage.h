@@ -83,7 +83,6 @@ struct Pose {
   std::vector<Vec3> turns;
 };
 
-/// Returns the rest positions without turns.
 Pose rest_pose(const Cage& cage);
 
 struct DualGraph {

@@ -72,7 +72,6 @@ private:
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate
 };
 
-/// Deforms a model by one pose.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr, const Mask& mask = nullptr,

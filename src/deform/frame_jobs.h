@@ -21,7 +21,7 @@ struct TileRun {
   const float* weights = nullptr;  ///< [tile][row][lane]
   const float* table = nullptr;    ///< [row][column]
   const float* base = nullptr;     ///< initial values of the sums, [tile][sum][lane]; null: 0
-  const float* mean = nullptr;     ///< [RowShape::with_mean]: TileKernel::place adds these to the sums; null: 0
+  const float* mean = nullptr;     ///< [RowShape::with_mean], added to the sums by TileKernel::place; null: 0
   const float* shares = nullptr;   ///< [tile][lane], only for TileKernel::place, see Shares; null: all 1
   const std::uint32_t* listed = nullptr;  ///< for each row of weights, its row of `table`; null: same index
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms

@@ -27,7 +27,6 @@ struct Leaves {
   std::size_t end(std::size_t leaf) const { return std::min(order.size(), (leaf + 1) * leaf_slots); }
 };
 
-/// Returns the slot of each vertex.
 std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 
 /// Makes leaves with a kd tree that splits the longest side of the bounding box. positions must not be empty.

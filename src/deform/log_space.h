@@ -90,7 +90,6 @@ public:
 
   /// Returns the anchors of the motion that adds `terms` to the shape `from`; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
   /// Computes the shape of a sum. positions.size() must be rest().size(). The number of threads does not

@@ -73,7 +73,7 @@ struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
   Vec3 turn;                   ///< rotation vector, |turn| <= pi
-  double least, largest;       ///< limits of stretch; least < 0 if the map mirrors, NaN if it is not finite
+  double least, largest;       ///< singular values; least < 0 if the map mirrors, NaN if it is not finite
 };
 
 /// Splits the maps of `elements` in double precision and leaves other splits unchanged. The bits of a split

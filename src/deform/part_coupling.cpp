@@ -16,10 +16,10 @@ namespace viete::deform {
 namespace {
 
 constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relative to the size
-constexpr double farther = 4;  // relative to the distance of the nearest part
+constexpr double farther = 4;  // largest distance of another part / distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Tuned on gaps in bends, drags and twists of models with 2 to 30,000 parts (bench modes, torn).
+// Strength of a coupling / strength of solid material in the gap. Chosen by tests on bent and twisted models.
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {

@@ -15,7 +15,7 @@ namespace {
 using Symmetric = sym3::Sym3<double>;
 
 constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
-constexpr double least_spread = 0.1;   // limit of the least singular value, relative to the largest
+constexpr double least_spread = 0.1;   // limit of (least singular value) / (largest singular value)
 constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
 constexpr std::size_t most_vertices = 256;
 constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors

@@ -34,7 +34,7 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 /// Sets weights[i] = w_i / (sum of all w_j), where w_i is 1 / (squared distance from p to handle i). Weights
 /// are in [0, 1] and sum to 1. Uses only ratios of distances, so no length scale overflows. Distances below
 /// cage.contact count as cage.contact. If p is on the cage, the handles that touch p get equal weights, and
-/// other handles get nearly 0. `weights` has one entry per handle. Handles that do not weigh get 0.
+/// other handles get nearly 0. `weights` has one entry per handle. HandleShape::weighs tells which are 0.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               Elements elements = Elements::face);
 
@@ -46,8 +46,8 @@ struct HandleShape {
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
 /// Returns x - sum of weights[j] * handles[j], for a vertex at the rest position x. Rounds as blend() does,
-/// so that a cage at rest reproduces all bits of x. A result that is only a rounding error becomes 0; in a
-/// pose that shrinks the model, it would not shrink. `handles` and x must be relative to the same origin.
+/// so that a cage at rest reproduces all bits of x. A rounding error becomes 0, because it would not shrink
+/// in a pose that shrinks the model. `handles` and x must be relative to the same origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
@@ -63,7 +63,7 @@ inline double share_of_motion(double total) {
 ///
 /// d is the exact unsigned distance from p to the handle, and r = weighting.radius * cage.size. Returns t.
 /// The point's share is share_of_motion(t). If no handle is within the radius, t and all weights are 0.
-/// `weights` has one entry per handle. Handles that do not weigh get 0.
+/// `weights` has one entry per handle. HandleShape::weighs tells which are 0.
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights);
 
