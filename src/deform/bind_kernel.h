@@ -19,9 +19,8 @@ struct BindKernel {
   /// Fills `rows`, including RowJob::totals, with cut-off weights of 16 points. If a distance or a total is
   /// too small for float precision, returns false and leaves `rows` undefined.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask of invalid
-  /// lanes, where the point is too near to a triangle's plane or the sum is 0. For these, use
-  /// mean_value_weights().
+  /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask of the lanes
+  /// that need mean_value_weights(), because the point is too near to a triangle's plane or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Writes weights [handle][8 lanes] as floats to eight lanes of rows.rows. Computes rows.sums.
   void (*to_rows)(const double* weights, const RowJob& rows);

@@ -43,8 +43,7 @@ struct Branches {
 /// spanning_forest(): an element gets the branch nearest to the log of its parent in the forest. For the
 /// root, takes the branch for which the part's logs are nearest to turns[part] (root mean square; a missing
 /// entry is 0). Rejects a root branch if neighbours' logs differ much more than with other root branches. If
-/// two root branches are equally near, takes the branch for which the logs are nearer to the first part's
-/// mean log.
+/// two root branches are equally good, takes the branch nearer to the first part's mean log.
 ///
 /// A log can have whole turns only about the axis of its rotation. Whole turns of turns[part] about another
 /// axis are kept only in Branches::turns. If turns[part] makes neighbours' logs too different, the part gets

@@ -40,9 +40,9 @@ struct TileLines {
   }
 };
 
-// Fills a table of moment rows. With this table, the blend kernel returns the sum of v * (p - near) as its
-// first three sums, and the sum of v as fourth sum. v are the weights, p the handles' rest centres, and near
-// is the point in the first three rest moments of the slot.
+// Fills a table of moment rows. With this table, the first three sums of the blend kernel are the sum of v *
+// (p - near), and the fourth is the sum of v. v are the weights, p the handles' rest centres, and `near` is
+// the point in the slot's first three rest moments.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -50,8 +50,8 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Fills a table of moment rows. With this table, the blend kernel returns the matrix sum of v * ((p - middle)
-// * (p - near)^T + I) as its first nine sums.
+// Fills a table of moment rows. With this table, the first nine sums of the blend kernel are the matrix sum
+// of v * ((p - middle) * (p - near)^T + I).
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;

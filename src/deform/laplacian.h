@@ -16,11 +16,11 @@ inline constexpr double thin_triangle = 1e-6;
 
 bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
-/// Returns h_k = cotangent(angle at k) / 2 for each corner k. For a function f, the sum of h_k * (f_i -
-/// f_j)^2 over the edges ij opposite to k is area * |grad f|^2, the Dirichlet energy. Lengths may be from
-/// 1e-300 to 1e300. For a thin triangle, the area is increased (see thin_triangle), so |h_k| is at most 0.5 /
-/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the sum is never negative, and is
-/// positive for some f.
+/// Returns h_k = cotangent(angle at k) / 2 for each corner k. For a function f, the sum over all k of
+///     h_k * (f_i - f_j)^2, where i and j are the other two corners,
+/// is area * |grad f|^2. It is never negative. Lengths may be from 1e-300 to 1e300. A thin triangle is
+/// computed with a larger area (see thin_triangle), so |h_k| is at most 0.5 / thin_triangle. If all corners
+/// coincide, all h_k are 0. Otherwise the sum is positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
 /// Returns the matrix K with f^T K f = sum over triangles of area * |grad f|^2, for every f that is linear on

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
 inline constexpr std::size_t ring_group = 4;  ///< number of slots whose rings are processed together
-/// Position i starts at float 4 * i. Rings::neighbours stores 4 * i / index_floats as the index of position
-/// i. The load instruction multiplies by index_floats at no cost.
+/// Position i starts at float 4 * i. Rings::neighbours stores 4 * i / index_floats for this position. The
+/// load instruction multiplies by index_floats at no cost.
 inline constexpr std::size_t index_floats = 2;
 inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length of a closed group, see Rings
 

@@ -125,8 +125,7 @@ sym3::Sym3<double> log_stretch(const Polar& polar);
 bool is_ordinary(double least, double largest, double mean_stretch);
 
 /// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD, and replaces
-/// singular values below the minimum of log_maps() by this minimum. Returns true if a value was replaced or
-/// the map is not finite.
+/// small singular values by the minimum of log_maps(). Returns true if it did so or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R * S. Uses the split, or an SVD if the map mirrors or nearly

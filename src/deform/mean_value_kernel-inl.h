@@ -23,8 +23,7 @@ using ViewV = hn::Vec<ViewTag>;
 // directions from p to the corners, and a_i is the angle between u_(i+1) and u_(i+2). Indices are modulo 3.
 //     c_i = u_(i+1) x u_(i+2)                    has the length sin(a_i)
 //     m   = sum of a_i / (2 * sin(a_i)) * c_i    is the integral of unit vectors over the spherical triangle
-//     s_i = dot(c_i, m) / dot(c_0, u_0)          are the coefficients in m = sum of s_i * u_i, by Cramer's
-//     rule
+//     s_i = dot(c_i, m) / dot(c_0, u_0)          solves m = sum of s_i * u_i (Cramer's rule)
 // A corner's weight is the sum of s_i over the corner's triangles, divided by the distance from p to the
 // corner. The two triangles at an edge have equal a_i and opposite c_i, so c_i is computed once per edge.
 

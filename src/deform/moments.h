@@ -12,8 +12,8 @@
 namespace viete::deform {
 
 /// Computes the positions of the vertices [begin, end) in double. The rows must have a moment form. The
-/// cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. Let v = max(w,
-/// 0), and let m and m' be the means of p and p' with the weights v. Then
+/// cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. v = max(w, 0) are
+/// the positive weights. m and m' are the means of p and p' with the weights v. Then
 ///
 ///     x' = M * (x - sum w * p) + sum w * p',
 ///     B = sum v * (p' - m') * (p - m)^T + l^2 * sum v * A,

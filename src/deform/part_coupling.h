@@ -32,9 +32,8 @@ inline constexpr double most_strength = 1e4;
 ///
 /// The strength is 2 * m / d^2, at most 1e4. m is the smaller of the areas that belong to the vertex and to
 /// the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a column with base m and height d,
-/// which fills the gap. So close layers move together, and layers with a wide gap move more independently.
-/// The surface must be welded; `masses` as in IntrinsicLaplacian. The number of threads does not change the
-/// results.
+/// which fills the gap. So the couplings are strong across narrow gaps and weak across wide gaps. The surface
+/// must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 

@@ -34,7 +34,7 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 /// Sets weights[i] = w_i / (sum of all w_j), where w_i is 1 / (squared distance from p to handle i). Weights
 /// are in [0, 1] and sum to 1. Uses only ratios of distances, so no length scale overflows. Distances below
 /// cage.contact count as cage.contact. If p is on the cage, the handles that touch p get equal weights, and
-/// other handles get nearly 0. `weights` has one entry per handle. HandleShape::weighs tells which are 0.
+/// other handles get nearly 0. `weights` has one entry per handle: 0 if HandleShape::weighs is false.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               Elements elements = Elements::face);
 
@@ -63,7 +63,7 @@ inline double share_of_motion(double total) {
 ///
 /// d is the exact unsigned distance from p to the handle, and r = weighting.radius * cage.size. Returns t.
 /// The point's share is share_of_motion(t). If no handle is within the radius, t and all weights are 0.
-/// `weights` has one entry per handle. HandleShape::weighs tells which are 0.
+/// `weights` has one entry per handle: 0 if HandleShape::weighs is false.
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights);
 
