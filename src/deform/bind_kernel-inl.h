@@ -94,7 +94,7 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
 
 template <class V>
 struct CutOffSum {
-  V weights, near;  // near: not 0 if a distance is too small for float precision
+  V weights, near;  // near: 1 if a distance is too small for float precision, else 0
 };
 
 // Writes the weight of triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the radius.

@@ -112,7 +112,7 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| must be at most half a turn.
+// Returns true if nearest_branch(v, reference) is v by a margin. |v| and |reference| must be at most pi.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;

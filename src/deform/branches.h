@@ -59,7 +59,7 @@ struct WeightedPairs {
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
 /// Changes branches to reduce the sum of weight * (distance of the two logs) over all pairs. Does nothing if
-/// torn_pairs() is 0. It may stay above 0, because rotations near whole turns have no clear axis.
+/// torn_pairs() is 0. Torn pairs may remain, because the axis of a rotation near a whole turn is arbitrary.
 /// Thread-safe. O(n log n).
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);

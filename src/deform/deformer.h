@@ -45,7 +45,7 @@ public:
   bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// See CageState::begin_drag(). The cost of a fused frame in a drag is proportional to the moved handles.
+  /// See CageState::begin_drag() and FusedEngine.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If

@@ -54,7 +54,7 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 }  // namespace
 
 // `places`: positions of the pinned vertices in the blend of examples, without the translations of the parts.
-// `changes`: derivatives of `places` by the weights and then by the rotation.
+// `changes`: derivatives of `places`. One column per example's weight, then three columns for the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr double stillness = 1e-7;
 // Smaller singular values of a fitted map are ignored: the fixed point would be too far away to matter.
 constexpr double least_motion = 1e-4;
-// Directions with less than this part of the largest spread of the vertices are ignored.
+// Directions in which the vertices spread less than this factor times the largest spread are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {

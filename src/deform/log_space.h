@@ -56,8 +56,8 @@ struct LogTerm {
 ///
 /// A second step moves the rotations of doubtful triangles (see LogVector::Doubt) towards rotations that best
 /// fit the positions, and solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007).
-/// This keeps edge lengths if the rotations of neighbours differ strongly. Held determines the parts'
-/// translations.
+/// This keeps edge lengths if the rotations of neighbours differ strongly. The anchors (see Held) determine
+/// the translations of the parts.
 class LogSpace {
 public:
   struct Mesh {

@@ -45,7 +45,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for 0 <= c <= 1, interpolated at Chebyshev points with an error of 4e-17.
+// Returns angle / sine for a cosine from 0 to 1. Interpolates at Chebyshev points, with an error of 4e-17.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,

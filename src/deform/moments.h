@@ -1,6 +1,6 @@
-// Moving least squares: every vertex gets the map that best fits the motion of the cage's points. S.
-// Schaefer, T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006. In 3D: Y. Zhu, S.
-// Gortler: 3D Deformation Using Moving Least Squares, 2007.
+// Moving least squares: every vertex gets the map that best fits the motion of the cage's points.
+// 2D: S. Schaefer, T. McPhail, J. Warren, Image Deformation Using Moving Least Squares, 2006.
+// 3D: Y. Zhu, S. Gortler, 3D Deformation Using Moving Least Squares, 2007.
 #pragma once
 
 #include <cstddef>

@@ -15,7 +15,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relative to the size
+constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // see part_couplings(); in model sizes
 constexpr double farther = 4;  // largest distance of another part / distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size

@@ -12,7 +12,7 @@
 
 namespace viete::deform {
 
-/// Couples a vertex to a point. For weights w, adds strength * (w(vertex) - w(point))^2 to w^T * L * w.
+/// Couples a vertex to a point: adds strength * (w(vertex) - w(point))^2 to the energy of weights w.
 struct Coupling {
   std::uint32_t vertex;
   mesh::Triangle triangle;  ///< contains the point
@@ -38,7 +38,7 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
                                      std::span<const double> masses, base::WorkerPool& pool);
 
 /// Splits each coupling into couplings to the corners with a positive share. Such couplings add no positive
-/// off-diagonal entries to a matrix. But linear functions on the triangle no longer have zero energy.
+/// off-diagonal entries to a matrix. But they resist linear functions on the triangle; the original does not.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

@@ -46,8 +46,7 @@ void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) 
   if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-// Two vertices of the cage are neighbours if they belong to one polygon or have the same position. In a
-// polygon with more than most_corners corners, only the two ends of an edge are neighbours.
+// Two cage vertices are neighbours if they belong to one polygon (see most_corners) or have equal positions.
 mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   const mesh::Surface& surface = cage.surface;
   const mesh::Surface welded = mesh::welded(surface);

@@ -128,9 +128,8 @@ static HWY_INLINE void put(const V (&six)[6], double* planes) {
   for (std::size_t n = 0; n < 6; ++n) hn::Store(six[n], Tag(), planes + n * plane_stride);
 }
 
-// Computes the left Jacobian J of w, |w| = a: J * v = v + p * (w x v) + q * (w x (w x v)),
-// p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics, 7.1.5). j are its
-// columns.
+// Computes the columns j of the left Jacobian J of w (T. Barfoot, State Estimation for Robotics, 7.1.5):
+//   J * v = v + p * (w x v) + q * (w x (w x v)),  p = (1 - cos a) / a^2,  q = (a - sin a) / a^3,  a = |w|
 static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle<V>& half, Vector (&j)[3]) {
   const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
   const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);

@@ -52,7 +52,7 @@ Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
 /// Returns the part of the blended motion that a point follows, 0 to 1. `total` is the sum of the point's
-/// weights before normalisation. This sum is less than 1 if all handles are almost a radius away.
+/// weights before normalisation: less than 1 if the distance to all handles is almost the radius.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }
