@@ -28,8 +28,8 @@ constexpr double half_turn_tie = 1e-2;
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
-// Limit of the ratio: distance between neighbours' logs / the same distance without whole turns. Above this
-// limit, logs are not coherent.
+// Limit of the ratio of two distances between neighbours' logs: with and without whole turns. Above this
+// limit, the logs with whole turns are rejected.
 constexpr double incoherent = 3;
 // A margin in radians: with it, rounding errors cannot make a comparison true.
 constexpr double to_spare = 1e-6;

@@ -17,7 +17,7 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   return sym3::nearest_branch(v, reference);
 }
 
-/// Returns trace(A^T B), which is 1 + 2 cos(angle between the rotations A and B).
+/// Returns trace(A^T * B), which is 1 + 2 * cos(angle between the rotations A and B).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
 /// Returns the edges of a minimum spanning forest. The cost of an edge is the angle between the rotations of
@@ -34,7 +34,7 @@ double whole_turns(const Vec3& turn, const Vec3& least);
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
-  std::vector<Vec3> logs;  ///< one log per map
+  std::vector<Vec3> logs;  ///< one log per element
   /// For each part, the mean log; or with_whole_turns(), if logs cannot represent the part's whole turns.
   std::vector<Vec3> turns;
 };

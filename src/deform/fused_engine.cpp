@@ -51,7 +51,7 @@ void write_offset_rows(std::span<float> table) {
 }
 
 // Fills a table of moment rows. With this table, the first nine sums of the blend kernel are the matrix sum
-// of v * ((p - middle) * (p - near)^T + I).
+// of v * ((p - middle) * (p - near)^T + I), with v, p and near as in write_offset_rows().
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -384,8 +384,8 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Returns the kernel's input: the cached sums and the rows of moving handles, if the leaf has moving handles
-// in a drag; otherwise all rows.
+// Returns the kernel's input for a leaf. If handles with weight in the leaf move in a drag: the cached sums
+// and the rows of the moving handles. Otherwise: all rows.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;

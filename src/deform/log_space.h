@@ -23,7 +23,7 @@ namespace viete::deform {
 /// A shape as a vector; the rest shape is 0. Sums and multiples are componentwise.
 struct LogVector {
   std::vector<std::array<double, 9>> logs;  ///< per triangle: log of stretch (6), rotation vector (3)
-  /// Per vertex: the shape minus the shape reconstructed from the logs, without translation.
+  /// Per vertex: the shape minus the shape reconstructed from the logs. Both are translated to the same mean.
   std::vector<Vec3> leftovers;
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
   std::vector<Vec3> turns;   ///< per part of a cage: the mean rotation vector; empty for other meshes

@@ -16,10 +16,10 @@ namespace viete::deform {
 namespace {
 
 constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // see part_couplings(); in model sizes
-constexpr double farther = 4;  // largest distance of another part / distance of the nearest other part
+constexpr double farther = 4;  // limit for other parts, relative to the distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Strength of a coupling / strength of solid material in the gap. Chosen by tests on bent and twisted models.
+// Ratio of a coupling's strength to the strength of solid material in the gap. Chosen by tests.
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {

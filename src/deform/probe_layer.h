@@ -48,8 +48,8 @@ public:
   /// For each probe, the model's vertex that is nearest at rest.
   std::span<const std::uint32_t> anchors() const { return anchors_; }
 
-  /// Sets the anchors' deformed positions, not yet moved by probes. Until the next call, positions passed to
-  /// move() are relative to `origin`.
+  /// Sets the anchors' positions after the cage deformation, before probes move them. Until the next call,
+  /// positions passed to move() are relative to `origin`.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
   /// Moves the positions of these vertices. positions.size() == vertices.size(). Thread-safe.
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;

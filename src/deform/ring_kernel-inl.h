@@ -268,7 +268,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if nothing has changed.
+// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if no slot or ghost has moved.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;
