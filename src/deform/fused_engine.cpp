@@ -384,8 +384,8 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Returns the kernel's input for a leaf. If handles with weight in the leaf move in a drag: the cached sums
-// and the rows of the moving handles. Otherwise: all rows.
+// Returns the kernel's input for a leaf: all rows. During a drag, if moving handles have weight in the leaf,
+// returns only the moving handles' rows, and the cached sums.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;

@@ -23,7 +23,7 @@ Eigen::Vector3d eigen(const Vec3& v) {
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // inverse covariance of the positions
-  Eigen::Vector3d to_fixed_point{0, 0, 0};                   // from the centre; shorter if the map fits badly
+  Eigen::Vector3d to_fixed_point{0, 0, 0};  // vector from the centre; shorter if the map fits badly
 };
 
 double smooth_step(double from, double to, double x) {

@@ -84,7 +84,8 @@ private:
 };
 
 /// Applies a ProbeLayer in vector code: blends rows of RowForm::logs. Each probe has four rows: three for the
-/// parts of the motion (each with a separate weight), and one with the probe's place for the pivot p:
+/// parts of the motion (each with a separate weight), and one with the probe's place for the pivot p. With
+/// the symbols of ProbeLayer:
 ///
 ///     x' = exp(sum a * Y) * exp(sum b * X) * (x - p) + (sum c * t + p),    p = sum u * q.
 class ProbeTiles {
