@@ -160,7 +160,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
 
 // Computes q = triangle area * gradient of z, for each triangle and each column z of columns_. The formula is
 // q = sum_k c_k * e_k * (z_a - z_b), where edge e_k runs from vertex b to vertex a, and c_k is half the
-// cotangent for edge e_k.
+// cotangent of the angle opposite to e_k.
 void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();

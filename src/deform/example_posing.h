@@ -41,10 +41,10 @@ struct PosingSettings {
 ///         + restraint * area * |w - w0|^2
 ///
 /// M_t(w) is the blend of the maps of triangle t (see LogSpace), T_t the projection onto the plane of
-/// triangle t, and c_k the firmness of pin k. Weights may be below 0 and above 1. In the first sum, only the
-/// part that depends on the pins counts. Gauss-Newton steps with exact derivatives find w and G. For each w
-/// and G, the best x follows from a linear system with one unknown per pin. While dragging, one step per
-/// frame is enough. Not thread-safe. Results do not depend on the number of threads.
+/// triangle t, and c_k the firmness of pin k. The first sum is reduced by its minimum without pins. Weights
+/// may be below 0 and above 1. Gauss-Newton steps with exact derivatives find w and G. For each w and G, the
+/// best x follows from a small linear system for the pins. While dragging, one step per frame is enough. Not
+/// thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.

@@ -327,8 +327,8 @@ void FusedEngine::pack_whole(std::size_t leaf) {
 }
 
 // Writes the weights of the moving handles in a leaf to drag_.weights. Compressed weights are expanded: the
-// blend kernel multiplies the leaf's factors by the pivots' weights of the moving handles. Each call
-// processes as many handles as a row has columns.
+// blend kernel multiplies the leaf's factors by the pivots' weights of the moving handles. Each call of the
+// kernel processes as many handles as a row has columns.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);

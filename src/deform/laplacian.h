@@ -38,12 +38,13 @@ struct IntrinsicLaplacian {
 };
 
 /// Returns cotangent weights of the intrinsic Delaunay triangulation (A. Bobenko and B. Springborn, Discrete
-/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Then harmonic
-/// functions obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
-/// for Nonmanifold Triangle Meshes (SGP 2020). Lengthens all edges by up to 1e-5 of the mean edge, so that
-/// every triangle has an area. A surface with a boundary, nonmanifold edges or inconsistent orientation is
-/// doubled (front and back, joined at the edges), because such edges could have negative weights. Unlike the
-/// paper, joins the sides around an edge of three or more triangles in file order, not by angle.
+/// Comput. Geom. 38, 2007). No weight is negative, so harmonic functions obey the maximum principle for any
+/// triangle quality. Follows N. Sharp and K. Crane, A Laplacian for Nonmanifold Triangle Meshes (SGP 2020):
+/// - Lengthens all edges by up to 1e-5 of the mean edge, so that every triangle has an area.
+/// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation: joins a front and a
+///   back.
+/// - Flips edges within the surface until no weight is negative.
+/// Unlike the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

@@ -46,8 +46,9 @@ struct HandleShape {
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
 /// Returns x - sum of weights[j] * handles[j], for a vertex at the rest position x. Rounds as blend() does,
-/// so that a cage at rest reproduces all bits of x. A rounding error becomes 0, because it would not shrink
-/// in a pose that shrinks the model. `handles` and x must be relative to the same origin.
+/// so that a cage at rest reproduces all bits of x. If the difference is only a rounding error, returns 0. A
+/// pose that shrinks the model would not shrink this error. `handles` and x must be relative to the same
+/// origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
@@ -68,12 +69,12 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
                        std::span<double> weights);
 
 /// Computes mean value weights of the cage's vertices at p, with sum 1. With these weights, blended positions
-/// reproduce affine poses of closed cages. The mean vector of a triangle is the integral of all unit
-/// directions from p to the triangle. It is split along the directions to the triangle's corners. Over a
-/// closed cage the mean vectors cancel, so the weights reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos,
-/// Reimers 2005). If p is nearer to the cage than cage.contact, the weights are barycentric. If the sum of
-/// the weights vanishes (possible outside, or for open cages), writes the weights of the cage's closest point
-/// and returns false. weights.size() must be the number of vertices. Thread-safe.
+/// reproduce affine poses of closed cages (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). The mean
+/// vector of a triangle is the integral of all unit directions from p to the triangle. It is split along the
+/// directions to the triangle's corners. Over a closed cage the mean vectors cancel, so the weights reproduce
+/// p. If p is nearer to the cage than cage.contact, the weights are barycentric. If the sum of the weights
+/// vanishes (possible outside the cage, or if it is open), writes the weights of the cage's closest point and
+/// returns false. weights.size() must be the number of vertices. Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform
