@@ -28,7 +28,7 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< smaller squared distances are raised to this; only for inverse distance weights
+  T least_square;   ///< replaces smaller squared distances; only for inverse distance weights
   T cut;            ///< 1 / (radius of cut-off weights)
   const T* points;  ///< [3][lane]
 };

@@ -91,7 +91,7 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
 }
 
 // Returns true if `a` is not much rougher than `b` and is nearer to the reference. If `a` and `b` are equally
-// near to the reference, compares the distances to the leader.
+// near to the reference, compares the distances to the leader (see Anchors).
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;

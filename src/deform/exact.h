@@ -30,8 +30,8 @@ struct ExactModel {
 
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
 /// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
-/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
-/// Weights along the surface also need memory for the weights of all vertices. Not thread-safe.
+/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements). If
+/// weights are along the surface, needs memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
   /// `kept`: keeps all weights for later poses if the weights need less than a quarter of the free memory.

@@ -41,8 +41,7 @@ struct IntrinsicLaplacian {
 /// Comput. Geom. 38, 2007). No weight is negative, so harmonic functions obey the maximum principle for any
 /// triangle quality. Follows N. Sharp and K. Crane, A Laplacian for Nonmanifold Triangle Meshes (SGP 2020):
 /// - Lengthens all edges by up to 1e-5 of the mean edge, so that every triangle has an area.
-/// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation: joins a front and a
-///   back.
+/// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation (front and back).
 /// - Flips edges within the surface until no weight is negative.
 /// Unlike the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
 ///

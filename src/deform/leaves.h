@@ -42,7 +42,7 @@ inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length o
 /// The neighbours of each vertex, in the order that vertex normals need. The normal of a vertex v with the
 /// neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x (n_(i+1) - v). Each product is twice
 /// the area vector of a triangle. If the triangles form several fans, v is inserted between the fans, so
-/// products with v are 0. The lists also work for nonmanifold surfaces.
+/// products with v are 0. The surface may be nonmanifold.
 ///
 /// Four slots form a group with one common length. If all four rings are closed and have equal lengths, the
 /// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings
