@@ -9,7 +9,7 @@ namespace viete::deform {
 
 /// Binds a model for the staged engine, in time proportional to vertices * handles. The result does not
 /// depend on the number of threads. Throws base::Cancelled. Throws base::Error if memory is insufficient, if
-/// the model has no vertices, or if the weights need triangles that are missing.
+/// the model has no vertices, or if mean value weights find no consistently oriented cage triangles.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 

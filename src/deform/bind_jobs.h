@@ -18,7 +18,7 @@ struct DistanceTriangle {
   /// Coefficients for the second and the third edge. For a point (x, y), dot(along, (x, y, 1)) is the
   /// coordinate along the edge. dot(inward, (x, y, 1)) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< an inside point has at least this inward distance; infinity without area, else 0
+  T outside;        ///< points with a smaller inward distance are outside: 0, or infinity without area
   T near;           ///< smaller squared distances are inaccurate in float; about (longest edge / 16)^2
   bool degenerate;  ///< true: the triangle has no area, and its weight is 0
 };
@@ -28,7 +28,7 @@ struct WeightJob {
   const DistanceTriangle<T>* triangles;
   const T (*shifts)[3];
   std::size_t count;
-  T least_square;   ///< smaller squared distances are raised to this; only for inverse distance weights
+  T least_square;   ///< replaces smaller squared distances; only for inverse distance weights
   T cut;            ///< 1 / (radius of cut-off weights)
   const T* points;  ///< [3][lane]
 };

@@ -19,7 +19,7 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 
 constexpr std::size_t row_lanes = 16;
 constexpr float farthest = 1e24f;           // limit of squared distances for float, in squared cage diagonals
-constexpr std::size_t summed_at_once = 16;  // few terms per partial sum have small rounding errors
+constexpr std::size_t summed_at_once = 16;  // terms per partial sum: short sums have small rounding errors
 
 using PointTag = hn::CappedTag<double, bind_lanes>;
 using PointV = hn::Vec<PointTag>;
@@ -51,8 +51,8 @@ static HWY_INLINE V squared_distance_to_edge(D d, V along, V beside, hn::TFromD<
   return hn::MulAdd(beyond, beyond, hn::Mul(beside, beside));
 }
 
-// Returns the squared distance from a point to a triangle. This is the squared distance z^2 to the plane. If
-// the point's projection is outside, adds the projection's squared distance to the nearest edge.
+// Returns the squared distance from a point to a triangle. This is z^2, the squared distance to the plane,
+// plus the squared distance from the point's projection (x, y) to the triangle, which is 0 inside.
 template <class D, class T = hn::TFromD<D>>
 static HWY_INLINE hn::Vec<D> squared_distance(D d, const Points<D>& p, const DistanceTriangle<T>& t,
                                               const T* shift) {
@@ -94,7 +94,7 @@ static void inverse_distance(const WeightJob<double>& job, double* weights) {
 
 template <class V>
 struct CutOffSum {
-  V weights, near;  // near: not 0 if a distance is too small for float precision
+  V weights, near;  // near: 1 if a distance is too small for float precision, else 0
 };
 
 // Writes the weight of triangle i to weights[i * stride]: (1 - distance * cut)^2, or 0 beyond the radius.

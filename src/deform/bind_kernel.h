@@ -20,15 +20,15 @@ struct BindKernel {
   /// too small for float precision, returns false and leaves `rows` undefined.
   bool (*cut_off_rows)(const WeightJob<float>& job, const RowJob& rows);
   /// Writes mean value weights with the sum 1 to weights [corner][8 lanes]. Returns a bit mask of the lanes
-  /// that need mean_value_weights(): the point is too near to a triangle's plane, or the sum is 0.
+  /// that need mean_value_weights(), because the point is too near to a triangle's plane or the sum is 0.
   unsigned (*mean_value)(const MeanValueJob& job, double* weights);
   /// Writes weights [handle][8 lanes] as floats to eight lanes of rows.rows. Computes rows.sums.
   void (*to_rows)(const double* weights, const RowJob& rows);
-  /// Subtracts from each row its part along the unit row: coefficients[slot] * unit_row. Writes the
-  /// coefficients, and the squared norms of the residual rows to squared_norms [slot].
+  /// Makes each row orthogonal to the unit vector `unit_row`: subtracts coefficients[slot] * unit_row. Writes
+  /// `coefficients`, and the squared norm of each new row to squared_norms [slot].
   void (*take_out)(const LeafRows& leaf, const float* unit_row, float* coefficients, float* squared_norms);
-  /// Replaces each slot's coefficients u [tile][pivot][lane] by factors f with u = f * lower. The slot's row
-  /// is then the sum of f[k] * (row of pivot k). `lower` is lower triangular, rank x rank, row by row.
+  /// Replaces each slot's coefficients u [tile][pivot][lane] by the solution f of f * lower = u. The slot's
+  /// row is then the sum of f[k] * (row of pivot k). `lower` is lower triangular, rank x rank, row by row.
   void (*solve)(float* coefficients, std::size_t tiles, std::size_t rank, const float* lower);
 };
 

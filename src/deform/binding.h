@@ -20,10 +20,9 @@ namespace viete::deform {
 struct TiledBinding;
 
 /// One factor s per vertex, in the model's order: 0 keeps the vertex at rest, 1 is full motion. If the vector
-/// is empty, all factors are 1. All sums over handles are multiplied by s. Let w be the weights of the vertex
-/// x, c the handles' rest centres, and c' the posed centres. Then x has the offset s * (x - sum w * c) and
-/// the centre s * (sum w * c') + (1 - s) * x. If there are shares, the origin of all poses is the middle of
-/// the rest cage.
+/// is empty, all factors are 1. The factor multiplies the vertex's offset and its blended sums (see RowForm).
+/// Then (1 - s) * x is added to the blended centre, where x is the vertex at rest. This requires that the
+/// origin of all poses is the middle of the rest cage.
 using Shares = std::vector<double>;
 
 /// Factors from 0 to 1 that users paint on vertices; null if all are 1. A mask does not change the binding.
@@ -32,7 +31,6 @@ using Mask = std::shared_ptr<const std::vector<float>>;
 /// Vertex positions to deform instead of the rest positions, or null. Weights are always computed at rest.
 using SharedShape = std::shared_ptr<const std::vector<mesh::Point>>;
 
-/// The weights and the rest positions of a model that is bound to a cage.
 struct Binding {
   Weighting weighting;
   std::size_t vertices = 0, handles = 0;

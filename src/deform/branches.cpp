@@ -22,13 +22,14 @@ constexpr double turn = 2 * std::numbers::pi;
 // Distances count as equal if they differ by less than this number of radians. If the reference is half a
 // turn away, two branches are equally near, and rounding errors must not decide.
 constexpr double half_turn_tie = 1e-2;
-// Another branch of the root is rejected if its roughness exceeds rougher * (old roughness) + rougher_at_rest
-// radians. The second term is for equal rotations: their roughness consists of rounding errors.
+// A branch of the root's log replaces the previous branch only if its roughness (see Branching) is at most
+// rougher * (previous roughness) + rougher_at_rest radians. The second term is for equal rotations: their
+// roughness consists of rounding errors.
 constexpr double rougher = 1.1, rougher_at_rest = 1e-3;
 // A log is off an axis if its distance from the axis exceeds this number of radians.
 constexpr double off_axis = 1e-6;
-// Limit of the ratio: distance between neighbours' logs / the same distance without whole turns. Above this
-// limit, logs are not coherent.
+// Limit of the ratio of two distances between neighbours' logs: with and without whole turns. Above this
+// limit, the logs with whole turns are rejected.
 constexpr double incoherent = 3;
 // A margin in radians: with it, rounding errors cannot make a comparison true.
 constexpr double to_spare = 1e-6;
@@ -51,7 +52,8 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Two logs to compare with a tree's logs: the part's entry of `turns`, and the mean log of the first part.
+// Logs with which a part's logs are compared. reference: the part's entry of `turns`. leader: the mean log of
+// the first part.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -89,7 +91,7 @@ Branching follow(const Tree& tree, const Vec3& root_log, std::span<const Vec3> p
 }
 
 // Returns true if `a` is not much rougher than `b` and is nearer to the reference. If `a` and `b` are equally
-// near to the reference, compares the distances to the leader.
+// near to the reference, compares the distances to the leader (see Anchors).
 bool better(const Branching& a, const Branching& b) {
   if (a.roughness > rougher * b.roughness + rougher_at_rest) return false;
   const double gain = b.to_reference - a.to_reference;
@@ -110,17 +112,16 @@ Branching choose(const Tree& tree, std::span<const Vec3> principal, const Anchor
   return best;
 }
 
-// Returns true if nearest_branch(v, reference) is surely v. |v| and |reference| must be at most half a turn.
+// Returns true if nearest_branch(v, reference) is v by a margin. |v| and |reference| must be at most pi.
 bool stays(const Vec3& v, const Vec3& reference) {
   const double angle = norm(v);
   return angle == 0 || std::abs(dot(reference, v) / angle - angle) < turn / 2 - to_spare;
 }
 
-// Returns true if every log stays principal for any forest. This needs two conditions. First, between
-// neighbours, the nearest branch must be the principal log. Second, the principal log must be the branch
-// nearest to all references and to the leader. Let v be a principal log, and r the length of the longest
-// reference. The distance between v and a reference is at most |v| + r. Another branch has at least the
-// length 2 * pi - |v|, so its distance is at least 2 * pi - |v| - r. This distance is larger if |v| + r < pi.
+// Returns true if it is certain that choose() keeps every principal log v. This needs two conditions:
+// - Between neighbours, the nearest branch is the principal log.
+// - |v| + |r| < pi for all references r, including the leader. The distance from r to v is then below pi. All
+//   other branches are farther from r, because they have at least the length 2 * pi - |v|.
 bool all_stay_principal(const Cage& cage, std::span<const Vec3> principal, std::span<const Vec3> turns,
                         std::span<const Vec3> means) {
   double longest = means.empty() ? 0 : norm(means[0]);
@@ -266,8 +267,8 @@ std::vector<Vec3> tree_logs(const WeightedPairs& neighbours, Rotations rotations
   return logs;
 }
 
-// Copies `others` to `logs` on each connected set of differing triangles, if this reduces the weighted sum of
-// distances.
+// Compares two choices of branches. For each connected set of triangles where `others` and `logs` differ,
+// copies `others` to `logs` if this reduces the sum of weight * (distance of the two logs) over all pairs.
 void take_better(const WeightedPairs& neighbours, const std::vector<Vec3>& others, std::vector<Vec3>& logs) {
   const auto differs = [&](std::uint32_t t) { return logs[t] != others[t]; };
   mesh::UnionFind sets(logs.size());

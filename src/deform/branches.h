@@ -17,7 +17,7 @@ inline Vec3 nearest_branch(const Vec3& v, const Vec3& reference) {
   return sym3::nearest_branch(v, reference);
 }
 
-/// Returns trace(A^T B), which is 1 + 2 cos(angle between the rotations A and B).
+/// Returns trace(A^T * B), which is 1 + 2 * cos(angle between the rotations A and B).
 double alignment(const sym3::Mat3<double>& a, const sym3::Mat3<double>& b);
 
 /// Returns the edges of a minimum spanning forest. The cost of an edge is the angle between the rotations of
@@ -34,20 +34,20 @@ double whole_turns(const Vec3& turn, const Vec3& least);
 Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
-  std::vector<Vec3> logs;  ///< one log per map
-  /// For each part, the mean log. If logs cannot represent the whole turns, the value of with_whole_turns().
+  std::vector<Vec3> logs;  ///< one log per element
+  /// For each part, the mean log; or with_whole_turns(), if logs cannot represent the part's whole turns.
   std::vector<Vec3> turns;
 };
 
-/// Chooses the branches of the elements' logs, given the principal logs. In each part of the cage,
-/// spanning_forest() connects the elements to the root. Each element gets the branch nearest to the log of
-/// its parent in the forest. The root gets the branch for which the part's logs are nearest to turns[part]
-/// (root mean square; a missing entry is 0). A branch is rejected if neighbours' logs become much farther
-/// apart. If two branches are equally near, the root gets the branch nearer to the first part's mean log.
+/// Chooses a branch for each element's log, given the principal logs. Goes from the root of each part along
+/// spanning_forest(): an element gets the branch nearest to the log of its parent in the forest. For the
+/// root, takes the branch for which the part's logs are nearest to turns[part] (root mean square; a missing
+/// entry is 0). Rejects a root branch if neighbours' logs differ much more than with other root branches. If
+/// two root branches are equally good, takes the branch nearer to the first part's mean log.
 ///
-/// A log can have whole turns only about the axis of its rotation. If turns[part] is longer than half a turn
-/// and has another axis, Branches::turns keeps the whole turns of turns[part]. If the logs of this part are
-/// then not coherent, the part gets the logs for turns[part] = 0. Takes O(k log k) time for k elements.
+/// A log can have whole turns only about the axis of its rotation. Whole turns of turns[part] about another
+/// axis are kept only in Branches::turns. If turns[part] makes neighbours' logs too different, the part gets
+/// the logs for turns[part] = 0. Takes O(k log k) time for k elements.
 Branches choose_branches(const Cage& cage, std::span<const sym3::Mat3<double>> rotations,
                          std::span<const Vec3> principal, std::span<const Vec3> turns);
 
@@ -59,10 +59,8 @@ struct WeightedPairs {
 WeightedPairs weighted_pairs(std::vector<mesh::Edge> pairs, std::span<const double> areas);
 
 /// Changes branches to reduce the sum of weight * (distance of the two logs) over all pairs. Does nothing if
-/// there are no torn pairs. The first step follows spanning_forest() from the triangle with the smallest
-/// rotation in each part. A connected set of changed triangles keeps the new logs if the sum is reduced. The
-/// second step visits the triangles of torn pairs and tries the branches nearest to their neighbours' logs.
-/// Rotations near whole turns have no clear axis, so their logs may remain torn. Thread-safe. O(n log n).
+/// torn_pairs() is 0. Torn pairs may remain, because the axis of a rotation near a whole turn is arbitrary.
+/// Thread-safe. O(n log n).
 void make_coherent(const WeightedPairs& neighbours, std::span<const sym3::Mat3<double>> rotations,
                    std::vector<mesh::Vec3>& logs);
 

@@ -30,7 +30,7 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns area / sqrt(|area|), or 0 if `area` is 0. The square of the result's length is the area |area|.
+/// Returns area / sqrt(|area|), or 0 if `area` is 0. The squared length of the result is |area|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -77,13 +77,12 @@ Cage no_cage(const mesh::Bounds& box);
 inline constexpr double largest_turn = 1e6;
 
 /// The posed positions, and one rotation vector in radians for each part of the cage (see Cage::roots). The
-/// logs of a part's elements are the branches nearest to this vector. If a vector is missing, 0 is used.
+/// vector tells the number of whole turns of the part, see choose_branches(). A missing vector is 0.
 struct Pose {
   std::vector<mesh::Point> positions;
   std::vector<Vec3> turns;
 };
 
-/// Returns the rest positions without turns.
 Pose rest_pose(const Cage& cage);
 
 struct DualGraph {
@@ -107,9 +106,9 @@ struct GraphParts {
   std::vector<std::uint32_t> of;  ///< index into centers per element; centers.size() for skipped elements
 };
 /// Returns the connected parts of a graph without skipped elements, in the order of their lowest elements.
-/// The centre of a part is the element with the smallest distance to its farthest element; ties: the lowest
-/// index. In a part of more than 4,096 elements, the centre is the middle of a long path, found in linear
-/// time.
+/// The centre of a part is the element from which the largest distance to another element is smallest; ties:
+/// the lowest index. In a part of more than 4,096 elements, the centre is the middle of a long path, found in
+/// linear time.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

@@ -21,7 +21,6 @@ namespace viete::deform {
 /// Throws base::Error if `vertices` is not the cage's vertex count. `place` names the source of the pose.
 void check_pose(const Cage& cage, std::size_t vertices, const std::string& place = "");
 
-/// Returns the numbers from 0 to count - 1.
 std::vector<std::uint32_t> first_numbers(std::size_t count);
 
 RowForm row_form(Elements elements, Blend blend);

@@ -40,12 +40,12 @@ public:
   void set_probes(const Probes& probes);
   const ProbeLayer& probes() const { return layer_; }
   const Binding& binding() const { return *binding_; }
-  /// If `all`, method `fast` also uses the staged engine for blends with exponentials, to compare times.
+  /// If `all`, blends with exponentials use the staged engine even with method `fast`, to compare times.
   void set_all_staged(bool all) { all_staged_ = all; }
   bool all_staged() const { return all_staged_; }
   /// Returns the engine for the method, or nullopt if the engine's binding or stitching is missing.
   std::optional<EngineKind> engine(sym3::Method method) const;
-  /// See CageState::begin_drag(). The cost of a fused frame in a drag is proportional to the moved handles.
+  /// See CageState::begin_drag() and FusedEngine.
   void begin_drag(std::span<const std::uint32_t> vertices) { state_.begin_drag(vertices); }
   void end_drag() { state_.end_drag(); }
   /// Computes one frame. Throws base::Error if pose.positions does not have one entry per cage vertex. If
@@ -64,8 +64,8 @@ public:
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
-  /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model.
-  /// Computes exact weights again (one or two microseconds per vertex). Empty without exponentials.
+  /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model;
+  /// empty without exponentials. Computes exact weights, which takes one or two microseconds per vertex.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
   /// Returns deform::sampled_error() of the last frame; 0 after a staged frame. After a stitched frame,
   /// measures the blended vertices before stitching and probes.

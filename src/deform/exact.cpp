@@ -109,7 +109,6 @@ double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::
   return place_vertices({part, part.shares, ways}, state_.rows(), method_, positions, sums);
 }
 
-// Replaces the blended positions of all vertices by the stitched positions.
 void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
   const Rows rows = state_.rows();
   std::vector<Vec3> held;

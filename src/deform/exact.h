@@ -30,8 +30,8 @@ struct ExactModel {
 
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
 /// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
-/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
-/// Weights along the surface also need memory for the weights of all vertices. Not thread-safe.
+/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements). If
+/// weights are along the surface, needs memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
   /// `kept`: keeps all weights for later poses if the weights need less than a quarter of the free memory.
@@ -72,7 +72,6 @@ private:
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate
 };
 
-/// Deforms a model by one pose.
 ExactModel deform_exactly(const mesh::Surface& model, std::shared_ptr<const Cage> cage, const Scheme& scheme,
                           const Pose& pose, sym3::Method method, base::WorkerPool& pool,
                           base::Progress* progress = nullptr, const Mask& mask = nullptr,

@@ -54,7 +54,7 @@ Axes axes_of(std::span<const mesh::Point> p, const mesh::Triangle& t) {
 }  // namespace
 
 // `places`: positions of the pinned vertices in the blend of examples, without the translations of the parts.
-// `changes`: derivatives of `places` by the weights and then by the rotation.
+// `changes`: derivatives of `places`. One column per example's weight, then three columns for the rotation.
 struct ExamplePosing::Reach {
   Eigen::MatrixXd places, changes;
 };
@@ -160,7 +160,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
 
 // Computes q = triangle area * gradient of z, for each triangle and each column z of columns_. The formula is
 // q = sum_k c_k * e_k * (z_a - z_b), where edge e_k runs from vertex b to vertex a, and c_k is half the
-// cotangent for edge e_k.
+// cotangent of the angle opposite to e_k.
 void ExamplePosing::fill_gradients() {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();
@@ -181,10 +181,11 @@ void ExamplePosing::fill_gradients() {
   }
 }
 
-// Computes forces_ from linear equations for the forces f at the pins and the translations t of the parts.
-// For each pin: f / c + Z f + t = d, where c is the firmness, and d is the vector from the pin's position in
-// the blend to the target. Z has the pins' rows of columns_. For each part, the forces sum to 0. If hard
-// constraints contradict each other, the least squares solution is used.
+// Computes forces_, the pseudoinverse of linear equations for the forces f at the pins and the translations t
+// of the parts. For pin i at vertex v with firmness c, and for each part:
+//     f_i / c + (sum over pins k of columns_[k][v] * f_k) + t = (target) - (position in the blend)
+//     sum of f = 0
+// If hard constraints contradict each other, this gives the least squares solution.
 void ExamplePosing::fill_stiffness() {
   std::vector<std::uint32_t> parts = part_of_pin_;
   std::ranges::sort(parts);
@@ -245,7 +246,8 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
-  // Sums over all triangles: [example][pin][3]. The entry after the last example is the blend.
+  // Sums over all triangles, [example][pin][3]: derivatives of the pins' positions by the examples' weights.
+  // After the last example: the positions.
   std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {
@@ -344,8 +346,9 @@ int ExamplePosing::solve(std::span<const mesh::Point> targets, const PosingSetti
   return most;
 }
 
-// Computes positions_. If settings.freedom is positive and a previous solution exists, fits rotations to this
-// solution, and returns the largest change of a position / sqrt(area). Otherwise returns 0.
+// Computes positions_. If settings.freedom is positive and there are previous positions, fits rotations to
+// the previous positions, and returns the largest change of a position in units of sqrt(area_). Otherwise
+// returns 0.
 double ExamplePosing::show(const PosingSettings& settings) {
   const LogSpace& logs = space_.logs();
   const auto& rest = logs.rest();

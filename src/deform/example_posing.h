@@ -40,11 +40,11 @@ struct PosingSettings {
 ///     sum_t area_t * |(grad x - G M_t(w)) T_t|^2 + sum_k c_k * |x_k - target_k|^2
 ///         + restraint * area * |w - w0|^2
 ///
-/// Only the part of the first sum that depends on the pins is used. M_t(w) is the blend of the maps of
-/// triangle t (see LogSpace), T_t the projection onto the plane of triangle t, and c_k the firmness of pin k.
-/// Weights may be below 0 and above 1. The pins' columns of the inverse Laplacian eliminate x. Gauss-Newton
-/// steps with exact derivatives find w and G. While dragging, one step per frame is enough. Not thread-safe.
-/// Results do not depend on the number of threads.
+/// M_t(w) is the blend of the maps of triangle t (see LogSpace), T_t the projection onto the plane of
+/// triangle t, and c_k the firmness of pin k. The first sum is reduced by its minimum without pins. Weights
+/// may be below 0 and above 1. Gauss-Newton steps with exact derivatives find w and G. For each w and G, the
+/// best x follows from a small linear system for the pins. While dragging, one step per frame is enough. Not
+/// thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
@@ -55,12 +55,12 @@ public:
   /// most_pins pins, if a vertex has no triangle with area, or if memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 
-  /// Returns the displacement of each vertex per displacement of the targets, if the targets of these pins
-  /// (given by index) move and all other pins stay. Weights and rotation are constant.
+  /// Returns the displacement of each vertex if the targets of these pins (given by index) move by one unit
+  /// and all other targets stay. Weights and rotation are constant.
   std::vector<double> reach(std::span<const std::size_t> pins) const;
 
-  /// Makes one step towards the targets (one per pin). Returns the size of the step, which is the maximum of
-  /// three changes: of a weight, of the rotation in radians, and of a fitted position / sqrt(model area).
+  /// Makes one step towards the targets (one per pin). Returns the size of the step: the largest change of a
+  /// weight, of the rotation in radians, or of a fitted position in units of sqrt(model area).
   double step(std::span<const mesh::Point> targets, const PosingSettings& settings);
   /// Makes steps until a step is smaller than 1e-5, up to `most` steps. Returns the number of steps. progress
   /// may be null. Throws base::Cancelled.
@@ -94,7 +94,7 @@ private:
   const ShapeSpace& space_;
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
-  std::vector<std::vector<Vec3>> leftovers_;  // per example: leftovers, rotated by the inverse whole turn
+  std::vector<std::vector<Vec3>> leftovers_;  // per example: its leftovers without its whole turn
   base::AlignedVector<double> groups_;        // input of PlaneKernel::derive for all triangles
   double area_ = 0;
 

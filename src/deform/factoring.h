@@ -10,13 +10,13 @@
 namespace viete::deform {
 
 struct Factors {
-  std::vector<std::size_t> pivots;     ///< slots of the pivot rows; empty if more than `most` are needed
+  std::vector<std::size_t> pivots;     ///< slots of the pivot rows; empty if too many are needed
   base::AlignedVector<float> factors;  ///< [tile][pivot][lane]: row = sum of (factor * row of the pivot)
 };
 
-/// Computes a row interpolative decomposition with pivoting. Takes the row with the largest residual as next
-/// pivot until the residuals of the first `vertices` slots have norms of at most `tolerance`. If this needs
-/// more than `most` pivots, returns empty factors. Overwrites `rows`.
+/// Computes a row interpolative decomposition with pivoting. The next pivot is always the row with the
+/// largest residual. Stops when the residuals of the first `vertices` slots have norms of at most
+/// `tolerance`. If this needs more than `most` pivots, returns empty factors. Overwrites `rows`.
 Factors factor_rows(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                     const BindKernel& kernel);
 

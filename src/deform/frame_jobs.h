@@ -21,12 +21,12 @@ struct TileRun {
   const float* weights = nullptr;  ///< [tile][row][lane]
   const float* table = nullptr;    ///< [row][column]
   const float* base = nullptr;     ///< initial values of the sums, [tile][sum][lane]; null: 0
-  const float* mean = nullptr;     ///< [RowShape::with_mean]: `place` adds these numbers to the sums; null: 0
-  const float* shares = nullptr;   ///< [tile][lane], see Shares: `place` multiplies by these; null: all 1
-  const std::uint32_t* listed = nullptr;  ///< table row for each row of weights; null: row i for row i
+  const float* mean = nullptr;     ///< [RowShape::with_mean], added to the sums by TileKernel::place; null: 0
+  const float* shares = nullptr;   ///< [tile][lane], only for TileKernel::place, see Shares; null: all 1
+  const std::uint32_t* listed = nullptr;  ///< for each row of weights, its row of `table`; null: same index
   const float* rest_moments = nullptr;    ///< [tile][rest_moment_lines][lane], only for moment forms
 };
-/// Values per vertex: n (3), s (3), dual (3) and scale (1) of RestMoment. Lengths are in units of l.
+/// Numbers per vertex: n (3), s (3), dual (3) and scale (1) of RestMoment. Lengths are in units of l.
 inline constexpr std::size_t rest_moment_lines = 10;
 
 /// The job of ring_vertices() for one leaf. Each position is stored as x y z x. The leaf's positions are its

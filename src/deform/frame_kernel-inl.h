@@ -220,7 +220,8 @@ static HWY_INLINE void store_positions(const Vector3& p, std::size_t group, floa
 }
 #endif
 
-// For each RowForm, a function object computes positions from the sums and from rest positions or offsets.
+// For each RowForm without moments, a functor that computes positions from the sums and from x or o of
+// RowForm.
 struct ByLogs {
   static constexpr RowShape shape = log_shape;
 

@@ -40,8 +40,9 @@ struct TileLines {
   }
 };
 
-// Fills moment rows for the blend kernel. The first three sums become sum v * (p - near), the fourth sum v.
-// Here v are weights, p rest centres of the handles, and `near` the first three rest moments of the slot.
+// Fills a table of moment rows. With this table, the first three sums of the blend kernel are the sum of v *
+// (p - near), and the fourth is the sum of v. v are the weights, p the handles' rest centres, and `near` is
+// the point in the slot's first three rest moments.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -49,7 +50,8 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Fills moment rows for the blend kernel. The first nine sums become sum v * ((p - middle)(p - near)^T + I).
+// Fills a table of moment rows. With this table, the first nine sums of the blend kernel are the matrix sum
+// of v * ((p - middle) * (p - near)^T + I), with v, p and near as in write_offset_rows().
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -212,8 +214,8 @@ void FusedEngine::fill_rest_moments(const Rows& rows) {
   knows_rest_ = true;
 }
 
-// Computes the rest moments of a leaf. Runs the blend kernel three times: for the weighted mean of the
-// handles' centres, for the remaining error of this mean, and for the moments about a point of the leaf.
+// Computes the rest moments of a leaf, with three runs of the blend kernel: for the weighted mean of the
+// handles' centres, for the rounding error of this mean, and for the matrix of rest_moment().
 void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const TiledBinding& b = *binding_;
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
@@ -246,9 +248,8 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
 }
 
 // Sets mean_, the mean of the rows. With this mean subtracted from the rows, rotations of the whole cage are
-// exact (see RowShape::with_mean). The mean does not change during a drag. For uncompressed weights, the mean
-// is rounded to a multiple of 0.5. Edits rarely change the rounded mean, so vertices that an edit does not
-// influence keep all bits.
+// exact (see RowShape::with_mean). For uncompressed weights, the mean is rounded to a multiple of 0.5. Edits
+// rarely change the rounded mean, so vertices that an edit does not influence keep all bits.
 void FusedEngine::choose_mean() {
   for (std::size_t c = 0; c < shape(form_).with_mean; ++c) {
     double sum = 0;
@@ -325,10 +326,9 @@ void FusedEngine::pack_whole(std::size_t leaf) {
   }
 }
 
-// Writes the weights of the moving handles in a leaf. Uncompressed weights are copied. Compressed weights are
-// a product F * P of factors F and the pivots' weights P. (For a dense leaf, F are the weights and P is the
-// identity.) The blend kernel computes F * P, with the moving handles' columns of P as its table. Each call
-// processes as many handles as a row has columns. The last table is padded with 0.
+// Writes the weights of the moving handles in a leaf to drag_.weights. Compressed weights are expanded: the
+// blend kernel multiplies the leaf's factors by the pivots' weights of the moving handles. Each call of the
+// kernel processes as many handles as a row has columns.
 void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   const TiledBinding& b = *binding_;
   if (!b.compressed()) return pack_whole(leaf);
@@ -338,7 +338,7 @@ void FusedEngine::pack_weights(std::size_t leaf, float* scratch) {
   base::AlignedVector<float> pivots(run.rows * columns_);
   const bool factored = !b.factored[leaf].dense;
   const auto pivot_weight = [&](std::size_t row, std::size_t handle) -> float {
-    if (!factored) return row == handle;
+    if (!factored) return row == handle;  // a dense leaf stores all weights
     const std::size_t slot = b.factored[leaf].pivots + row;
     return b.skeleton[slot / lanes * lanes * b.handles + handle * lanes + slot % lanes];
   };
@@ -384,8 +384,8 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Returns the kernel's input: the cached sums and the rows of moving handles, if the leaf has moving handles
-// in a drag; otherwise all rows.
+// Returns the kernel's input for a leaf: all rows. During a drag, if moving handles have weight in the leaf,
+// returns only the moving handles' rows, and the cached sums.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;

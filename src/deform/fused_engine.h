@@ -14,7 +14,7 @@
 namespace viete::deform {
 
 /// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
-/// The positions differ by at most 1e-6 of the diagonal, plus twice the tolerance of compressed weights.
+/// The engines' positions differ by at most 1e-6 of the diagonal, plus twice the compression tolerance.
 ///
 /// If at most a quarter of the handles move in a drag, the cost is proportional to the number of moved
 /// handles. The first frame of the drag stores the sums of all other handles. Later frames add the moved
@@ -36,8 +36,8 @@ public:
   /// Always uses method `fast`.
   void run(const CageState& state, sym3::Method method = sym3::Method::fast) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// First half of a frame: writes the sums of rows, with shares, to sums [vertex][column] in file order.
-  /// Lengths have the unit of the rows.
+  /// First half of a frame: writes each vertex's sums of rows, multiplied by its share, to sums
+  /// [vertex][column] in file order. Lengths have the unit of the rows.
   void blend(const CageState& state, std::span<double> sums);
   /// Second half of a frame: fills vertices() from positions relative to the origin of the rows.
   void show(std::span<const Vec3> positions);

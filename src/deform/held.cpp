@@ -7,19 +7,19 @@ namespace viete::deform {
 
 namespace {
 
-// Added to the ratio: squared motion of a vertex / largest squared motion. A resting vertex therefore has
-// 1e14 times the weight of the vertex that moves most.
+// A vertex gets the weight 1 / (m + stillness)^2, where m is its squared motion divided by the largest
+// squared motion. So a resting vertex has 1e14 times the weight of the vertex that moves most.
 constexpr double stillness = 1e-7;
 // Smaller singular values of a fitted map are ignored: the fixed point would be too far away to matter.
 constexpr double least_motion = 1e-4;
-// Directions with less than this part of the largest spread of the vertices are ignored.
+// Directions in which the vertices spread less than this factor times the largest spread are ignored.
 constexpr double told_spread = 1e-9;
 
 Eigen::Vector3d eigen(const Vec3& v) {
   return {v[0], v[1], v[2]};
 }
 
-// The affine map mean + slope * (x - center) that best fits the displacements of weighted vertices x.
+// An affine map that is fitted to the displacements of weighted vertices.
 struct AffineFit {
   Vec3 center{0, 0, 0};
   Eigen::Matrix3d inverse_spread = Eigen::Matrix3d::Zero();  // inverse covariance of the positions

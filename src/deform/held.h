@@ -22,8 +22,8 @@ struct HangingParts {
 /// moves least: for a rotation, a point on the axis.
 using Held = std::vector<double>;
 
-/// Returns the anchors of a motion with the displacements `ways` from the positions `from`. `squares` are the
-/// squared lengths of `ways`, or sums of squared lengths.
+/// Returns the anchors of a motion with the displacements `ways` from the positions `from`. `squares` tells
+/// how far each vertex moves: usually the squared lengths of `ways`.
 Held held(const HangingParts& parts, std::span<const Vec3> from, std::span<const Vec3> ways,
           std::span<const double> squares);
 

@@ -168,8 +168,8 @@ private:
   }
 
   // Pairs the half-edges at edge e. On a doubled surface, each triangle has a forward half-edge on one side
-  // and a backward half-edge on the other. A forward half-edge is paired with the next triangle's backward
-  // half-edge.
+  // and a backward half-edge on the other. A forward half-edge is paired with the backward half-edge of the
+  // next triangle around e.
   void sew(const mesh::HalfEdges& table, std::size_t e, const std::vector<mesh::Triangle>& triangles) {
     const auto around = table.of(e);
     const auto half_edge = [&](const mesh::HalfEdge& side, bool forward) {

@@ -16,11 +16,11 @@ inline constexpr double thin_triangle = 1e-6;
 
 bool is_thin(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
-/// For each corner k, returns half the cotangent h_k of the angle. h_k is the weight of the opposite edge ij
-/// in the Dirichlet energy of a function f: sum h_k * (f_i - f_j)^2 / 2 = area * |grad f|^2 / 2. Lengths may
-/// be from 1e-300 to 1e300. A thin triangle uses a larger area (see thin_triangle), so |h_k| is at most 0.5 /
-/// thin_triangle. If all corners coincide, all h_k are 0. Otherwise the energy is never negative, and is
-/// positive for some f.
+/// Returns h_k = cotangent(angle at k) / 2 for each corner k. For a linear function f, the sum over all k of
+///     h_k * (f_i - f_j)^2, where i and j are the other two corners,
+/// is area * |grad f|^2. The sum is never negative. Lengths may be from 1e-300 to 1e300. A thin triangle is
+/// computed with a larger area (see thin_triangle), so |h_k| is at most 0.5 / thin_triangle. If all corners
+/// coincide, all h_k are 0. Otherwise the sum is positive for some f.
 Vec3 half_cotangents(const mesh::Point& a, const mesh::Point& b, const mesh::Point& c);
 
 /// Returns the matrix K with f^T K f = sum over triangles of area * |grad f|^2, for every f that is linear on
@@ -38,12 +38,12 @@ struct IntrinsicLaplacian {
 };
 
 /// Returns cotangent weights of the intrinsic Delaunay triangulation (A. Bobenko and B. Springborn, Discrete
-/// Comput. Geom. 38, 2007). Flips edges within the surface until no weight is negative. Then harmonic
-/// functions obey the maximum principle for any triangle quality. Follows N. Sharp and K. Crane, A Laplacian
-/// for Nonmanifold Triangle Meshes (SGP 2020). Lengthens all edges by up to 1e-5 of the mean edge, so that
-/// every triangle has an area. Doubles the surface (front and back, joined at the edges) if it has a
-/// boundary, nonmanifold edges or inconsistent orientation. Otherwise weights could be negative there. Unlike
-/// the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
+/// Comput. Geom. 38, 2007). No weight is negative, so harmonic functions obey the maximum principle for any
+/// triangle quality. Follows N. Sharp and K. Crane, A Laplacian for Nonmanifold Triangle Meshes (SGP 2020):
+/// - Lengthens all edges by up to 1e-5 of the mean edge, so that every triangle has an area.
+/// - Doubles a surface with a boundary, nonmanifold edges or inconsistent orientation (front and back).
+/// - Flips edges within the surface until no weight is negative.
+/// Unlike the paper, joins the sides around an edge of three or more triangles in file order, not by angle.
 ///
 /// Omits weights below 1e-10 and ignores triangles that repeat a corner. Works at any length scale, in nearly
 /// linear time. Parts connected by triangles are connected by weights. Thread-safe.

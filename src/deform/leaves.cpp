@@ -154,7 +154,7 @@ private:
     }
   }
 
-  // Returns the index of a slot among the leaf's positions. Adds a ghost for each new slot of other leaves.
+  // Returns the index of a slot among the leaf's positions. A slot of another leaf becomes a ghost.
   std::uint32_t local(std::uint32_t slot, std::size_t begin, std::size_t end) {
     if (slot >= begin && slot < end) return static_cast<std::uint32_t>(slot - begin);
     if (local_[slot] == outside) {

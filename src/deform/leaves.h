@@ -27,7 +27,6 @@ struct Leaves {
   std::size_t end(std::size_t leaf) const { return std::min(order.size(), (leaf + 1) * leaf_slots); }
 };
 
-/// Returns the slot of each vertex.
 std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 
 /// Makes leaves with a kd tree that splits the longest side of the bounding box. positions must not be empty.
@@ -35,15 +34,15 @@ std::vector<std::uint32_t> slots_of(const Leaves& leaves);
 Leaves make_leaves(std::span<const mesh::Point> positions, std::span<const std::uint32_t> triangles_around);
 
 inline constexpr std::size_t ring_group = 4;  ///< number of slots whose rings are processed together
-/// Position i starts at float 4 * i. The lists store 4 * i / index_floats. The load instruction multiplies by
-/// index_floats at no cost.
+/// Position i starts at float 4 * i. Rings::neighbours stores 4 * i / index_floats for this position. The
+/// load instruction multiplies by index_floats at no cost.
 inline constexpr std::size_t index_floats = 2;
 inline constexpr std::uint16_t closed_ring = 0x8000;  ///< added to the length of a closed group, see Rings
 
 /// The neighbours of each vertex, in the order that vertex normals need. The normal of a vertex v with the
 /// neighbours n_0, n_1, ... is the direction of the sum of (n_i - v) x (n_(i+1) - v). Each product is twice
 /// the area vector of a triangle. If the triangles form several fans, v is inserted between the fans, so
-/// products with v are 0. The lists also work for nonmanifold surfaces.
+/// products with v are 0. The surface may be nonmanifold.
 ///
 /// Four slots form a group with one common length. If all four rings are closed and have equal lengths, the
 /// group is closed: the last neighbour is followed by the first. Otherwise the group is open: closed rings

@@ -49,8 +49,9 @@ public:
   Block(const LogSpace& space, const Work& work, std::span<const LogTerm> terms)
       : space_(space), work_(work), terms_(terms), kernel_(plane_kernel(sym3::kernel())) {}
 
-  // For `count` triangles from triangles_[first] on, computes the pull of each side: the side's term in the
-  // right-hand side of the equations, at the first end. The second end gets the negative pull.
+  // Computes the pulls of `count` triangles, beginning with triangles_[first]. A triangle has one pull for
+  // each of its sides. The equations' right-hand side contains the pull at the first end of the side, and the
+  // negative pull at the second end.
   void pull_by_logs(std::size_t first, std::size_t count) {
     sides_ = space_.sides_of(first), next_sides_ = sides_ + 12;
     pull_by_logs_of(count, [first](std::size_t i) { return first + i; });
@@ -67,8 +68,8 @@ public:
   }
 
   // Computes the pulls for the rotations that best fit the displacements. Call pull_by_logs() for these
-  // triangles first. The best rotation of a triangle is the nearest to sum_k c_k * e'_k (S e_k)^T. Here e_k
-  // are the sides at rest, e'_k the displaced sides, c_k the half cotangents, and S is the stretch.
+  // triangles first. The best rotation is nearest to the matrix sum_k c_k * e'_k * (S * e_k)^T. e_k are the
+  // sides at rest, e'_k the displaced sides, c_k the half cotangents, and S is the stretch.
   template <class At>
   void pull_by_fit(std::size_t count, const At& at) {
     for (std::size_t k = 0; k < 3; ++k) read_posed_side(count, at, k);

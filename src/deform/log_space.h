@@ -23,7 +23,7 @@ namespace viete::deform {
 /// A shape as a vector; the rest shape is 0. Sums and multiples are componentwise.
 struct LogVector {
   std::vector<std::array<double, 9>> logs;  ///< per triangle: log of stretch (6), rotation vector (3)
-  /// Per vertex: the shape minus the shape reconstructed from the logs, without translation.
+  /// Per vertex: the shape minus the shape reconstructed from the logs. Both are translated to the same mean.
   std::vector<Vec3> leftovers;
   std::vector<Vec3> ways;    ///< per vertex: displacement from rest
   std::vector<Vec3> turns;   ///< per part of a cage: the mean rotation vector; empty for other meshes
@@ -56,8 +56,8 @@ struct LogTerm {
 ///
 /// A second step moves the rotations of doubtful triangles (see LogVector::Doubt) towards rotations that best
 /// fit the positions, and solves again (O. Sorkine, M. Alexa, As-rigid-as-possible surface modeling, 2007).
-/// This keeps edge lengths if the rotations of neighbours differ strongly. Held determines the parts'
-/// translations.
+/// This keeps edge lengths if the rotations of neighbours differ strongly. The anchors (see Held) determine
+/// the translations of the parts.
 class LogSpace {
 public:
   struct Mesh {
@@ -70,11 +70,11 @@ public:
   /// The buffers of one thread. Reuse avoids allocations.
   struct Work {
     std::vector<Vec3> pulls, right, ways, straight;
-    std::vector<Vec3> wholes;                // whole turns of the sum, per part
+    std::vector<Vec3> wholes;                // per part: weighted sum of LogVector::wholes
     std::vector<sym3::Mat3<double>> turned;  // rotation matrices of wholes; empty if all wholes are 0
     std::vector<double> doubts;              // per triangle: weighted sum of Doubt::share
     std::vector<std::uint32_t> doubtful;     // triangles with nonzero doubts
-    std::vector<std::uint32_t> doubted;      // places of the corners of doubtful triangles
+    std::vector<std::uint32_t> doubted;      // corners of doubtful triangles, see place()
     SparseCholesky::Workspace solve;
   };
 
@@ -90,7 +90,6 @@ public:
 
   /// Returns the anchors of the motion that adds `terms` to the shape `from`; continuous in the factors.
   Held held_from(const LogVector& from, std::span<const LogTerm> terms) const;
-  /// Returns the anchors of a motion from one shape to another.
   Held held_between(const LogVector& from, const LogVector& to) const;
 
   /// Computes the shape of a sum. positions.size() must be rest().size(). The number of threads does not
@@ -102,7 +101,8 @@ public:
   /// of all parts.
   void follow(std::span<const LogTerm> terms, base::WorkerPool& pool, Work& work,
               const Vec3* whole = nullptr) const;
-  /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards a best fit of work.ways.
+  /// Like follow(), but moves all rotations by the factor `share` (0 to 1) towards the rotations that best
+  /// fit the displacements work.ways.
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.

@@ -182,7 +182,7 @@ bool finite(const sym3::Mat3<double>& m) {
   return std::all_of(m.begin(), m.end(), [](double x) { return std::isfinite(x); });
 }
 
-// Splits the map by SVD. Returns true if a singular value was raised or the map is not finite.
+// Splits the map by SVD. Returns true if the minimum replaced a singular value or the map is not finite.
 bool split_collapsed(const AffineMap& map, double mean, MapSplit& split) {
   const bool usable = finite(map.linear);
   Polar p =

@@ -73,7 +73,7 @@ struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
   Vec3 turn;                   ///< rotation vector, |turn| <= pi
-  double least, largest;       ///< stretches; least < 0 if the map mirrors, NaN if the map is not finite
+  double least, largest;       ///< singular values; least < 0 if the map mirrors, NaN if it is not finite
 };
 
 /// Splits the maps of `elements` in double precision and leaves other splits unchanged. The bits of a split
@@ -97,7 +97,7 @@ inline std::array<double, 9> numbers(const MapLog& log) {
 /// Results of log_maps() that are shown to the user, and the turns that the next pose needs.
 struct LogReport {
   std::vector<Vec3> turns;               ///< one per part of the cage; input of log_maps() for the next pose
-  std::vector<std::uint32_t> collapsed;  ///< indices of maps whose stretch was raised, ascending
+  std::vector<std::uint32_t> collapsed;  ///< ascending indices of (nearly) collapsed maps
   /// Pairs of neighbouring maps whose rotations differ by more than 120 degrees, or whose logs differ by more
   /// than 180 degrees. Blends between such maps are ambiguous.
   std::vector<mesh::Edge> torn;
@@ -124,14 +124,14 @@ sym3::Sym3<double> log_stretch(const Polar& polar);
 /// Returns true if `least` is at least the minimum stretch of log_maps(). Returns false for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD and raises
-/// singular values to the minimum. Returns true if a value was raised or the map is not finite.
+/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD, and replaces
+/// small singular values by the minimum of log_maps(). Returns true if it did so or the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R * S. Uses the split, or an SVD if the map mirrors or nearly
-/// collapses. Raises small singular values, so no element collapses fully. The minimum is 1e-3 of the
-/// element's largest value, but at least 1e-4 of the pose's mean_stretch(). A mirroring map gets the closest
-/// proper rotation. A map that is not finite counts as collapsed and gets the log of I.
+/// collapses. Singular values below a minimum are replaced by this minimum: 1e-3 of the element's largest
+/// singular value, but at least 1e-4 of mean_stretch(). A mirroring map gets the closest proper rotation. A
+/// map that is not finite counts as collapsed and gets the log of I.
 ///
 /// choose_branches() chooses the branch of Y. To follow a continuous motion through any number of turns, pass
 /// the report.turns of the previous call. logs.size() must be maps.size(). Takes O(k log k) time for k maps.

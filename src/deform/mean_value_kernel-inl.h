@@ -19,17 +19,16 @@ namespace lanes = viete::sym3::HWY_NAMESPACE;
 using ViewTag = hn::CappedTag<double, bind_lanes>;
 using ViewV = hn::Vec<ViewTag>;
 
-// Let u_0, u_1, u_2 be the unit directions from p to a triangle's corners. Indices are modulo 3.
-//     c_i = u_i+1 x u_i+2                     |c_i| is the sine of the angle a_i from u_i+1 to u_i+2
-//     m   = sum of (a_i / |c_i|) * c_i / 2    is the integral of unit vectors over the spherical triangle
-//     m   = sum of s_i * u_i,  s_i = (c_i . m) / (u_0 . c_0)
-// The formula for s_i is Cramer's rule, because c_i . u_i = u_0 . c_0, and c_i . u_j = 0 for i != j. A
-// corner's weight is the sum of s_i over the corner's triangles, divided by the distance from p to the corner
-// (Ju, Schaefer, Warren 2005). The two triangles at an edge have equal a_i / (2 * |c_i|) and |c_i|^2, and
-// opposite c_i. Therefore these three values are computed once per edge. u_i is computed once per corner.
+// Mean value coordinates of a point p (Ju, Schaefer, Warren 2005). For each triangle, u_i are the unit
+// directions from p to the corners, and a_i is the angle between u_(i+1) and u_(i+2). Indices are modulo 3.
+//     c_i = u_(i+1) x u_(i+2)                    has the length sin(a_i)
+//     m   = sum of a_i / (2 * sin(a_i)) * c_i    is the integral of unit vectors over the spherical triangle
+//     s_i = dot(c_i, m) / dot(c_0, u_0)          solves m = sum of s_i * u_i (Cramer's rule)
+// A corner's weight is the sum of s_i over the corner's triangles, divided by the distance from p to the
+// corner. The two triangles at an edge have equal a_i and opposite c_i, so c_i is computed once per edge.
 
-constexpr double in_plane = 1e-8;   // limit of |volume|, relative to the largest product of two sines
-constexpr double vanishing = 1e-9;  // limit of |sum of weights|, relative to the sum of |weights|
+constexpr double in_plane = 1e-8;   // limit of |dot(c_0, u_0)| / (largest product of two sines)
+constexpr double vanishing = 1e-9;  // limit of |sum of weights| / (sum of |weights|)
 constexpr double pi = 3.14159265358979323846;
 
 // Returns 1 / sqrt(x) with an error of at most two ulp, for x from 1e-38 to 1e38. Improves the hardware
@@ -46,7 +45,7 @@ static HWY_INLINE ViewV inverse_root(ViewV x) {
   return y;
 }
 
-// Returns acos(c) / sqrt(1 - c^2) for 0 <= c <= 1, interpolated at Chebyshev points with an error of 4e-17.
+// Returns angle / sine for a cosine from 0 to 1. Interpolates at Chebyshev points, with an error of 4e-17.
 static HWY_INLINE ViewV angle_over_sine(ViewV cosine) {
   static constexpr double powers[] = {1.0,
                                       0.33333333333330945,

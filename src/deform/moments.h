@@ -1,6 +1,6 @@
-// Moving least squares: every vertex gets the map that best fits the motion of the cage's points. S.
-// Schaefer, T. McPhail, J. Warren: Image Deformation Using Moving Least Squares, 2006. In 3D: Y. Zhu, S.
-// Gortler: 3D Deformation Using Moving Least Squares, 2007.
+// Moving least squares: every vertex gets the map that best fits the motion of the cage's points.
+// 2D: S. Schaefer, T. McPhail, J. Warren, Image Deformation Using Moving Least Squares, 2006.
+// 3D: Y. Zhu, S. Gortler, 3D Deformation Using Moving Least Squares, 2007.
 #pragma once
 
 #include <cstddef>
@@ -11,8 +11,9 @@
 
 namespace viete::deform {
 
-/// The cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. Let v =
-/// max(w, 0), and let m and m' be the means of p and p' with the weights v. Then
+/// Computes the positions of the vertices [begin, end) in double. The rows must have a moment form. The
+/// cage's points p move to p'. A vertex x has one weight w per point; the weights sum to 1. v = max(w, 0) are
+/// the positive weights. m and m' are the means of p and p' with the weights v. Then
 ///
 ///     x' = M * (x - sum w * p) + sum w * p',
 ///     B = sum v * (p' - m') * (p - m)^T + l^2 * sum v * A,
@@ -28,14 +29,14 @@ namespace viete::deform {
 /// of the cage exactly, or only similarities if the cage is flat. `rigid` and `similar` follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w * p and w * p'. In K, negative weights could
-/// cancel other weights. Computes the positions of the vertices [begin, end) in double. Each vertex is
-/// independent of other vertices. Shares scale the displacements. The rows must have a moment form.
+/// cancel other weights. Shares scale the displacements. Each vertex is independent of other vertices.
 void place_by_moments(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
                       std::span<mesh::Point> positions);
 
-/// Rest data of one vertex for the fused frame. To avoid cancellation, the frame sums about a fixed point n
-/// near m: B' = sum v * p' * (p - n)^T + l^2 * sum v * A. n is not exactly m, because n is rounded. Therefore
-/// B' - B = m' * s^T with s = sum v * (p - n). s is so small that the frame uses sum w * p' instead of m'.
+/// Rest data of one vertex for the fused engine. To avoid cancellation, this engine computes B with a point n
+/// near m in place of m, because a float cannot be exactly m:
+///     B' = sum v * p' * (p - n)^T + l^2 * sum v * A = B + m' * s^T,    s = sum v * (p - n).
+/// s is so small that the engine can use sum w * p' in place of m' in B = B' - m' * s^T.
 struct RestMoment {
   Vec3 dual;     ///< K^-1 * (x - sum w * p) * l
   double scale;  ///< l / tr K, times the unit of the frame's positions

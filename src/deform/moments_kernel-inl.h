@@ -1,7 +1,7 @@
 // Moving least squares in vector registers: computes positions from weights and rows of moments.
-// frame_kernel.cpp includes this file once per instruction set. (No #pragma once: see sym3/exp-inl.h.)
-// To avoid cancellation, the sums are relative to a point near each vertex's mean point. The sums are in
-// float. Maps are computed from these sums in double, because nearly flat or collinear points lose digits.
+// frame_kernel.cpp includes this file once per instruction set. (No #pragma once: see sym3/exp-inl.h.) The
+// sums are in float, relative to a point near the vertex's mean m (see RestMoment) to avoid cancellation.
+// Maps are computed from these sums in double, because nearly flat or collinear points lose digits.
 #if defined(VIETE_DEFORM_MOMENTS_KERNEL_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
 #undef VIETE_DEFORM_MOMENTS_KERNEL_INL_H
@@ -62,7 +62,7 @@ static void sum_moments(const TileRun& run, float* sums) {
   }
 }
 
-// The input for a vertex's map, see RestMoment. `rotation` is nearest to b, and is set only if Fit::rotates.
+// The input for a vertex's map, see RestMoment. If Fit::rotates, `rotation` is the rotation nearest to b.
 template <class V>
 struct FitInput {
   lanes::Nine<V> b, rotation;
@@ -122,9 +122,9 @@ static HWY_NOINLINE void refine_rotation(D d, const lanes::Nine<V>& m, hn::Mask<
 // The number of registers for which maps are fitted at the same time. Two hide the latency of divisions.
 inline constexpr int fits_at_once = 2;
 
-// Returns m + a * cof(m) with a = |m| / |cof(m)|. For m = R * S, the nearest rotation of this sum is also R,
-// because cof(m) = R * cof(S). If points are nearly on a line, S has two small stretches and cof(S) has two
-// large stretches. The sum therefore determines R well. If m = 0, returns I.
+// Returns m + a * cof(m) with a = |m| / |cof(m)|, or I if m = 0. The result has the same nearest rotation R
+// as m = R * S, because cof(m) = R * cof(S). But it determines R better: if points are nearly on a line, S
+// has two small stretches, and cof(S) has two large stretches.
 template <class D, class V>
 static HWY_INLINE lanes::Nine<V> evened(D d, const lanes::Nine<V>& m) {
   const lanes::Nine<V> k = lanes::cofactors(m);

@@ -15,11 +15,11 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // relative to the size
-constexpr double farther = 4;  // relative to the distance of the nearest part
+constexpr double reach = 0.015, touching = 0.001, way_around = 0.01;  // see part_couplings(); in model sizes
+constexpr double farther = 4;  // limit for other parts, relative to the distance of the nearest other part
 constexpr std::size_t most_parts = 6;
 constexpr double corner_will_do = 0.003;  // relative to the size
-// Tuned on gaps in bends, drags and twists of models with 2 to 30,000 parts (bench modes, torn).
+// Ratio of a coupling's strength to the strength of solid material in the gap. Chosen by tests.
 constexpr double of_filled_gap = 2;
 
 struct Neighbour {

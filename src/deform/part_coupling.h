@@ -12,7 +12,7 @@
 
 namespace viete::deform {
 
-/// Couples a vertex to a point. For weights w, adds strength * (w(vertex) - w(point))^2 to w^T * L * w.
+/// Couples a vertex to a point: adds strength * (w(vertex) - w(point))^2 to the energy of weights w.
 struct Coupling {
   std::uint32_t vertex;
   mesh::Triangle triangle;  ///< contains the point
@@ -32,13 +32,13 @@ inline constexpr double most_strength = 1e4;
 ///
 /// The strength is 2 * m / d^2, at most 1e4. m is the smaller of the areas that belong to the vertex and to
 /// the point. The surface's area is 1. m / d^2 is the Dirichlet energy of a column with base m and height d,
-/// which fills the gap. So cracks weld, layers move alike, and wider gaps couple less.
-/// The surface must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
+/// which fills the gap. So the couplings are strong across narrow gaps and weak across wide gaps. The surface
+/// must be welded; `masses` as in IntrinsicLaplacian. Results do not depend on the thread count.
 std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::EdgePaths& paths,
                                      std::span<const double> masses, base::WorkerPool& pool);
 
 /// Splits each coupling into couplings to the corners with a positive share. Such couplings add no positive
-/// off-diagonal entries to a matrix. But linear functions on the triangle no longer have zero energy.
+/// off-diagonal entries to a matrix. But they resist linear functions on the triangle; the original does not.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

@@ -14,11 +14,11 @@ namespace {
 
 using Symmetric = sym3::Sym3<double>;
 
-constexpr double width_of_fit = 0.03;  // e, relative to the cage's size
-constexpr double least_spread = 0.1;   // limit of the least singular value, relative to the largest
-constexpr double flat_spread = 1e-3;   // a patch with a smaller spread counts as flat
+constexpr double width_of_fit = 0.03;  // e of VertexPatches, relative to the cage's size
+constexpr double least_spread = 0.1;   // limit of (least singular value) / (largest singular value)
+constexpr double flat_spread = 1e-3;   // a patch with a smaller ratio counts as flat
 constexpr std::size_t most_vertices = 256;
-constexpr double least_area = 1e-9;  // relative to the sum of areas: smaller sums are cancellation errors
+constexpr double least_area = 1e-9;  // limit of |sum of area vectors| / (sum of areas): below, they cancel
 constexpr std::size_t most_corners = 16;  // in larger polygons, only the two ends of an edge are neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};
@@ -46,8 +46,7 @@ void add_pair(std::vector<mesh::Edge>& pairs, std::uint32_t a, std::uint32_t b) 
   if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
 }
 
-// Two vertices of the cage are neighbours if they belong to one polygon or have the same position. In a
-// polygon with more than most_corners corners, only the two ends of an edge are neighbours.
+// Two cage vertices are neighbours if they belong to one polygon (see most_corners) or have equal positions.
 mesh::Adjacency neighbours_of_vertices(const Cage& cage) {
   const mesh::Surface& surface = cage.surface;
   const mesh::Surface welded = mesh::welded(surface);
@@ -71,7 +70,7 @@ std::vector<VertexPatches::Patch> make_patches(const Cage& cage, double size, st
   const auto weight = [](const Vec3& x) { return 1 / (width_of_fit * width_of_fit + squared_norm(x)); };
   const mesh::Adjacency around = neighbours_of_vertices(cage);
   std::vector<VertexPatches::Patch> patches(positions.size());
-  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // the last patch to which the vertex was added
+  std::vector<std::uint32_t> seen(positions.size(), ~0u);  // per vertex: the last patch that contains it
   for (std::uint32_t center = 0; center < positions.size(); ++center) {
     if (cage.unused[center]) continue;
     const auto from_center = [&](std::uint32_t v) { return scale * (positions[v] - positions[center]); };

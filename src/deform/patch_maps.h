@@ -18,8 +18,8 @@ namespace viete::deform {
 ///
 /// A patch starts with the vertices of all polygons at c. It grows by rings until its vertices spread in all
 /// directions: the least singular value of all sqrt(w) * (p - c) must be at least a tenth of the largest.
-/// Most patches need one ring. A patch also stops growing at 256 vertices, or when it contains its whole
-/// part. The weight w = 1 / (e^2 + |p - c|^2) keeps the fit local. e is 3 % of `size`, the size of the cage.
+/// Most patches need one ring. Growth stops at 256 vertices, or at the end of the connected part. The weight
+/// w = 1 / (e^2 + |p - c|^2) keeps the fit local. e is 3 % of `size`, the size of the cage.
 ///
 /// A patch reproduces any affine pose of the whole cage, unless the patch is flat to a thousandth of its
 /// size. A flat patch uses the normal as third direction, as face_maps() does, and reproduces only

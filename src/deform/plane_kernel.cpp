@@ -30,7 +30,7 @@ static HWY_INLINE void put(V v, Plane& plane, std::size_t i) {
   hn::Store(v, Tag(), plane + i);
 }
 
-// Returns a * x + b * y + c * z. Each operation rounds, from left to right.
+// Returns a * x + b * y + c * z, without fused multiply-add.
 static HWY_INLINE V sum(V a, V x, V b, V y, V c, V z) {
   return hn::Add(hn::Add(hn::Mul(a, x), hn::Mul(b, y)), hn::Mul(c, z));
 }
@@ -128,9 +128,8 @@ static HWY_INLINE void put(const V (&six)[6], double* planes) {
   for (std::size_t n = 0; n < 6; ++n) hn::Store(six[n], Tag(), planes + n * plane_stride);
 }
 
-// Computes the left Jacobian J of w, |w| = a: J * v = v + p * (w x v) + q * (w x (w x v)),
-// p = (1 - cos a) / a^2, q = (a - sin a) / a^3 (T. Barfoot, State Estimation for Robotics, 7.1.5). j are its
-// columns.
+// Computes the columns j of the left Jacobian J of w (T. Barfoot, State Estimation for Robotics, 7.1.5):
+//   J * v = v + p * (w x v) + q * (w x (w x v)),  p = (1 - cos a) / a^2,  q = (a - sin a) / a^3,  a = |w|
 static HWY_INLINE void put_left_jacobian(const Vector& w, const lanes::HalfAngle<V>& half, Vector (&j)[3]) {
   const V one = hn::Set(Tag(), 1), sine = hn::Add(half.sine, half.sine);
   const V square = lanes::sum_of_products(w.x, w.x, w.y, w.y, w.z, w.z);
@@ -153,8 +152,8 @@ static HWY_INLINE void put_slopes(const lanes::ExpPoint<Tag>& at, lanes::Six<V> 
   for (std::size_t k = 0; k < 6; ++k) slopes[k] = lanes::exp_derivative_general(Tag(), at, directions[k]);
 }
 
-// Computes the images of u and v under exp(Y) * exp(X), and their derivatives by d(exp(Y) * exp(X)) =
-// exp(Y) * dexp(X) + (J * dY) x (exp(Y) * exp(X)). X is in the axes u, v, u x v.
+// Computes `map`, the images of u and v under M = exp(Y) * exp(X), and `tangent`, their derivatives by the
+// entries of `log`: dM = exp(Y) * dexp(X) + (J * dY) x M. `log` is X in the axes u, v, u x v, and then Y.
 static HWY_INLINE void put_tangent(const V (&log)[9], const Vector& u, const Vector& v, V (&map)[6],
                                    V (&tangent)[9][6]) {
   const Vector y{log[6], log[7], log[8]};

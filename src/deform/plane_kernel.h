@@ -34,18 +34,18 @@ struct PlaneKernel {
   void (*spread)(const Plane* posed, const Plane* sides, const Plane* weights, Plane* m);
   /// s = exp(X), m = r * exp(Y) * s for logs X, Y. r is one matrix by rows, or null for I. Prefetches `next`.
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
-  /// Computes the images of directions u and v under exp(Y) * exp(X), and the images' derivatives by the
-  /// weights. X and Y are weighted sums of `count` logs. group[number][group_size] contains u, v, and each
-  /// log X (in the axes u, v, u x v) and Y. Writes changes[log][3 of u, 3 of v][plane_stride]: the
-  /// derivatives by each log's weight; then the images. Writes only group_size numbers per plane.
+  /// Blends `count` logs with `weights` to X and Y. Computes the images of two directions u and v under
+  /// exp(Y) * exp(X), and their derivatives by the weights. `group` [number][group_size] contains u, v, and
+  /// for each log X (in the axes u, v, u x v) and Y. `changes` [log][6][plane_stride] gets the derivatives by
+  /// the log's weight, and after the logs the images. Writes only group_size numbers per plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
-  /// Multiplies both columns of each of `count` maps by columns[k][2][plane_size], for all k < n. Adds the
-  /// products to sums[map][k][3][group_size]. Triangle i belongs to partial sum i % group_size.
+  /// For each of `count` maps and each k < n, adds u * q_0 + v * q_1 to sums[map][k][3][group_size], for all
+  /// triangles of the block. u and v are the map's images (see derive), and q = columns[k][2][plane_size].
+  /// Triangle i is added to partial sum i % group_size.
   void (*add_products)(const double* maps, std::size_t count, const double* columns, std::size_t n,
                        double* sums);
 };
 
-/// Returns the functions for the instruction set of `kernel`.
 const PlaneKernel& plane_kernel(const sym3::Kernel& kernel);
 
 }  // namespace viete::deform

@@ -11,7 +11,7 @@ namespace viete::deform {
 
 namespace {
 
-constexpr double least_near = 1.0 / 512;  // relative to the cage's diagonal; about the size of a leaf
+constexpr double least_near = 1.0 / 512;  // lower limit of sqrt(DistanceTriangle::near), in cage diagonals
 
 // Returns v without its component along `unit`, normalised. If only rounding errors remain, returns 0.
 Vec3 unit_across(const Vec3& v, const Vec3& unit) {
@@ -152,9 +152,9 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 
 namespace {
 
-constexpr double in_plane = 1e-8;     // limit of |volume|, relative to the largest product of two sines
+constexpr double in_plane = 1e-8;     // limit of |dot(u[0], c[0])| / (largest product of two sines)
 constexpr double negligible = 1e-14;  // limit of |dot(mean vector, the plane's normal)|
-constexpr double vanishing = 1e-9;    // limit of |sum of weights|, relative to the sum of |weights|
+constexpr double vanishing = 1e-9;    // limit of |sum of weights| / (sum of |weights|)
 
 // A triangle seen from p. Indices are corners, modulo 3.
 struct View {

@@ -34,7 +34,7 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 /// Sets weights[i] = w_i / (sum of all w_j), where w_i is 1 / (squared distance from p to handle i). Weights
 /// are in [0, 1] and sum to 1. Uses only ratios of distances, so no length scale overflows. Distances below
 /// cage.contact count as cage.contact. If p is on the cage, the handles that touch p get equal weights, and
-/// other handles get nearly 0. `weights` has one entry per handle. Handles that do not weigh get 0.
+/// other handles get nearly 0. `weights` has one entry per handle: 0 if HandleShape::weighs is false.
 void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
                               Elements elements = Elements::face);
 
@@ -46,13 +46,13 @@ struct HandleShape {
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
 /// Returns x - sum of weights[j] * handles[j], for a vertex at the rest position x. Rounds as blend() does,
-/// so that a cage at rest reproduces all bits of x. A result that is only a rounding error becomes 0; in a
-/// pose that shrinks the model, it would not shrink. `handles` and x must be relative to the same origin.
+/// so that a cage at rest reproduces all bits of x. If the difference is only a rounding error, returns 0. A
+/// pose that shrinks the model would not shrink this error. `handles` and x must have the same origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 
 /// Returns the part of the blended motion that a point follows, 0 to 1. `total` is the sum of the point's
-/// weights before normalisation. This sum is less than 1 if all handles are almost a radius away.
+/// weights before normalisation: less than 1 if the distance to all handles is almost the radius.
 inline double share_of_motion(double total) {
   return std::min(total, 1.0);
 }
@@ -63,17 +63,17 @@ inline double share_of_motion(double total) {
 ///
 /// d is the exact unsigned distance from p to the handle, and r = weighting.radius * cage.size. Returns t.
 /// The point's share is share_of_motion(t). If no handle is within the radius, t and all weights are 0.
-/// `weights` has one entry per handle. Handles that do not weigh get 0.
+/// `weights` has one entry per handle: 0 if HandleShape::weighs is false.
 double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
                        std::span<double> weights);
 
 /// Computes mean value weights of the cage's vertices at p, with sum 1. With these weights, blended positions
-/// reproduce affine poses of closed cages. The mean vector of a triangle is the integral of all unit
-/// directions from p to the triangle. It is split along the directions to the triangle's corners. Over a
-/// closed cage the mean vectors cancel, so the weights reproduce p (Ju, Schaefer, Warren 2005; Floater, Kos,
-/// Reimers 2005). If p is nearer to the cage than cage.contact, the weights are barycentric. If the sum of
-/// the weights vanishes (possible outside, or for open cages), writes the weights of the cage's closest point
-/// and returns false. weights.size() must be the number of vertices. Thread-safe.
+/// reproduce affine poses of closed cages (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). The mean
+/// vector of a triangle is the integral of all unit directions from p to the triangle. It is split along the
+/// directions to the triangle's corners. Over a closed cage the mean vectors cancel, so the weights reproduce
+/// p. If p is nearer to the cage than cage.contact, the weights are barycentric. If the sum of the weights
+/// vanishes (possible outside the cage, or if it is open), writes the weights of the cage's closest point and
+/// returns false. weights.size() must be the number of vertices. Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform

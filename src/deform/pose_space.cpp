@@ -8,7 +8,7 @@ namespace viete::deform {
 
 namespace {
 
-// Logs cannot represent a turn that differs from the mean of the part's logs by more than this, in radians.
+// If a part's turn and the mean of its logs differ by more than this many radians, the logs lack whole turns.
 constexpr double tells_turns = 0.5;
 
 LogSpace logs_of(const Cage& cage) {

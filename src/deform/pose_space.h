@@ -12,8 +12,8 @@
 namespace viete::deform {
 
 /// Converts poses of one cage to vectors and back. Uses the cage's triangles, even if a binding uses
-/// vertices. A vector stores whole turns apart from its logs if the logs cannot represent them: the axis of
-/// such turns is not the axis of the part's rotation, see choose_branches(). Thread-safe.
+/// vertices. Logs cannot represent whole turns about another axis than the axis of the part's rotation, see
+/// choose_branches(). LogVector::wholes stores such turns. Thread-safe.
 class PoseSpace {
 public:
   /// Throws base::Error as LogSpace does.

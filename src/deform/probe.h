@@ -89,15 +89,15 @@ struct Probes {
 /// The weights of one probe at a vertex.
 struct ProbeWeights {
   double turn = 0, stretch = 0, move = 0;
-  double pivot = 0;  ///< weight of the probe's place in the vertex's pivot
+  double pivot = 0;  ///< weight of the probe's place in the point about which the vertex rotates
 };
 
 inline constexpr double softmax_sharpness = 8;
 /// Computes the weights of all probes at a rest position; pins get 0. Combines the weights of turn, stretch
 /// and move separately. `added` does not change weights. `partial` divides weights by their sum if the sum is
 /// above 1. `whole` divides weights by their sum if the sum is above 0. `softmax` replaces each weight b by
-/// e^(softmax_sharpness * b) - 1 and continues as `whole`, so the nearest probe dominates. A pivot is
-/// max(turn, stretch), divided by the sum of these maxima. `weights` has one entry per probe.
+/// e^(softmax_sharpness * b) - 1 and continues as `whole`, so the nearest probe dominates. The member `pivot`
+/// is max(turn, stretch), divided by the sum of these maxima. `weights` has one entry per probe.
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
 
 /// Returns the probe and its motion mirrored at the plane where coordinate `axis` (0 x, 1 y, 2 z) is `at`.

@@ -36,26 +36,26 @@ public:
   bool moves() const { return moves_; }
   /// Increases each time the weights or the mask change.
   unsigned long revision() const { return revision_; }
-  /// The weights of one probe at a vertex.
   struct Share {
     std::uint32_t probe;
     ProbeWeights weights;
   };
-  /// Sorted by probe. Empty if all probes near the vertex's block of vertices are at rest.
+  /// Returns the weights at a vertex, sorted by probe. Empty if all probes near the vertex's block of
+  /// vertices are at rest.
   std::span<const Share> shares(std::uint32_t vertex) const;
   /// The factor from 0 to 1 by which the mask scales turn, stretch and move at a vertex.
   double follows(std::uint32_t vertex) const { return mask_ ? static_cast<double>((*mask_)[vertex]) : 1; }
   /// For each probe, the model's vertex that is nearest at rest.
   std::span<const std::uint32_t> anchors() const { return anchors_; }
 
-  /// Sets the anchors' deformed positions, not yet moved by probes. Until the next call, positions passed to
-  /// move() are relative to `origin`.
+  /// Sets the anchors' positions after the cage deformation, before probes move them. Until the next call,
+  /// positions passed to move() are relative to `origin`.
   void carry(std::span<const Vec3> anchors, const Vec3& origin);
   /// Moves the positions of these vertices. positions.size() == vertices.size(). Thread-safe.
   void move(std::span<const std::uint32_t> vertices, std::span<Vec3> positions, sym3::Method method) const;
   /// Calls carry() and move() for all vertices, with the worker pool. positions are absolute.
   void move_all(std::span<Vec3> positions, sym3::Method method);
-  /// Returns the absolute places of probes on the displayed model: carried, then moved by all other probes.
+  /// Returns the absolute places of probes on the displayed model: after the cage and all other probes.
   std::vector<mesh::Point> places() const;
   /// The places after the last carry(), relative to the `origin` passed to it, without the probes' motions.
   std::span<const Vec3> carried() const { return places_; }
@@ -83,8 +83,9 @@ private:
   Vec3 origin_{0, 0, 0};
 };
 
-/// Computes the layer as a frame with rows of RowForm::logs. Each probe has four rows: three for the parts of
-/// the motion (each with a separate weight), and one with the probe's place for the pivot:
+/// Applies a ProbeLayer in vector code: blends rows of RowForm::logs. Each probe has four rows: three for the
+/// parts of the motion (each with a separate weight), and one with the probe's place for the pivot p. With
+/// the symbols of ProbeLayer:
 ///
 ///     x' = exp(sum a * Y) * exp(sum b * X) * (x - p) + (sum c * t + p),    p = sum u * q.
 class ProbeTiles {

@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
-// A point is a block of four lanes x y z x. A cross product needs the lanes y z x y, which are a rotation
-// left by one lane. A register contains as many points as fit.
+// A point is a block of four lanes x y z x. A rotation left by one lane gives y z x, as a cross product needs
+// it. A register contains as many points as fit.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -268,7 +268,7 @@ static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const 
   return areas;
 }
 
-// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if nothing has changed.
+// Copies ghosts from other leaves, and prefetches later ghosts. Returns false if no slot or ghost has moved.
 static HWY_INLINE bool copy_ghosts(const RingRun& run) {
   constexpr std::size_t ahead = 128;
   const OnePoint d;

@@ -22,14 +22,14 @@ enum class RowForm {
 struct RowShape {
   std::size_t columns;
   std::size_t first_length;  ///< index of the first column with lengths; earlier columns have no unit
-  /// Number of leading columns from which the mean of all rows is subtracted. The frame adds the mean again.
-  /// As exact weights sum to 1, this only removes the error of compressed weights in the mean.
+  /// Number of leading columns from which the fused engine subtracts the mean of all rows. It adds the mean
+  /// again after the blend. This reduces errors of compressed weights, which do not sum to exactly 1.
   std::size_t with_mean;
   /// Index of the first of three columns with the handles' centres; `columns` if there are none. See Shares.
   std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9, 9};  // centres need no mean: offsets correct their error
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // with_mean excludes centres: offsets correct their error
 inline constexpr RowShape map_shape{12, 9, 12, 12};
 inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};
