@@ -23,16 +23,16 @@ struct ShapeReport {
   std::size_t torn = 0;
 };
 
-/// Converts shapes of one model, given as vertex positions, to vectors. The whole turn of a vector is the
-/// rotation of the area-weighted mean map; the logs represent the remaining rotations. Maps in log space: S.
-/// Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012. Maps of triangles: R.
-/// W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
+/// Converts shapes of one model, given as vertex positions, to vectors. A vector has one rotation of the
+/// whole shape: the rotation of the area-weighted mean of the triangles' maps. Its logs are relative to this
+/// rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012;
+/// R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, and for the reasons of LogSpace. Throws base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-  /// The log space, for sums, shapes and the anchors of moving shapes.
+  /// The log space, which converts vectors and their sums to shapes.
   const LogSpace& logs() const { return logs_; }
 
   /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's

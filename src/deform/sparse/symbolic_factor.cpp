@@ -48,11 +48,11 @@ private:
     }
   }
 
-  // Returns places in which each subtree is contiguous and ends with its root. Directly before the root comes
-  // the root's last child.
+  // Returns the new place of each column in a postorder: each subtree is contiguous, and its root is last.
+  // The subtree of the root's last child is directly before the root.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
-    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // entry n: a common root
     const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
     for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
     for (auto v = n; v-- > 0;) {
