@@ -83,8 +83,7 @@ struct Weighting {
   }
 };
 
-/// Factors for the log of each map's rotation (`turn`) and the log of its stretch. The factor 0 removes the
-/// rotation or stretch, 1 keeps it. Centres of handles do not change.
+/// Factors for the log of each map's rotation (`turn`) and of its stretch. Handles' centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 

@@ -162,7 +162,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// Couples parts that are near to each other. In bodies with many owners for their area, weakens the springs.
+// Couples parts that are near to each other. In bodies with many owners per area, weakens the springs.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::span<const std::uint32_t> candidates, std::vector<double>& springs,
                                  base::WorkerPool& pool) {

@@ -25,8 +25,8 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// Each handle owns the vertex nearest to it, or the lowest of several nearest vertices. Vertices without a
-/// triangle are never owned. Handles that do not weigh (see HandleShape) own no vertex.
+/// Each handle owns the vertex nearest to it. Of several nearest vertices, it owns the one with the lowest
+/// index. A vertex without triangles has no owner. Handles that do not weigh (see HandleShape) own no vertex.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
@@ -41,7 +41,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
 /// Lets each handle own one vertex in each body near it, so that a layer and its contents follow the cage
-/// alike. This vertex v is the body's vertex nearest to the handle. The handle is near if it is at most 1.5
+/// alike: the body's vertex v that is nearest to the handle. The handle is near the body if it is at most 1.5
 /// times as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean
 /// area per handle. In a body without candidates, all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
@@ -63,8 +63,7 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 ///
 /// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
 /// tear. part_couplings() join near parts and cracks in L. If there are several bodies, a handle owns a
-/// vertex in each body near it, see own_in_bodies(). Then s is lower in bodies with many owners for their
-/// area.
+/// vertex in each body near it, see own_in_bodies(). Then s is lower in bodies with many owners per area.
 ///
 /// A part without owned vertices moves as a whole. All its vertices copy the weights of one vertex: the
 /// vertex that is nearest to the part's middle and is in a part with owned vertices. A vertex without
