@@ -18,7 +18,7 @@ namespace viete::deform {
 /// How well the logs represent a shape.
 struct ShapeReport {
   std::size_t flat = 0;    ///< triangles without area at rest
-  std::size_t folded = 0;  ///< triangles that collapse or flip; they use the neighbours' logs
+  std::size_t folded = 0;  ///< triangles that collapse or flip; their logs are means of neighbours' logs
   /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
 };
@@ -35,8 +35,8 @@ public:
   /// The log space, which converts vectors and their sums to shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
-  /// vector) is not null, the branch of each log is nearest to the triangle's log in `before`. Throws
+  /// Converts a shape to a vector. Of the many logs of a rotation, takes the log nearest to the triangle's
+  /// log in `before` (the preceding shape's vector, or null). Makes the logs of neighbours coherent. Throws
   /// base::Error unless each vertex has a finite position. Results do not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;

@@ -21,9 +21,9 @@ inline constexpr double pin_strength = 0.03;
 ///
 ///     sum_t area_t * |(grad x' - M_t) * T_t|^2 + sum_pins w * |x' - A_h * x|^2 + sum_holds w * |x' - b|^2.
 ///
-/// M_t is the blended map of triangle t, and T_t projects onto the triangle's plane. A_h is the map of a
-/// pin's handle, and b is the blended position of a vertex. The published energy (S. Kaji, "ARAP" modes) has
-/// the same minimum, but three times as many unknowns, because a fourth corner is added to each triangle.
+/// M_t is the blended map of triangle t, and T_t projects onto the triangle's plane. A pin ties a vertex x to
+/// a handle with the map A_h. A hold pulls a vertex to its blended position b. The published energy (S. Kaji,
+/// "ARAP" modes) has the same minimum, but three times as many unknowns: a fourth corner of each triangle.
 ///
 /// At the minimum of the first sum, K * x' = sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector
 /// per corner: the area times the gradient of the corner's hat function. The matrix is factored once.
@@ -54,8 +54,7 @@ struct Stitching {
   std::vector<Vec3> cotangents;
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
-  mesh::Adjacency
-      around;  ///< for each vertex in `order`: 3 * triangle + corner, for all corners at the vertex
+  mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
   std::vector<Pin> pins;
   Binding pinned;  ///< binding of the pins without weights: rest, rest_origin, offsets from handles' centres
   std::vector<Hold> holds;
@@ -70,10 +69,11 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Each handle also pins the vertices at distances d < r from its
-/// centre, with weight pin_strength * ((r - d) / r)^2 and r = holding.radius * cage.size. holding.weight
-/// pulls every vertex to its blended position. Throws base::Error if the model has no vertices, or if its
-/// size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
+/// Stitches the model to the cage's faces. Each handle pins its nearest triangle. With r = holding.radius *
+/// cage.size, it also pins the vertices at distances d < r from its centre, with weight pin_strength *
+/// ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if the model has
+/// no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on
+/// the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 

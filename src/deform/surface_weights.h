@@ -41,9 +41,9 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
 /// Lets each handle own one vertex in each body near it, so that a layer and its contents follow the cage
-/// alike: the body's vertex v that is nearest to the handle. The handle is near the body if it is at most 1.5
-/// times as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean
-/// area per handle. In a body without candidates, all vertices are candidates.
+/// alike. v is the body's vertex nearest to the handle. The body is near if the handle is at most 1.5 times
+/// as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean area per
+/// handle. In a body without candidates, all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
@@ -57,12 +57,12 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 ///
 ///     w^T * L * M^-1 * L * w + s * sum over owned vertices v of (w_v - t_v)^2,    s = number of handles.
 ///
-/// M are the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights are
-/// smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
+/// M contains the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights
+/// are smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
 /// Published tools omit M, so their weights depend on the triangulation.
 ///
 /// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
-/// tear. part_couplings() join near parts and cracks in L. If there are several bodies, a handle owns a
+/// tear. part_couplings() joins near parts and cracks in L. If there are several bodies, a handle owns a
 /// vertex in each body near it, see own_in_bodies(). Then s is lower in bodies with many owners per area.
 ///
 /// A part without owned vertices moves as a whole. All its vertices copy the weights of one vertex: the

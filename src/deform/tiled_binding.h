@@ -32,7 +32,7 @@ enum class Storage {
 /// Compressed weights of a leaf: a matrix of factors times the weights of the pivots. Pivots are some
 /// vertices of the leaf (row interpolative decomposition). A frame first blends only the logs of the pivots.
 struct LeafFactors {
-  std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
+  std::size_t first = 0;  ///< index of the first factor in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
   std::uint32_t pivots = 0;  ///< index of the first pivot's row in TiledBinding::skeleton
   bool dense = false;        ///< true: factors are the weights, and rank is the number of handles
@@ -95,7 +95,7 @@ Shares shares_of(const TiledBinding& binding);
 /// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// Returns true if compression may be worth its cost for these sizes, if the handles are triangles.
+/// The handles must be triangles. Returns true if compression may be worth its cost for these sizes.
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine,
