@@ -464,7 +464,7 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
   // The terms are bytes per vertex: weights, rest position, offset, a frame's results, triangles, adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // The terms are weights, rest position, offset, position, vertex, neighbours, rest position in double.
+  // The terms are bytes of weights, rest position, offset, position, vertex, neighbours, rest in double.
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)

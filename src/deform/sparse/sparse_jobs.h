@@ -57,7 +57,7 @@ struct Front {
 
 /// The computation into[i, j] -= sum over p of left[i, p] * right[j, p], for i >= j.
 struct ProductJob {
-  Front into, left;     ///< both begin at i = 0
+  Front into, left;     ///< both begin with row i = 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
   std::size_t depth;    ///< number of terms of the sum over p

@@ -9,8 +9,8 @@ namespace viete::deform {
 
 namespace {
 
-/// The elimination tree, and the number of entries in each column of the factor. A column's parent is the
-/// first row below the diagonal with an entry.
+/// The elimination tree, and the number of entries in each column of the factor. The parent of column c is
+/// the first row below c in which column c has an entry.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
