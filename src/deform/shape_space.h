@@ -29,7 +29,7 @@ struct ShapeReport {
 /// R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
-  /// Throws base::Error if no triangle has area, and for the reasons of LogSpace. Throws base::Cancelled.
+  /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   /// The log space, which converts vectors and their sums to shapes.

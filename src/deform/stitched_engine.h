@@ -55,7 +55,7 @@ private:
   RowForm form_;
   base::WorkerPool& pool_;
   std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty without a shape
-  std::vector<Vec3> loads_;                            // M * g of each corner of each triangle
+  std::vector<Vec3> loads_;                            // M * g of each corner, see Stitching
   std::vector<std::array<Vec3, 2>> stretched_;         // S * g; empty if rotations are not refitted
   Shares pin_shares_;                                  // one per pin
   std::vector<Vec3> pin_ways_;

@@ -21,9 +21,9 @@ std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio);
 
 /// Returns the triangles that cross another triangle, or overlap a triangle in the same plane. Ignores
-/// triangles that only touch, and triangles without area. Exact. Sorted. Lengths must be from 1e-100 to
-/// 1e100. The time is O(n log n) plus the number of pairs of overlapping boxes. `progress` may be null.
-/// Throws base::Cancelled.
+/// triangles that only touch, and triangles without area. The result is exact and sorted. Lengths must be
+/// from 1e-100 to 1e100. The time is O(n log n) plus the number of pairs of overlapping boxes. `progress` may
+/// be null. Throws base::Cancelled.
 std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface,
                                                        base::Progress* progress = nullptr);
 

@@ -30,7 +30,7 @@ std::size_t groups(std::size_t columns) {
   return (columns + column_group - 1) / column_group;
 }
 
-// Returns the multiplications of a supernode, plus an overhead in multiplications.
+// Returns the number of multiplications of a supernode, plus 1000 for its overhead.
 double work_of(const Supernode& node) {
   const double b = node.below, m = node.columns + b;
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
