@@ -83,7 +83,7 @@ struct Weighting {
   }
 };
 
-/// Factors for the logs of each map's rotation and stretch: 0 removes, 2 doubles. Centres do not change.
+/// Factors for the log of each map's rotation (`turn`) and of its stretch. Handles' centres do not change.
 struct Amounts {
   double turn = 1, stretch = 1;
 
@@ -212,14 +212,14 @@ std::string text_of_percent(double fraction);
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. Throws base::Error
-/// for incompatible choices, for numbers that the scheme does not use, and if elements that only translate
-/// would be stitched. A radius selects cut-off weights, unless `asked` also chooses a deformer or weights, or
-/// weights were `chosen` by name earlier, for example in a session.
+/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. If `asked` has a
+/// radius, but no deformer and no weights, and `chosen` is false, selects cut-off weights. `chosen`: weights
+/// were chosen by name earlier, for example in a session. Throws base::Error for incompatible choices, for
+/// numbers that the scheme does not use, and for stitching of elements that only translate.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
-/// Returns the engine: stitched for stitched schemes, fused for method `fast` and for schemes without an
-/// exponential, and staged for all other methods. If `same_path` is true, `fast` is also staged.
+/// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an
+/// exponential, and otherwise `staged`. If `same_path` is true, treats `fast` like the other methods.
 EngineKind engine_for(const Scheme& scheme, sym3::Method method, bool same_path = false);
 
 }  // namespace viete::deform

@@ -16,7 +16,7 @@ namespace viete::deform {
 /// affine map and share is 1, v' is the linear part of this map times v. Not thread-safe.
 class ShapeFollower {
 public:
-  /// Returns true if the scheme's rows are positions. All other rows have maps.
+  /// Returns true if the scheme's rows are positions, which have no rotations.
   static bool is_for(const Scheme& scheme) {
     return row_form(scheme.weighting.elements, scheme.blend) == RowForm::positions;
   }

@@ -18,7 +18,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// If (s0 + s1) / s2 is less for the mean map's singular values s0 <= s1 <= s2, no rotation is nearest.
+// The mean map has singular values s0 <= s1 <= s2. If (s0 + s1) / s2 is less, its rotation is not unique.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
@@ -43,7 +43,7 @@ void refuse_positions(std::span<const mesh::Point> positions, std::size_t expect
   }
 }
 
-// Returns the rotation vector nearest to `sum`, the area-weighted sum of maps, or 0 if none is nearest.
+// Returns the rotation vector of `sum`, the area-weighted sum of maps, or 0 if its rotation is not unique.
 Vec3 mean_turn(const Mat& sum) {
   const auto [rotation, stretch] = sym3::polar(sum);
   const auto singular = sym3::eigenvalues(stretch);  // ascending; the first has the sign of the determinant
@@ -53,7 +53,7 @@ Vec3 mean_turn(const Mat& sum) {
 
 }  // namespace
 
-// Finds triangles that collapse or flip against all neighbours. spread() gives them the neighbours' logs.
+// Finds triangles that collapse or flip. spread() replaces their logs by means of the neighbours' logs.
 class ShapeSpace::Folds {
 public:
   Folds(const WeightedPairs& neighbours, std::span<const Mat> rotations, std::vector<std::uint8_t> bad)
@@ -161,7 +161,7 @@ std::vector<Vec3> ShapeSpace::turns_of(const Vec3& whole, std::span<const Mat> r
   return logs;
 }
 
-// Returns the splits of the maps from rest to a shape. Writes the area-weighted sum of the maps to `sum`.
+// Splits triangles' maps into rotations and stretches. Writes the area-weighted sum of the maps to `sum`.
 std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                                         Mat& sum) const {
   const std::size_t count = triangles_.corners.size();
@@ -184,7 +184,7 @@ std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, 
   return splits;
 }
 
-// Calls raise_to_floor() for collapsed triangles. Returns 1 for each raised triangle, otherwise 0.
+// Gives collapsed triangles the minimum stretch, see log_maps(). Returns 1 for each of them, otherwise 0.
 std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions,
                                             std::vector<MapSplit>& splits) const {
   const double mean = mean_stretch(triangles_.flat, splits);

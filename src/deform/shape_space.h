@@ -18,25 +18,25 @@ namespace viete::deform {
 /// How well the logs represent a shape.
 struct ShapeReport {
   std::size_t flat = 0;    ///< triangles without area at rest
-  std::size_t folded = 0;  ///< triangles that collapse or flip; they use the neighbours' logs
+  std::size_t folded = 0;  ///< triangles that collapse or flip; their logs are means of neighbours' logs
   /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
 };
 
-/// Converts shapes of one model, given as vertex positions, to vectors. The whole turn of a vector is the
-/// rotation of the area-weighted mean map; the logs represent the remaining rotations. Maps in log space: S.
-/// Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012. Maps of triangles: R.
-/// W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
+/// Converts shapes of one model, given as vertex positions, to vectors. A vector has one rotation of the
+/// whole shape: the rotation of the area-weighted mean of the triangles' maps. Its logs are relative to this
+/// rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012;
+/// R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
-  /// Throws base::Error if no triangle has area, and for the reasons of LogSpace. Throws base::Cancelled.
+  /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-  /// The log space, for sums, shapes and the anchors of moving shapes.
+  /// The log space, which converts vectors and their sums to shapes.
   const LogSpace& logs() const { return logs_; }
 
-  /// Converts a shape to a vector with coherent branches of the logs. If `before` (the preceding shape's
-  /// vector) is not null, the branch of each log is nearest to the triangle's log in `before`. Throws
+  /// Converts a shape to a vector. Of the many logs of a rotation, takes the log nearest to the triangle's
+  /// log in `before` (the preceding shape's vector, or null). Makes the logs of neighbours coherent. Throws
   /// base::Error unless each vertex has a finite position. Results do not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;

@@ -122,7 +122,7 @@ void apply(const VertexBlock& block, RowForm form, Sums sums, std::span<const St
     } else if (form == RowForm::positions) {
       moved = three(s, 0) + block.share(i) * block.offset(i);
     } else {
-      assert(form == RowForm::logs);  // moments use place_by_moments()
+      assert(form == RowForm::logs);  // for moments, see place_by_moments()
       const Vec3 stretched = times(stretches[i], block.share(i) * block.offset(i));
       moved = times(sym3::exp_rotation(three(s, 6)), stretched) + three(s, 9);
     }

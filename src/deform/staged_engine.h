@@ -46,7 +46,7 @@ double place_vertices(const VertexBlock& block, const Rows& rows, sym3::Method m
 
 class StagedEngine : public Engine {
 public:
-  /// binding must have the weights of the staged frame.
+  /// `binding` must have the members for the staged engine, see Binding.
   StagedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool);
 
   void set_mask(const Mask& mask) override { shares_ = product(binding_->shares, values(mask)); }

@@ -23,12 +23,12 @@ public:
 
   /// Sets the shares of the next poses, one per vertex; empty: all are 1. Shares also scale pins' motions.
   void set_shares(const Shares& shares);
-  /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). Gradients use
-  /// the shape's edges with the cotangents at rest.
+  /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). The
+  /// displacements change the edges of the model, but not the cotangents of its triangles.
   void set_shape(std::span<const Vec3> ways);
   /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. `held` has the blended
-  /// position of each hold's vertex, relative to the rows' origin. A triangle's map is computed from the mean
-  /// of the corners' sums.
+  /// position of the vertex of each Stitching::Hold, relative to the rows' origin. A triangle's map is
+  /// computed from the mean of the corners' sums.
   ///
   /// `iterations`, 1 or more, is the number of solves. Before each solve after the first, the rotations R_t
   /// are replaced by the rotations that best fit the positions. The stretches S_t do not change (O. Sorkine,
@@ -38,8 +38,8 @@ public:
 
   /// Positions relative to the rows' origin.
   std::span<const Vec3> positions() const { return positions_; }
-  /// Wall times of the last frame in milliseconds: for the maps and their loads, and for solving.
-  double loads_ms() const { return loads_ms_; }
+  /// Wall times of the last frame in milliseconds.
+  double loads_ms() const { return loads_ms_; }  ///< for triangles' maps and the terms M * g
   double solve_ms() const { return solve_ms_; }
 
 private:
@@ -55,7 +55,7 @@ private:
   RowForm form_;
   base::WorkerPool& pool_;
   std::vector<std::array<Vec3, 2>> shaped_gradients_;  // empty without a shape
-  std::vector<Vec3> loads_;                            // M * g of each corner of each triangle
+  std::vector<Vec3> loads_;                            // M * g of each corner, see Stitching
   std::vector<std::array<Vec3, 2>> stretched_;         // S * g; empty if rotations are not refitted
   Shares pin_shares_;                                  // one per pin
   std::vector<Vec3> pin_ways_;

@@ -103,7 +103,7 @@ private:
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
-        const double farthest = least + slack + side;  // nearer triangles have corners within this distance
+        const double farthest = least + slack + side;  // if corner a is farther, the triangle is too far
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
         const double distance =
             std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);
@@ -224,7 +224,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<Coupling> couplings_;  // split by by_corners()
+  std::vector<Coupling> couplings_;  // only vertex with vertex, see by_corners()
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };
@@ -237,8 +237,7 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // In this order: factors (n log n); gradients, loads and stretches of two triangles per vertex; lists;
-  // right-hand sides.
+  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides.
   const auto n = static_cast<double>(vertices);
   return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
 }

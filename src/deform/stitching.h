@@ -17,23 +17,23 @@ namespace viete::deform {
 /// between neighbouring vertices is about 1, see stiffness_matrix().
 inline constexpr double pin_strength = 0.03;
 
-/// Pose-independent data of a stitching. With the blended map M_t of triangle t, the positions x' minimise
+/// Pose-independent data of a stitching. Stitching finds the positions x' that minimise
 ///
 ///     sum_t area_t * |(grad x' - M_t) * T_t|^2 + sum_pins w * |x' - A_h * x|^2 + sum_holds w * |x' - b|^2.
 ///
-/// T_t projects onto the triangle's plane, A_h is the map of the pin's handle, and b is the blended position.
-/// The published energy (S. Kaji, "ARAP" modes) uses tetrahedra with a fourth corner off the plane. Each
-/// fourth corner belongs to one tetrahedron, so at the minimum the map agrees with M_t in this corner's
-/// direction. Only the part in the plane remains, with a third of the unknowns. The first sum gives K * x' =
-/// sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector per corner: the area times the gradient of
-/// the corner's hat function. The matrix is factored once. Each pose has three right-hand sides.
+/// M_t is the blended map of triangle t, and T_t projects onto the triangle's plane. A pin ties a vertex x to
+/// a handle with the map A_h. A hold pulls a vertex to its blended position b. The published energy (S. Kaji,
+/// "ARAP" modes) has the same minimum, but three times as many unknowns: a fourth corner of each triangle.
 ///
-/// part_couplings() join near parts, cracks, and vertices at one position. A coupling of a and b with
-/// strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. It is stored as triangle (a, b, b).
+/// At the minimum of the first sum, K * x' = sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector
+/// per corner: the area times the gradient of the corner's hat function. The matrix is factored once.
 ///
-/// Results do not depend on the scene's size or its distance from the origin. For thin triangles, see
-/// half_cotangents(). Every vertex is determined: in parts without a pin, vertices are pulled to their
-/// blended positions with weight 1e-4. Vertices with only thin or no triangles are pulled with weight 1.
+/// Couplings join near parts, cracks, and vertices at one position, see part_couplings(). A coupling of a and
+/// b with strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. It is stored as triangle
+/// (a, b, b). In parts without a pin, each vertex is pulled to its blended position with weight 1e-4. The
+/// weight is 1 for vertices that have only thin triangles (see half_cotangents()) or no triangles.
+///
+/// Results do not depend on the scene's size or its distance from the origin.
 struct Stitching {
   struct Pin {
     std::uint32_t vertex, handle;
@@ -54,7 +54,7 @@ struct Stitching {
   std::vector<Vec3> cotangents;
   /// Area gradients g of the first two corners of each triangle. The third gradient is minus their sum.
   std::vector<std::array<Vec3, 2>> gradients;
-  mesh::Adjacency around;  ///< for each vertex in `order`: 3 * t + corner, for its corners of triangles t
+  mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
   std::vector<Pin> pins;
   Binding pinned;  ///< binding of the pins without weights: rest, rest_origin, offsets from handles' centres
   std::vector<Hold> holds;
@@ -69,10 +69,11 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Each handle also pins the vertices at distances d < r from its
-/// centre, with weight pin_strength * ((r - d) / r)^2 and r = holding.radius * cage.size. holding.weight
-/// pulls every vertex to its blended position. Throws base::Error if the model has no vertices, or if its
-/// size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
+/// Stitches the model to the cage's faces. Each handle pins its nearest triangle. With r = holding.radius *
+/// cage.size, it also pins the vertices at distances d < r from its centre, with weight pin_strength *
+/// ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if the model has
+/// no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on
+/// the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 

@@ -25,9 +25,9 @@ constexpr int most_halvings = 5;
 constexpr int rings = 4;
 constexpr double least_mass = 0.15;  // share of a cell's area; smaller clusters join a neighbour
 constexpr double fit_reach = 1.9;    // radius of influence, in mean distances to the neighbours
-// Ridges limit extrapolation if all clusters are on one side, as at tips. Relative to the sum of factors.
+// Added to the diagonal of the fit's matrix to limit extrapolation at tips. Relative to the sum of factors.
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
-constexpr double least_facing = 0.1;  // lower limit of a cosine; at tips, even near clusters may face away
+constexpr double least_facing = 0.1;  // lower limit of the cosine between normals of cluster and vertex
 
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -35,7 +35,7 @@ std::uint64_t mixed(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-// A closed edge occurs once in each direction, so its terms cancel. The terms of an open edge remain.
+// Returns for each vertex whether it is on an open edge. The terms of a closed edge cancel in `sums`.
 std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
   std::vector<std::uint64_t> sums(vertices, 0);
   for (const auto& t : triangles) {
@@ -114,8 +114,8 @@ public:
     return join_small();
   }
 
-  /// Halves the cells of clusters that have no proxy triangle, that meet a cluster without a common proxy
-  /// triangle, or that contain several of the vertices `apart`. Returns false if there are no such clusters.
+  /// Halves the cells of clusters for the reasons in SurfaceProxy. `apart` has the vertices that handles own.
+  /// Returns false if no cell was halved.
   bool refine(std::span<const std::uint32_t> apart) {
     std::vector<std::uint64_t> met, cornered;
     std::vector<bool> has_triangle(level_.size(), false);
@@ -299,7 +299,7 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// Moves clusters to owned vertices, so that the plate's springs are where they are without a proxy.
+// Moves clusters to owned vertices, so that the springs of ThinPlate are where they are without a proxy.
 void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   std::vector<bool> used(surface_.positions.size(), false);
   for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;

@@ -17,16 +17,17 @@ namespace viete::deform {
 
 /// A coarser surface whose vertices are clusters of neighbouring vertices of a model.
 ///
-/// A cluster is a connected piece of the surface in one cell of a grid, so layers and parts stay apart.
-/// Triangles with corners in three clusters become the proxy's triangles. A cell is halved, up to five times,
-/// if its cluster has no proxy triangle, or if handles own several of its members. It is also halved if its
-/// cluster meets another cluster without a common proxy triangle (in a tube thinner than a cell). A cluster's
-/// position is the mean of its members, or of its members on open edges if there are any. If a handle owns a
-/// member, the cluster is at this member.
+/// A cluster is a connected piece of the surface in one cell of a grid. Therefore, a cluster never contains
+/// vertices of two layers or parts. If a triangle has corners in three clusters, it becomes a triangle of the
+/// proxy. A cell is halved, up to five times, if its cluster
+///   - is in no triangle of the proxy,
+///   - contains several vertices that handles own (see OwnedVertices), or
+///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
+/// A cluster's position is the mean of its vertices or, if some of them are on open edges, the mean of the
+/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
-/// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth and
-/// reproduces linear functions on the tangent plane.
+/// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
 class SurfaceProxy {
 public:
   /// Makes at most about `target` clusters. The model must outlive the proxy. Throws base::Error if the model

@@ -21,9 +21,9 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// A body owns no vertices if (its share of the area) * (number of handles) is less.
+// Handles own no vertices in a body if its area, divided by the mean area per handle, is less.
 constexpr double least_body = 0.1;
-// Limit of (distance from a handle to a vertex) / (distance from the nearest handle to this vertex).
+// A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
 constexpr double as_near = 1.5;
 
 std::vector<std::uint32_t> used_vertices(const mesh::Surface& surface) {
@@ -162,7 +162,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   if (progress) progress->report(done);
 }
 
-// Couples parts. No body gets more springs per area than a model of only one body has.
+// Couples parts that are near to each other. In bodies with many owners per area, weakens the springs.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                                  std::span<const std::uint32_t> candidates, std::vector<double>& springs,
                                  base::WorkerPool& pool) {
@@ -229,7 +229,7 @@ void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base:
 }
 
 double surface_system_bytes(std::size_t vertices) {
-  // Bytes per vertex that is solved for (measured: 800 to 1500), and per vertex that is clustered.
+  // Bytes per vertex of the solved system (measured: 800 to 1500), and per vertex of a model with a proxy.
   constexpr double solved = 1600, clustered = 150;
   return solved * static_cast<double>(std::min(vertices, most_solved_vertices)) +
          (vertices > most_solved_vertices ? clustered * static_cast<double>(vertices) : 0);

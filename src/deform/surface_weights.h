@@ -25,8 +25,8 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// The vertex that each handle owns: the nearest corner of the model's triangles, or the one with the lowest
-/// index of several nearest corners. Handles that do not weigh (see HandleShape) own none.
+/// Each handle owns the vertex nearest to it. Of several nearest vertices, it owns the one with the lowest
+/// index. A vertex without triangles has no owner. Handles that do not weigh (see HandleShape) own no vertex.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
@@ -40,36 +40,34 @@ struct OwnedVertices {
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
                              base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
-/// For each handle and each body, adds the body's vertex v nearest to the handle, if the handle is near v.
-/// Near means: at most 1.5 times as far from v as the handle that is nearest to v. So layers and their
-/// contents follow the cage alike, and a new body takes no vertices from other bodies. Skips bodies with less
-/// than a tenth of the mean area per handle. In a body without candidates, all vertices are candidates.
+/// Lets each handle own one vertex in each body near it, so that a layer and its contents follow the cage
+/// alike. v is the body's vertex nearest to the handle. The body is near if the handle is at most 1.5 times
+/// as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean area per
+/// handle. In a body without candidates, all vertices are candidates.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
                    Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
 
 /// Solves for the weights of sixteen handles at a time. The caller stores the weights.
 ///
-/// The `harmonic` weights w of a handle have fixed values t at owned vertices: at the vertices that the
-/// handle owns, t = 1 / (number of owners); at other owned vertices, t = 0. At all vertices that are not
-/// owned, L * w = 0, with L of intrinsic_laplacian(). L has no negative weights. By the maximum principle, w
-/// is therefore in [0, 1] up to rounding.
+/// The `harmonic` weights w of a handle are fixed at owned vertices: w = t, with t = 1 / (number of owners)
+/// if the handle owns the vertex, otherwise t = 0. At vertices that no handle owns, L * w = 0, with L of
+/// intrinsic_laplacian(). L has no negative edge weights, so w is in [0, 1] up to rounding.
 ///
 /// `biharmonic` weights minimise
 ///
 ///     w^T * L * M^-1 * L * w + s * sum over owned vertices v of (w_v - t_v)^2,    s = number of handles.
 ///
-/// M are the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights are
-/// smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
+/// M contains the masses (total area 1). This is a thin plate on springs, see ThinPlate. Biharmonic weights
+/// are smoother than harmonic weights. They can be outside of [0, 1], and w_v is only approximately t_v.
 /// Published tools omit M, so their weights depend on the triangulation.
 ///
 /// Vertices at one position count as one vertex, so that seams, sharp edges and separate triangles do not
-/// tear. part_couplings() join near parts and cracks in L. Handles own vertices in several bodies, see
-/// own_in_bodies(); s then depends on each body's area. Weights across bodies therefore depend on distances
-/// in space, and no pose tears the model.
+/// tear. part_couplings() joins near parts and cracks in L. If there are several bodies, a handle owns a
+/// vertex in each body near it, see own_in_bodies(). Then s is lower in bodies with many owners per area.
 ///
 /// A part without owned vertices moves as a whole. All its vertices copy the weights of one vertex: the
-/// vertex nearest to the part's middle, among parts with owned vertices. A vertex without triangles is such a
-/// part.
+/// vertex that is nearest to the part's middle and is in a part with owned vertices. A vertex without
+/// triangles is a part without owned vertices.
 ///
 /// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {

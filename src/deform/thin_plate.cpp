@@ -18,7 +18,7 @@ constexpr double factored = 0.4;  // fraction of the time that factoring takes
 
 using Columns = std::array<double, solved_columns>;
 
-// Returns true for vertices of parts with springs, except the grounds.
+// Returns for each vertex whether it is in a part with springs and is not the part's fixed vertex.
 std::vector<bool> free_vertices(const HeldParts& parts) {
   std::vector<bool> free(parts.of_vertex.size());
   for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = parts.holds(v);
@@ -70,7 +70,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   find_forces(stiffness_of_springs(pool, progress, factored * done, done));
 }
 
-// Calls change(vertex, row) for the vertices of parts with springs, in the order of their rows.
+// Calls change(vertex, row of the block) for each vertex of a part with springs.
 template <class Change>
 void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
   double* row = block.data();
@@ -80,8 +80,8 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
   }
 }
 
-// Replaces forces by the plate's displacement, which is 0 at the grounds. The forces of each part, with its
-// ground, must sum to 0. If `part` is not null, computes only this part of the displacement.
+// Replaces forces by the displacement w', see ThinPlate. If `part` is not null, computes w' only for the
+// unknowns of these supernodes.
 void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);
@@ -101,7 +101,7 @@ void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part
   solver_.solve(block, kernel, part);
 }
 
-// Returns K by columns.
+// Returns the matrix K of ThinPlate, by columns.
 std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
                                                     double from, double to) const {
   const std::size_t count = springs_.size();

@@ -18,28 +18,28 @@ namespace viete::deform {
 struct HeldParts {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_vertex;  ///< the part of each vertex, or none
-  std::vector<std::uint32_t> grounds;    ///< for each part, its lowest vertex that has a spring
+  std::vector<std::uint32_t> grounds;    ///< the fixed vertex of each part: the lowest vertex with a spring
 
   bool holds(std::uint32_t vertex) const { return of_vertex[vertex] != none; }
 };
 
-/// Finds the parts with springs. Entries of the stiffness connect the vertices of a part.
+/// Finds the parts with springs. Nonzero entries of the stiffness connect the vertices of a part.
 HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has_spring);
 
-/// For each of many loads t (values at the vertices with springs), computes the w that minimises
+/// For each of many loads t (a value at each vertex with a spring), computes the w that minimises
 ///
 ///     w^T * L * M^-1 * L * w + sum over springs v of s_v * (w_v - t_v)^2.
 ///
-/// The matrix of this problem is L * M^-1 * L + E * S * E^T. (S contains the strengths s; E maps springs to
-/// vertices.) Its factor would have four times as many entries as a factor of L and take ten times as long.
-/// Instead, solves for the springs' forces f = S * (t - w), one per spring, and then L * y = E * f and
-/// L * w = M * y. The factor of L has one fixed vertex per part, the ground, with value 0. The forces of a
-/// part sum to 0. They are sums of pairs: a force phi at a spring and -phi at the ground. Let w = w' + b,
-/// where w' is 0 at the ground. The difference of the equations f = S * (t - w) at spring and ground is
+/// A factor of this problem's matrix would take ten times as long as a factor of L. Therefore, first computes
+/// the springs' forces f_v = s_v * (t_v - w_v). Then L * y = f and L * w = M * y give w. Each part has one
+/// fixed vertex, the ground, where the solution w' of these equations is 0. So w = w' + b, with one b per
+/// part: at the ground, b = t - f / s. The forces phi of springs that are not at a ground solve
 ///
-///     (K + S^-1 + D) * phi = t - t_ground,   K_uv = w'_u of the pair v,   D = 1 / s_ground within a part.
+///     (K + S^-1 + D) * phi = t - t_ground.
 ///
-/// This system is symmetric and positive definite. At the ground, b = t - f / s. Thread-safe.
+/// K_uv: w'_u for a force 1 at v and a force -1 at the ground. S: the diagonal matrix of the strengths s.
+/// D_uv: 1 / s_ground if u and v are in the same part, otherwise 0. The matrix is symmetric and positive
+/// definite. At the ground, the force is minus the sum of phi over the part. Thread-safe.
 class ThinPlate {
 public:
   struct Target {

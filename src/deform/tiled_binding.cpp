@@ -46,7 +46,7 @@ void normalise_lanes(std::span<double> weights) {
 
 /// Scratch of one thread for one leaf at a time.
 struct LeafWeights {
-  base::AlignedVector<float> rows, left;  // [tile][handle][lane]
+  base::AlignedVector<float> rows, left;  // [tile][handle][lane]; left: a copy for factor_rows()
   std::vector<Vec3> sums;                 // per slot: sum of weight * handle position
   std::vector<float> shares;              // per slot
 };
@@ -62,7 +62,7 @@ struct LeafList {
   base::AlignedVector<float> rows;  // [tile][place in the list][lane]
 };
 
-/// The multiply-adds of a frame, relative to a frame with dense weights.
+/// The multiply-adds of a frame with factors or lists, relative to a frame with dense weights.
 struct Costs {
   double factors = 1, lists = 1;
 };
@@ -220,7 +220,7 @@ private:
     b_.failed = failed;
   }
 
-  // Handles that only translate need a quarter of the work, so factors are not worth their cost.
+  // Handles that only translate have a quarter of the numbers to blend, so factors are not worth their cost.
   bool worth_sampling(double tolerance) const {
     return tolerance > 0 && b_.weighting.elements == Elements::face &&
            compressible(b_.leaves.vertices, b_.handles);
@@ -462,9 +462,9 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const auto n = static_cast<double>(vertices), k = static_cast<double>(handles);
   const double slots = n + slot_block - 1;
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
-  // Bytes per vertex: weights, rest position, offset, results of a frame, triangles and adjacency.
+  // The terms are bytes per vertex: weights, rest position, offset, a frame's results, triangles, adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // Bytes per vertex: weights, rest position, offset, position, vertex, neighbours, rest position in double.
+  // The terms are bytes of weights, rest position, offset, position, vertex, neighbours, rest in double.
   const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)

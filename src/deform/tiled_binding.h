@@ -29,10 +29,10 @@ enum class Storage {
   lists,    ///< weights of the handles that have weight in the leaf; lossless
 };
 
-/// Compressed weights of a leaf: factors, times the weights of some vertices of the leaf, the pivots (row
-/// interpolative decomposition). A frame blends the pivots' logs, and then computes all logs from these.
+/// Compressed weights of a leaf: a matrix of factors times the weights of the pivots. Pivots are some
+/// vertices of the leaf (row interpolative decomposition). A frame first blends only the logs of the pivots.
 struct LeafFactors {
-  std::size_t first = 0;  ///< index in TiledBinding::factors, [tile][rank][lane]
+  std::size_t first = 0;  ///< index of the first factor in TiledBinding::factors, [tile][rank][lane]
   std::uint32_t rank = 0;
   std::uint32_t pivots = 0;  ///< index of the first pivot's row in TiledBinding::skeleton
   bool dense = false;        ///< true: factors are the weights, and rank is the number of handles
@@ -48,8 +48,8 @@ struct TiledBinding {
   std::size_t failed = 0;  ///< vertices without mean value coordinates
   double unit = 1;         ///< a power of two near the cage's diagonal; the unit of stored lengths
   double tolerance = 0;    ///< tolerance of the compression; 0: not compressed
-  /// Weights of error_sample vertices in double, see spread_vertices(); rows sum to 1. Only for weights along
-  /// the surface, because other weights can be recomputed at any point.
+  /// Weights of error_sample vertices in double, see spread_vertices(); rows sum to 1. Empty unless weights
+  /// are along the surface, because other weights can be recomputed at any point.
   std::vector<double> sample;
   base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
@@ -95,7 +95,7 @@ Shares shares_of(const TiledBinding& binding);
 /// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
 
-/// Returns true if compression may be worth its cost for these sizes, if the handles are triangles.
+/// The handles must be triangles. Returns true if compression may be worth its cost for these sizes.
 bool compressible(std::size_t vertices, std::size_t handles);
 
 /// Returns the number of free bytes that bind() or bind_tiles() needs, at most 2^63. For the fused engine,
@@ -105,8 +105,8 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
                           const Weighting& weighting = {});
 
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Stores weights with a radius
-/// as lists. Compresses other weights with `tolerance` if this is not 0 and a sample of leaves predicts
-/// cheaper frames. `storage` overrides these choices. Results do not depend on the number of threads. Throws
+/// as lists. If `tolerance` is not 0, and a sample of leaves predicts cheaper frames, compresses other
+/// weights. `storage` overrides these choices. Results do not depend on the number of threads. Throws
 /// base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,

@@ -64,7 +64,7 @@ void Weigher::add_triangles() {
   }
 }
 
-// Skips elements without area: the two sides of such an element cancel. Points on it need scalar code.
+// Skips elements without area: their two sides cancel. weigh_mean_values() handles points on such elements.
 void Weigher::add_views() {
   for (std::size_t i = 0; i < cage_.sides.of.size(); ++i) {
     const auto& t = cage_.sides.triangles[i];

@@ -33,8 +33,8 @@ public:
                  LaneShares& shares) const;
   /// Computes weights as floats, with errors up to 2e-6, for neighbouring points. Their number must be a
   /// multiple of 16. Writes weights to `rows` as [tile][handle][16], each point's sum of weight * handle
-  /// position to `sums`, and each point's share to `shares`. Returns true for each point without mean value
-  /// coordinates.
+  /// position to `sums`, and each point's share to `shares`. Returns for each point whether mean value
+  /// coordinates do not exist.
   std::vector<bool> weigh_tiles(std::span<const mesh::Point> points, float* rows, std::span<Vec3> sums,
                                 std::span<float> shares) const;
   /// Rest positions of the handles relative to origin().

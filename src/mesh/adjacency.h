@@ -37,8 +37,8 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
   return lists;
 }
 
-/// Works like make_adjacency(), but on all processors, and sorts each list. Calls for_each(t, add) twice for
-/// each t from 0 to elements - 1.
+/// Works like make_adjacency(), but uses all processors, and sorts each list. Calls for_each(t, add) twice
+/// for each t from 0 to elements - 1. This call must add the items of element t.
 template <class ForEach>
 Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
   Adjacency lists;

@@ -12,7 +12,7 @@ namespace viete::mesh {
 /// Returns each used vertex at exactly the same position as a used vertex of lower index. Sorted. O(n).
 std::vector<std::uint32_t> duplicate_vertices(const Surface& surface);
 
-/// Returns the vertices whose triangles are not all connected by edges at the vertex. A manifold has no such
+/// Returns the vertices at which several fans of triangles meet without a common edge. A manifold has no such
 /// vertex. Sorted. Nearly linear time.
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 
@@ -21,9 +21,9 @@ std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio);
 
 /// Returns the triangles that cross another triangle, or overlap a triangle in the same plane. Ignores
-/// triangles that only touch, and triangles without area. Exact. Sorted. Lengths must be from 1e-100 to
-/// 1e100. The time is O(n log n) plus the number of pairs of overlapping boxes. `progress` may be null.
-/// Throws base::Cancelled.
+/// triangles that only touch, and triangles without area. The result is exact and sorted. Lengths must be
+/// from 1e-100 to 1e100. The time is O(n log n) plus the number of pairs of overlapping boxes. `progress` may
+/// be null. Throws base::Cancelled.
 std::vector<std::uint32_t> self_intersecting_triangles(const Surface& surface,
                                                        base::Progress* progress = nullptr);
 

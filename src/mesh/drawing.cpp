@@ -25,7 +25,7 @@ float mean_around(const Adjacency& around, std::size_t v, Get get) {
   return count > 0 ? sum / count : sum;
 }
 
-// Returns the mean over all neighbours of height over the tangent plane / distance. Positive in a hollow.
+// Returns the mean sine of the angles between the tangent plane and the edges at v. Positive in a hollow.
 float hollowness(const Adjacency& around, std::span<const Vec3f> points, std::size_t v, const Vec3f& normal) {
   return mean_around(around, v, [&](std::uint32_t other) {
     const Vec3f edge = points[other] - points[v];
@@ -49,7 +49,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
     points[v] = rounded(positions[v] - positions[0]);
     for (std::size_t i = around.starts[v]; i < around.starts[v + 1]; ++i) {
       const Triangle& t = triangles[around.items[i]];
-      around.items[i] = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];  // the corner of the triangle after v
+      around.items[i] = t[0] == v ? t[1] : t[1] == v ? t[2] : t[0];  // the corner that follows v
     }
   });
   std::vector<float> hollow(positions.size()), scratch(positions.size()), sum(positions.size(), 0.0F);

@@ -10,10 +10,9 @@
 
 namespace viete::mesh {
 
-/// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). For each neighbour,
-/// measures height over the tangent plane / distance. Takes the mean over the neighbours, and adds the means
-/// after `levels` steps of smoothing. normals: one unit vector per position. around: the result of
-/// vertex_triangles(). An unused vertex gets 1. Linear time.
+/// Returns one value per vertex, from 0 (deep crease) to 1 (flat area or ridge). A vertex is in a crease if
+/// its neighbours are above its tangent plane. With more `levels`, wider creases are found. normals: one unit
+/// vector per position. around: the result of vertex_triangles(). An unused vertex gets 1. Linear time.
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, Adjacency around, int levels = 4);
 

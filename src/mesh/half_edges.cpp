@@ -9,7 +9,7 @@ namespace viete::mesh {
 
 namespace {
 
-// A side of a face, in the list of the side's lower vertex.
+// A side of a face. It is stored in a list for its lower vertex; `high` is its other vertex.
 struct Side {
   std::uint32_t high, face;
   bool forward;

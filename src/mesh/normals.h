@@ -21,14 +21,14 @@ Adjacency vertex_triangles(std::size_t vertices, std::span<const Triangle> trian
 void vertex_normals(std::span<const Point> positions, std::span<const Triangle> triangles,
                     const Adjacency& around, std::size_t begin, std::size_t end, std::span<Point> normals);
 
-/// Returns unit normals after the vertices moved from rest.positions to `positions`. corner_normal: for each
-/// of rest.corners an index into `normals`, or `none`. Each triangle moves by an affine map. The cofactors of
-/// the map transform the normals at the triangle's corners. A normal becomes the mean over its corners,
-/// weighted by the deformed area. For a normal that is not finite, uses the normal of the triangle. If no
-/// triangle of a normal moved, the normal does not change.
-/// If no triangle with area uses a normal, the normal rotates with the nearest triangle. If no triangle of
-/// the model has area, the normal rotates with triangles between the nearest six points. vertex_of_normal:
-/// the vertex of each normal, needed only for normals that no corner uses.
+/// Returns unit normals after the vertices moved from rest.positions to `positions`.
+///   corner_normal: for each entry of rest.corners, an index into `normals`, or `none`.
+///   vertex_of_normal: the vertex of each normal; needed only for normals that no corner has.
+/// The affine map of each triangle transforms the normals at its corners. A normal of several corners becomes
+/// their mean, weighted by deformed area. A normal that is not finite is replaced by the triangle's normal.
+/// If no triangle at a normal moved, the normal does not change. If no triangle at a normal has area, the
+/// normal rotates with the nearest triangle that has area. If the model has no triangle with area, the normal
+/// rotates with triangles between its vertex and the six nearest points.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,

@@ -12,8 +12,8 @@ namespace viete::mesh {
 /// A hash table of points. The caller owns the array of the points.
 class PointIndex {
 public:
-  /// Returns the index of p in `positions`. If p is new, returns positions.size(); then the caller must
-  /// append p to the array. Compares bits, so -0 and 0 differ.
+  /// Returns the index of p in `positions`. If p is new, returns positions.size(), and the caller must append
+  /// p to the array. A coordinate -0 is usually not found as 0, because their bits differ.
   std::uint32_t find_or_add(const Point& p, const std::vector<Point>& positions);
 
 private:

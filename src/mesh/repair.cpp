@@ -38,7 +38,7 @@ public:
   explicit Orienter(const Surface& surface)
       : neighbours_(neighbours(surface)), side_(surface.triangles.size(), unseen) {}
 
-  // Returns 1 for each triangle to flip.
+  // Returns 1 for each triangle that must be flipped, and 0 for each other triangle.
   std::vector<std::uint8_t> turned() {
     std::vector<std::uint8_t> turn(side_.size(), 0);
     for (std::uint32_t seed = 0; seed < side_.size(); ++seed) {
@@ -54,9 +54,9 @@ public:
     return turn;
   }
 
-  // Call the next functions after turned(). parts(): the components. agree(): true if all are orientable.
+  // The triangles of each component. Valid after turned().
   const std::vector<std::vector<std::uint32_t>>& parts() const { return parts_; }
-  bool agree() const { return agree_; }
+  bool agree() const { return agree_; }  // true if all components are orientable; valid after turned()
 
 private:
   static constexpr std::uint8_t unseen = 2;
@@ -86,8 +86,8 @@ private:
   bool agree_ = true;
 };
 
-// Returns the corners from the lowest corner on, in the direction that is lexicographically lower. The second
-// value is true if this is the direction of the polygon.
+// Returns the corners in an order that does not depend on the polygon's first corner and direction.
+// The second value is true if the list has the direction of the polygon.
 std::pair<std::vector<std::uint32_t>, bool> outline(std::span<const std::uint32_t> corners) {
   std::vector<std::uint32_t> forward(corners.begin(), corners.end());
   std::ranges::rotate(forward, std::ranges::min_element(forward));

@@ -115,7 +115,7 @@ std::optional<Topology> topology(const Surface& surface, const Summary& summary)
     return std::nullopt;
   Topology topology;
   UnionFind rims(surface.positions.size());
-  for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closed a loop
+  for (const auto& [a, b] : summary.boundary_edges) topology.holes += !rims.join(a, b);  // closes a loop
   topology.euler = std::ssize(surface.positions) - std::ssize(summary.unused_vertices) -
                    static_cast<std::ptrdiff_t>(summary.edges) + std::ssize(surface.triangles);
   const auto rest = static_cast<std::ptrdiff_t>(2 * summary.parts - topology.holes) - topology.euler;

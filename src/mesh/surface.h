@@ -89,8 +89,8 @@ Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> s
 /// Returns the box of the vertices that polygons use or, if there are no polygons, of all vertices.
 Bounds used_bounds(const Surface& surface);
 
-/// Returns twice the largest distance from the center to a vertex in used_bounds(). The center is the area
-/// centroid or, without area, the mean. The size of a box is its diagonal. Rotations do not change the size.
+/// Returns twice the largest distance from the surface's centroid to a used vertex; for example, the diagonal
+/// of a box. Without area, the mean of the used vertices is the centroid. Rotations do not change the size.
 double used_size(const Surface& surface);
 
 /// Returns a base::Checksum of positions and triangles in their order. Depends on the processor's byte order.

@@ -80,7 +80,7 @@ int sign(double x) {
   return (x > 0) - (x < 0);
 }
 
-// An exact sum. The parts do not overlap and ascend in size: an expansion (Shewchuk 1997).
+// An exact sum of doubles. It is stored as an expansion (Shewchuk 1997): parts of ascending size.
 class ExactSum {
 public:
   void add(double x) {
@@ -120,8 +120,8 @@ private:
   std::size_t size_ = 0;
 };
 
-// Returns the sign of det(u, v, w), where u, v and w are rounded. If rounding errors can change the sign,
-// returns the sign of exact(), an ExactSum.
+// Returns the sign of det(u, v, w). The vectors may have rounding errors. If these errors could change the
+// sign, calls exact(), which must return the exact determinant as an ExactSum.
 template <class Exact>
 int sign_of(const Vec3& u, const Vec3& v, const Vec3& w, const Exact& exact) {
   double determinant = 0, permanent = 0;

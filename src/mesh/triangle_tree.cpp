@@ -12,7 +12,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
-constexpr double far_away = 2;  // from this distance, in radii, a dipole replaces a node (Barill 2018, 3.3)
+constexpr double far_away = 2;  // in radii of a node; a dipole replaces a farther node (Barill 2018, 3.3)
 
 double squared_distance(const Point& p, const Bounds& box) {
   double sum = 0;
@@ -93,11 +93,10 @@ void TriangleTree::group_nodes() {
   }
 }
 
-// Computes the dipoles of children before the dipole of their parent, because children have higher indices.
 void TriangleTree::make_dipoles() {
   dipoles_.resize(nodes_.size());
   std::vector<double> weights(nodes_.size(), 0);
-  for (std::size_t i = nodes_.size(); i-- > 0;) {
+  for (std::size_t i = nodes_.size(); i-- > 0;) {  // children have higher indices than their parent
     const Node& node = nodes_[i];
     Dipole& dipole = dipoles_[i];
     if (node.second != 0) {

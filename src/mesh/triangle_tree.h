@@ -51,8 +51,8 @@ public:
   /// for intersection is exact. t must have a plane.
   bool is_near(const Corners& t, double distance = 0) const;
 
-  /// Returns the generalised winding number around p, with an error of a few hundredths. Combines distant
-  /// triangles to dipoles. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using
+  /// Returns the generalised winding number around p, with an error of a few hundredths. A dipole replaces
+  /// several distant triangles. Sources: Jacobson et al. 2013, Robust inside-outside segmentation using
   /// generalized winding numbers; Barill et al. 2018, Fast winding numbers for soups and clouds.
   double winding_number(const Point& p) const;
 
@@ -75,8 +75,9 @@ private:
   void group_nodes();
   void make_dipoles();
   enum class Step { past, into, found };
-  // Searches the tree. enter(node) skips the node (past), enters the node (into) or ends the search (found).
-  // In leaves, visit(index in order_) returns true to end the search. Returns true if the search was ended.
+  // Searches the tree. For each node that it reaches, calls enter(index of the node). The result `past` skips
+  // the node, `into` searches the node, and `found` ends the search. In leaves, calls visit(index in order_),
+  // which returns true to end the search. Returns true if the search was ended.
   template <class Enter, class Visit>
   bool find(Enter&& enter, Visit&& visit) const;
 

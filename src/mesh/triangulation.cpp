@@ -14,8 +14,8 @@ namespace viete::mesh {
 
 namespace {
 
-// The limit of relative areas, because smaller values can be rounding errors. The relative area of a fan
-// triangle is 2 * area / (longer spoke)^2. The relative area of a polygon is 2 * area / extent^2.
+// Smaller relative areas count as 0, because they can be rounding errors. The relative area of a triangle of
+// the fan is 2 * area / (longest side at the fan's corner)^2; of a polygon, it is 2 * area / extent^2.
 constexpr double flat_fan = 1e-12;
 
 // The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.
@@ -135,8 +135,8 @@ private:
 // `touched`: other corners are only on the boundary. `flat`: the ear has no area.
 enum class Ears { clear, touched, flat };
 
-// Clips ears from a ring of corners until two corners are left. A simple ring always has an ear of one of
-// these kinds, because the signs are exact.
+// Clips ears from a ring of corners until two corners are left. A ring that does not cross itself always has
+// an ear, because the tests are exact.
 class EarClipper {
 public:
   EarClipper(std::span<const Point> corners, const Vec3& normal)
@@ -176,10 +176,11 @@ public:
   }
 
 private:
-  // A corner and its neighbours in the ring, sorted by `length`, then by `way`: corners to the first corner.
+  // A corner and its neighbours in the ring. Ears are clipped by ascending length; for equal lengths, by
+  // `way`.
   struct Ear {
-    long length;
-    std::uint32_t way, corner, previous, next;
+    long length;                                // of the cut, see length_of_cut()
+    std::uint32_t way, corner, previous, next;  // way: the number of corners to the polygon's first corner
     auto operator<=>(const Ear&) const = default;
   };
   // After this number of tests per corner, the rest of a self-crossing ring becomes a fan.
@@ -236,7 +237,7 @@ private:
       if (sides[k] < 0) return false;
     }
     if (kind == Ears::clear && std::ranges::count(sides, 0) < 2) return true;
-    // A notch that touches the ear's tip can fill the whole ear. If not, the ear is clipped later.
+    // A reflex corner at the ear's tip is the tip of a notch in the polygon. This notch can fill the ear.
     if (kind != Ears::flat && sides[0] == 0 && sides[1] == 0 && turns_[corner] < 0) return true;
     return leads_into(ear, sides, previous_[corner]) || leads_into(ear, sides, next_[corner]);
   }

@@ -19,7 +19,7 @@ bool is_fan(std::span<const Point> corners);
 /// about the first corner does not change the result. O(n log n), except if ears span many corners.
 std::vector<Triangle> triangulation(std::span<const Point> corners);
 
-/// Triangulates all polygons at their current positions. Sets all members of Surface for triangles.
+/// Triangulates all polygons at their current positions. Sets `triangles`, `triangle_polygon` and `clipped`.
 void triangulate(Surface& surface);
 
 }  // namespace viete::mesh

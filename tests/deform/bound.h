@@ -18,7 +18,7 @@ inline constexpr Weighting faces{}, mean_values{Elements::point, Weights::mean_v
 inline Weighting cut_off(double radius) {
   return {Elements::face, Weights::cut_off, radius};
 }
-/// Returns the schemes in which every vertex follows the cage. Cut-off weights get a radius beyond the cage.
+/// Returns schemes in which every vertex follows the cage. The radius of cut-off weights is large enough.
 inline std::vector<Scheme> whole_schemes() {
   auto schemes = valid_schemes();
   for (Scheme& s : schemes) s.weighting.radius = number("radius").largest;

@@ -62,7 +62,7 @@ TEST_CASE("elements_without_area_are_named_and_do_not_cut_the_cage_into_parts") 
   auto p = box().positions;
   p.push_back(0.5 * (p[1] + p[3]));
   auto t = box().triangles;
-  t[10] = {1, 8, 7};  // 1 3 7 before
+  t[10] = {1, 8, 7};  // replaces {1, 3, 7}
   t.push_back({8, 3, 7});
   t.push_back({1, 3, 8});
   const Cage cage = make_cage(from_triangles(p, t));

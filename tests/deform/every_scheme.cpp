@@ -16,7 +16,7 @@ mesh::Surface cage_of_a_part() {
   return tube(9, 7, 0.4, 2.2);
 }
 
-// Returns the largest difference between the engines in one pose, in diagonals of the larger cage.
+// Returns the largest difference between the engines, in diagonals of the cage (the larger of rest and pose).
 double difference(Frames& f, const Pose& pose) {
   f.fused.deform(pose, sym3::Method::fast);
   const double unit = std::max(f.staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());
@@ -88,7 +88,7 @@ TEST_CASE("winding_up_never_jumps_where_turns_have_logs") {
     if (scheme.blend != Blend::srl) continue;
     CAPTURE(text(scheme));
     Bound b(tube(12, 8, 0.25, 1.9), cage_of_a_part(), scheme.weighting, 2, scheme.blend);
-    // The ends of the cage differ by 30 degrees, or they rotate together beyond 360 and 540 degrees.
+    // The cage's ends rotate by angles that differ by 30 degrees, or by equal angles up to 560 degrees.
     for (const double ahead : {15.0, 0.0}) {
       std::vector<mesh::Point> before;
       std::vector<Vec3> turns;

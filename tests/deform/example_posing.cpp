@@ -162,7 +162,7 @@ TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
 
 TEST_CASE("coincident_pins_with_two_targets_end_between_them") {
   mesh::Surface model = straight_tube();
-  // Adds a seam: triangles at vertex 40 use this vertex or its copy in turn.
+  // Adds a seam: replaces vertex 40 by a copy in every second triangle at this vertex.
   const auto copy = std::uint32_t(model.positions.size());
   model.positions.push_back(model.positions[40]);
   auto triangles = model.triangles;

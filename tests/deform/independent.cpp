@@ -49,7 +49,7 @@ Vector centroid(const Corners& t) {
   return plus({0, 0, 0}, plus(t[0], plus(t[1], t[2])), Quad(1) / 3);
 }
 
-// Returns u, v and N / sqrt|N| of a triangle.
+// Returns two sides u and v of a triangle, and N / sqrt|N|, where N is the cross product of u and v.
 Corners frame(const Corners& t) {
   const Vector u = minus(t[1], t[0]), v = minus(t[2], t[0]), n = cross(u, v);
   return {u, v, plus({0, 0, 0}, n, 1 / sqrtq(length(n)))};
@@ -69,7 +69,7 @@ QuadSym squared_stretch(const Matrix& m) {
   return {entry(0, 0), entry(0, 1), entry(0, 2), entry(1, 1), entry(1, 2), entry(2, 2)};
 }
 
-// Computes the unit quaternion: the largest component is a root and gives the other components.
+// Computes the unit quaternion from its largest component, and then the log from the quaternion.
 Vector log_of_rotation(const Matrix& r) {
   const Quad trace = r[0] + r[4] + r[8];
   const std::array<Quad, 4> squares = {1 + trace, 1 + 2 * r[0] - trace, 1 + 2 * r[4] - trace,
@@ -129,7 +129,7 @@ Lists beside(const Lists& groups, std::size_t members) {
 
 using Edges = std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<std::size_t>>;
 
-// Returns the sides at each edge. The side 3 t + i goes from corner i of triangle t to the next corner.
+// Returns the sides at each edge. Side 3 * t + i goes from corner i of triangle t to the next corner.
 Edges sides_of_edges(const mesh::Surface& cage) {
   Edges edges;
   for (std::size_t side = 0; side < 3 * cage.triangles.size(); ++side) {
@@ -165,7 +165,7 @@ Maps face_maps(const mesh::Surface& cage, Points posed) {
   return maps;
 }
 
-// Returns twice the largest distance from the area centroid.
+// Returns twice the largest distance from a vertex to the area centroid.
 Quad size_of(const mesh::Surface& cage) {
   Vector center{};
   Quad total = 0;
@@ -342,9 +342,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// Solves B = M * K for M, with B = sum v * (p' - m') * (p - m)^T and K = sum v * (p - m) * (p - m)^T. v are
-// the positive weights; m and m' are the means. Each point has a cloud that the map of its patch moves. If B
-// does not mirror, its rotation is B * (B^T * B)^-1/2.
+// The affine map is B * K^-1, with B = sum v * (p' - m') * (p - m)^T and K = sum v * (p - m) * (p - m)^T. v
+// are the positive weights; m and m' are the means of p and p'. Each point p stands for a cloud of points,
+// which moves by the map of the patch at p. The rotation is B * (B^T * B)^-1/2; B must not mirror.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);

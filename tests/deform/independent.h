@@ -25,14 +25,14 @@ struct IndependentFrame {
   double largest_step = 0;             ///< the largest angle between neighbouring maps, in radians
 };
 
-/// Moves points by a posed cage, with the formulas of the papers. Maps of triangles use normals with the
-/// length sqrt|N|. Weights are d^-2, (1 - d/r)^2, or mean value coordinates by spherical triangles (Ju,
-/// Schaefer, Warren, SIGGRAPH 2005, figure 4). If the weights sum to less than 1, the identity gets the rest.
-/// Blends are exp(Y) * exp(X) * (x - sum w * c) + sum w * c', or the sum of maps. Moving least squares fits a
-/// general map, a similarity or a rotation to the cage's points. The cage must be one closed part. Its
-/// triangles must have area at rest and posed, and no point may be on the cage. Each log is the branch
-/// nearest to a neighbour's log, so the result is unique if largest_step is below a quarter turn. Ignores the
-/// scheme's amounts and iterations.
+/// Moves points by a posed cage, with the formulas of the papers:
+///   - The map of a triangle maps two sides and the vector N / sqrt|N|. N is the cross product of the sides.
+///   - Weights are d^-2, (1 - d / r)^2, or mean value coordinates by spherical triangles (Ju, Schaefer,
+///     Warren, SIGGRAPH 2005, figure 4). If the weights sum to less than 1, the identity gets the rest.
+///   - Blends are exp(Y) * exp(X) * (x - sum w * c) + sum w * c', the sum of maps, or moving least squares.
+///   - Each log is the branch nearest to a neighbour's log. This is unique if largest_step < a quarter turn.
+/// The cage must be one closed part. Its triangles must have area at rest and posed. No point may be on the
+/// cage. Ignores the scheme's amounts and iterations.
 IndependentFrame deform_independently(std::span<const mesh::Point> points, const mesh::Surface& cage,
                                       const IndependentPose& pose, const deform::Scheme& scheme);
 

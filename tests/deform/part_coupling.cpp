@@ -66,7 +66,7 @@ double distance_at(const Coupling& coupling, const std::vector<mesh::Point>& p) 
   return norm(p[vertex] - (shares[0] * p[t[0]] + shares[1] * p[t[1]] + shares[2] * p[t[2]]));
 }
 
-// Returns a grid of triangles, closed along v. place(u, v): u is from `from` to `to`, v is over a full turn.
+// Returns a grid with vertices at place(u, v). u is between `from` and `to`. v is an angle over a full turn.
 mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, double to,
                           const std::function<Vec3(double, double)>& place) {
   std::vector<mesh::Point> p;
@@ -81,7 +81,7 @@ mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, 
   return mesh::from_triangles(p, t);
 }
 
-// Returns a head: three parts at distances of 0.4 % of the diagonal, and two eyes with gaps of width `gap`.
+// Returns a head of three parts, 0.4 % of its diagonal apart, and two eyes with gaps of `gap` diagonals.
 mesh::Surface head(double gap, double eye) {
   const Vec3 half{0.85, 0.75, 1};
   const double diagonal = 2 * norm(half), seam = 0.002 * diagonal, socket = eye + gap * diagonal;

@@ -24,7 +24,6 @@ long double long_dot(const Long3& a, const Long3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-// Returns the squared distance to the plane. If the plane's nearest point is outside, uses the nearest edge.
 long double squared_distance(const Cage& cage, std::size_t e, const Vec3& point) {
   const auto difference = [](const auto& a, const auto& b) {
     return Long3{(long double)a[0] - b[0], (long double)a[1] - b[1], (long double)a[2] - b[2]};

@@ -273,7 +273,7 @@ TEST_CASE("probes_follow_the_cage_in_every_engine") {
     CHECK(f.deform(pose) == carried);
     CHECK(f.fused.times()[Link::probes] > 0);
     if (scheme.stitched()) continue;
-    // Each probe follows its nearest vertex before probes move this vertex.
+    // Each probe follows the position of its nearest vertex in a frame without probes.
     const auto ridden = f.fused.probes().carried();
     const double diagonal = f.staged.cage->diagonal;
     for (std::size_t i = 0; i < ridden.size(); ++i) {

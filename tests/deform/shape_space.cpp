@@ -54,7 +54,7 @@ Points twisted(const mesh::Surface& tube, double degrees) {
   return mapped(tube.positions, Twist{2, {0, 0, 0}, box.low[2], box.high[2], 0, degrees * degree});
 }
 
-// Returns the root mean square of log(length / geometric mean of the lengths at both ends), over all edges.
+// Compares edge lengths in `between` with their geometric means in `a` and `b`. Returns the RMS log ratio.
 double edge_error(const mesh::Surface& s, const Points& a, const Points& b, const Points& between) {
   double sum = 0;
   for (const auto& t : s.triangles) {

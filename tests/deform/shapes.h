@@ -40,7 +40,7 @@ inline mesh::Surface box(const Vec3& half = {1, 1, 1}, const Vec3& center = {0, 
                                   {1, 7, 5}});
 }
 
-/// Returns a closed tube along z from -length/2 to length/2. The two cap centers follow after the rings.
+/// Returns a closed tube along z, centered at z = 0. The last two vertices are the centers of the caps.
 inline mesh::Surface tube(std::uint32_t rings, std::uint32_t sides, double radius, double length) {
   std::vector<mesh::Point> p;
   for (std::uint32_t r = 0; r < rings; ++r) {
@@ -143,7 +143,8 @@ inline mesh::Surface loose_triangles(const mesh::Surface& surface) {
   return mesh::from_triangles(p, t);
 }
 
-/// A twist about an axis through `center`: from `from` to `to`, the angle goes from `low` to `high` radians.
+/// A twist about an axis through `center`. Between the coordinates `from` and `to` on this axis, the angle
+/// grows from `low` to `high` radians.
 struct Twist {
   int axis;
   Vec3 center;

@@ -112,7 +112,7 @@ TEST_CASE("without_a_stitching_a_stitched_scheme_falls_back_to_blending_with_its
     CHECK(waiting.ran() == EngineKind::fused);
     f.deform(pose), blended.deform(pose);
     CHECK(waiting.positions() == blended.fused.positions());
-    // The sampled error of a stitched frame is that of its blended vertices.
+    // The sampled error of a stitched frame is the error of the blended positions before stitching.
     CHECK(f.fused.sampled_error() > 0);
     CHECK(std::abs(f.fused.sampled_error() - blended.fused.sampled_error()) < 3e-7);
   }

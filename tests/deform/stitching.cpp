@@ -66,7 +66,7 @@ Vec3 bent_pipe(const Vec3& x) {
   return {2.5 - r * std::cos(a), 0.9 * x[1], 1.2 * r * std::sin(a)};
 }
 
-// Returns the energy of positions for one map. Uses independent formulas: gradients in each triangle's plane.
+// Returns the energy if one map is the target of all triangles. Computes gradients in each triangle's plane.
 double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> posed,
                       const sym3::Mat3<double>& map) {
   double sum = 0;
@@ -85,7 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// Returns x^T * K * x, where K includes the pins. At the minimum, the energy is a constant - x^T * K * x.
+// Returns q = x^T * K * x, where K includes the pins. At the minimum, the energy plus q is constant.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;

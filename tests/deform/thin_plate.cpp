@@ -70,7 +70,7 @@ TEST_CASE("plates_take_the_shape_of_least_bending_and_springs_part_by_part") {
   }
   for (std::uint32_t again = 0; again < 12; ++again) loads.push_back(loads[again % 10]);
   loads.push_back({});
-  loads.push_back({{0, 0.5}, {80, 0.25}, {95, -1}});  // in several parts; one load is at a ground
+  loads.push_back({{0, 0.5}, {80, 0.25}, {95, -1}});  // in two parts; vertex 0 is a ground, see HeldParts
   base::WorkerPool pool(2);
   const auto parts = held_parts(laplacian.stiffness, has_spring);
   REQUIRE(parts.grounds.size() == 3);

@@ -7,8 +7,7 @@ using namespace viete::test;
 
 namespace {
 
-// Limit of (stretch of the model's edges) / (stretch of the cage's edges). A tear gives far more.
-constexpr double tear = 1.5;
+constexpr double tear = 1.5;  // limit of the model's largest edge stretch, relative to the cage's
 
 }  // namespace
 
@@ -18,7 +17,7 @@ TEST_CASE("a_tube_twisted_from_both_ends_or_one_does_not_tear") {
     double low, most, farthest;
   } cases[] = {{9, 6, -0.5, 400, 0.18},
                {17, 8, -0.5, 400, 0.18},
-               {25, 12, -0.5, 400, 0.18},  // the last number is the radius
+               {25, 12, -0.5, 400, 0.18},  // `farthest` is the radius of the model
                {9, 6, 0, 280, 1},
                {17, 8, 0, 280, 1}};
   for (const auto& c : cases) {

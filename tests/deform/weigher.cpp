@@ -129,7 +129,7 @@ TEST_CASE("float_tiles_equal_weights_in_double_at_any_points") {
         for_points(weigher, points, [&](std::size_t i, const auto& weights, double exact, bool lost) {
           CHECK(failed[i] == lost);
           CHECK(std::abs(shares[i] - exact) < 1e-5);
-          const double share = weighting.partial() ? exact : 1;  // weights near 0 lose digits
+          const double share = weighting.partial() ? exact : 1;  // for small shares, weights lose digits
           Vec3 sum{0, 0, 0};
           for (std::size_t j = 0; j < weights.size(); ++j) {
             const double w = rows[i / 16 * 16 * weights.size() + j * 16 + i % 16];

@@ -47,7 +47,8 @@ static void eliminate(const Front& front, std::size_t begin, std::size_t end, do
   for (std::size_t c = begin; c < end; ++c) eliminate_column(front, begin, c, pivots);
 }
 
-// Runs the job for one tile at `into` (`Vectors` registers by column_group columns), in registers.
+// Runs the job for one tile of the result, which begins at `into`. A tile is column_group columns wide and
+// `Vectors` vectors high, so that its sums stay in registers.
 template <std::size_t Vectors>
 static HWY_INLINE void subtract_tile(const ProductJob& job, const double* right, std::size_t row,
                                      double* into) {

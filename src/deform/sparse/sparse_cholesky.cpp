@@ -19,7 +19,7 @@ namespace {
 constexpr std::size_t eliminated_at_once = 32, longest_product = 256;
 constexpr double step = 4e6;    // approximate multiplications between two reports
 constexpr double small = 2e7;   // products with fewer multiplications run on one thread
-constexpr double tasks = 64;    // a task has at most 1 / tasks of the work
+constexpr double tasks = 64;    // approximate number of tasks; a task eliminates one subtree
 constexpr double before = 0.2;  // part of the time that finding the order takes
 
 std::size_t padded(std::size_t rows) {
@@ -30,7 +30,7 @@ std::size_t groups(std::size_t columns) {
   return (columns + column_group - 1) / column_group;
 }
 
-// Returns the multiplications of a supernode, plus an overhead in multiplications.
+// Returns the number of multiplications of a supernode, plus 1000 for its overhead.
 double work_of(const Supernode& node) {
   const double b = node.below, m = node.columns + b;
   return (m * m * m - b * b * b) / 6 + b * b / 2 + 1e3;
@@ -282,8 +282,8 @@ SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbour
 
 namespace {
 
-// Limit of pivot / (original diagonal entry). Below it, the matrix counts as not positive definite. A test
-// for positive pivots is not enough, because rounding can make a zero pivot positive.
+// If a pivot is less than this fraction of the matrix's diagonal entry, the matrix counts as not positive
+// definite. Testing for positive pivots is not sufficient, because rounding can make a zero pivot positive.
 constexpr double least_pivot = 1e-14;
 
 [[noreturn]] void refuse_row(std::size_t row) {
@@ -332,7 +332,7 @@ void SparseCholesky::solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> 
   write(work, x);
 }
 
-// Uses L^-1 * (b + c) = L^-1 * b + L^-1 * c, where L^-1 * c is 0 outside the part.
+// Uses L^-1 * (b + c) = L^-1 * b + L^-1 * c. The last term is 0 outside of the supernodes of part_above().
 void SparseCholesky::solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x,
                                      std::span<const std::uint32_t> some,
                                      const std::function<void()>& correct, Workspace& work) const {

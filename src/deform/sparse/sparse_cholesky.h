@@ -63,9 +63,9 @@ public:
 
   /// Solves A * x = b. b and x have size() entries and may be one array.
   void solve(std::span<const mesh::Vec3> b, std::span<mesh::Vec3> x, Workspace& work) const;
-  /// Solves A * x = b + c. c is nonzero only at the unknowns in `some`, and depends on the solution of
-  /// A * x = b. First writes the solution of A * x = b at `some` to x, and sets b at `some` to 0. Then calls
-  /// correct(), which must write c to b. The forward solve of unknowns before `some` runs only once.
+  /// Solves A * x = b + c in less time than two solves. c may depend on the solution of A * x = b, and is
+  /// nonzero only at the unknowns in `some`. For these unknowns, first writes the solution of A * x = b to x,
+  /// and sets b to 0. Then calls correct(), which must write c to b.
   void solve_corrected(std::span<mesh::Vec3> b, std::span<mesh::Vec3> x, std::span<const std::uint32_t> some,
                        const std::function<void()>& correct, Workspace& work) const;
 
@@ -91,11 +91,12 @@ public:
   const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< order of the rows of a block
   /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
-  /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, from place()
-  /// on, aligned to a cache line. If `part` is not null, solves only for the unknowns of part_with().
-  /// Thread-safe.
+  /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, beginning at
+  /// place(), and is aligned to a cache line. `part` may be a result of part_with(); then only its unknowns
+  /// are solved. Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel,
              const std::vector<Supernode>* part = nullptr) const;
+  /// Returns the supernodes needed to solve for these unknowns.
   std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;
 
 private:

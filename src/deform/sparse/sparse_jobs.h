@@ -25,13 +25,12 @@ inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that ar
 
 inline constexpr std::size_t column_group = 4;  ///< columns of L that are stored and processed together
 
-/// The columns [first, first + columns) of L. Below the supernode, these columns have entries in the same
-/// rows. Values are stored by column group, and within a group row by row. The rows of the group's own
-/// columns come first and have 0 entries, 1 entry and so on (the unit diagonal is not stored). Then come the
-/// rows of the supernode's later columns, and then the rows below the supernode.
+/// The columns [first, first + columns) of L, which have entries in the same rows. The values are stored in
+/// groups of column_group columns. Each group is stored row by row, without the entries above the diagonal
+/// and without the unit diagonal.
 struct Supernode {
-  std::uint32_t first, columns, below;
-  std::size_t rows, values;  ///< offsets of the supernode's row indices and values
+  std::uint32_t first, columns, below;  ///< below: number of rows below the supernode's own rows
+  std::size_t rows, values;             ///< offsets of the supernode's row indices and values
 
   std::size_t entries() const {
     return std::size_t{columns} * (columns - 1) / 2 + std::size_t{columns} * below;
@@ -58,7 +57,7 @@ struct Front {
 
 /// The computation into[i, j] -= sum over p of left[i, p] * right[j, p], for i >= j.
 struct ProductJob {
-  Front into, left;     ///< both start at the row of column 0
+  Front into, left;     ///< both begin with row i = 0
   std::size_t rows;     ///< a multiple of front_lanes
   const double* right;  ///< [j / column_group][p][column_group], padded with 0
   std::size_t depth;    ///< number of terms of the sum over p

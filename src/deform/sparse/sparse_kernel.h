@@ -10,9 +10,9 @@
 namespace viete::deform {
 
 struct SparseKernel {
-  /// The two halves of a solve on an aligned block [row][solved_columns] or [row][4]: first forward with L,
-  /// then backward with D and L^T. If the factor has only some supernodes, it must have all ancestors of
-  /// these. Only the rows of these supernodes are solved.
+  /// The two halves of a solve: first forward with L, then backward with D and L^T. The block is aligned, and
+  /// is [row][solved_columns] or [row][4]. If the factor has only some supernodes, only their rows are
+  /// solved. All ancestors of these supernodes must then be in the factor.
   void (*forward_columns)(const TriangularFactor& factor, double* block);
   void (*backward_columns)(const TriangularFactor& factor, double* block);
   void (*forward_four)(const TriangularFactor& factor, double* block);

@@ -25,8 +25,8 @@ struct MatrixEntry {
 /// Returns the n x n matrix with these entries. Adds up entries at equal positions.
 SparseMatrix sparse_matrix(std::size_t n, std::span<const MatrixEntry> entries);
 
-/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. The columns
-/// of the result are not sorted.
+/// Moves unknown i of a symmetric matrix to places[i]. Reads and returns only the lower triangle. In the
+/// columns of the result, the rows are not in ascending order.
 SparseMatrix permuted(const SparseMatrix& matrix, const std::vector<std::uint32_t>& places);
 
 /// Calls visit(row, value) for each entry of a column.
@@ -39,8 +39,8 @@ void for_column(const SparseMatrix& matrix, std::uint32_t column, const Visit& v
 /// Returns the sets of unknowns that are connected by entries.
 mesh::UnionFind connected(const SparseMatrix& matrix);
 
-/// Returns the lower triangle of a symmetric matrix, in which the rows and columns of all unknowns that are
-/// not free are replaced by rows and columns of the identity.
+/// Fixes the unknowns that are not free: replaces their rows and columns by those of the identity. The matrix
+/// must be symmetric. Returns its lower triangle.
 SparseMatrix grounded(const SparseMatrix& matrix, const std::vector<bool>& free);
 
 }  // namespace viete::deform

@@ -9,8 +9,8 @@ namespace viete::deform {
 
 namespace {
 
-/// The elimination tree, and the number of entries in each column of the factor. A column's parent is the
-/// first row below the diagonal with an entry.
+/// The elimination tree, and the number of entries in each column of the factor. The parent of column c is
+/// the first row below c in which column c has an entry.
 class Structure {
 public:
   Structure(const mesh::Adjacency& neighbours, std::vector<std::uint32_t> order, const FactorReport& report)
@@ -48,11 +48,11 @@ private:
     }
   }
 
-  // Returns places in which each subtree is contiguous and ends with its root. Directly before the root comes
-  // the root's last child.
+  // Returns the new place of each column in a postorder: each subtree is contiguous, and its root is last.
+  // The subtree of the root's last child is directly before the root.
   std::vector<std::uint32_t> postorder() const {
     const auto n = static_cast<std::uint32_t>(size());
-    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // last entry: the whole tree
+    std::vector<std::uint32_t> sizes(n + 1, 1), ends(n + 1, n), places(n);  // entry n: a common root
     const auto above = [&](std::uint32_t v) { return std::min(parents_[v], n); };
     for (std::uint32_t v = 0; v < n; ++v) sizes[above(v)] += sizes[v];
     for (auto v = n; v-- > 0;) {

@@ -12,7 +12,7 @@
 
 namespace viete::deform {
 
-/// Gets the progress in [0, 1], often, from any thread of the pool. If this function throws, the work ends.
+/// Is called often with the progress in [0, 1], from any thread of the pool. If it throws, the work ends.
 using FactorReport = std::function<void(double)>;
 
 /// Returns the neighbours of each unknown: two unknowns with an entry in the lower triangle are neighbours.
@@ -25,8 +25,8 @@ std::vector<std::uint32_t> elimination_order(const mesh::Adjacency& neighbours);
 
 inline constexpr std::uint32_t no_parent = 0xffffffff;
 
-/// A supernode is a run of columns with (nearly) equal rows. A few zeros are stored where rows differ.
-/// Supernodes follow their children, and each subtree is contiguous.
+/// The entries of a factor L, grouped into supernodes. A supernode is a group of consecutive columns with
+/// entries in nearly the same rows. Supernodes are in postorder: each subtree is contiguous, its root last.
 struct SymbolicFactor {
   std::vector<std::uint32_t> order;  // unknowns in elimination order
   std::vector<Supernode> supernodes;
