@@ -184,7 +184,7 @@ void Camera::look(StandardView view) {
   ease_to(goal);
 }
 
-// Centers the points in the free area above the covered pixels.
+// Centers the points in the area above the lowest `covered` pixels.
 void Camera::frame(std::span<const glm::vec3> points, const Viewport& v, bool eased, float covered) {
   if (points.empty()) return;
   constexpr float margin = 1.14f, smallest = 0.15f;

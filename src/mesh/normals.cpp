@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// Rotates vectors that no triangle with area uses. A vector rotates with the nearest triangle that has area.
-// If no triangle of the model has area, a vector rotates with triangles between the nearest points.
+// Rotates normals of vertices without a triangle that has area. They rotate with the nearest triangle that
+// has area. If the model has no such triangle, they rotate with triangles between the nearest vertices.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {

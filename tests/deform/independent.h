@@ -15,7 +15,7 @@ struct IndependentPose {
   std::vector<mesh::Point> positions;
   std::array<double, 3> turn{0, 0, 0};  ///< the logs are the branches near this rotation vector
   double moment_length = 0;             ///< the radius of the point clouds for fitted maps
-  // The next two members are inputs, because they have their own tests.
+  // The next two members are not computed again here, because other tests check them.
   std::span<const double> weights{};             ///< weights along the surface, one row per point
   std::span<const deform::AffineMap> patches{};  ///< maps of patches, one per vertex of the cage
 };
