@@ -166,10 +166,9 @@ void add_picture_options(CLI::App& command, PictureOptions& options) {
   for (const deform::WayEntry& entry : deform::all_ways()) compared.emplace_back(entry.name);
   for (const sym3::Method method : analysis::compared_methods) compared.emplace_back(sym3::name(method));
   compared.insert(compared.end(), {"log", "straight"});
-  auto* compare =
-      command.add_option("--compare", options.compare,
-                         "Show 2 to 4 deformers or methods side by side; or log,straight for both "
-                         "interpolations: in log space and of vertex positions");
+  auto* compare = command.add_option("--compare", options.compare,
+                                     "Show 2 to 4 deformers or methods side by side. log,straight compares "
+                                     "interpolation in log space and of vertex positions");
   one_of(compare, compared)->delimiter(',')->expected(2, 4)->type_name("WORD,WORD");
   command.add_flag("--no-grid", options.no_grid, "Omit the ground grid");
 }

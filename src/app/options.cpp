@@ -72,7 +72,7 @@ CLI::Option* one_of(CLI::Option* option, const std::vector<std::string>& words) 
 }
 
 void add_force_option(CLI::App& app, bool& force) {
-  app.add_flag("--force", force, "Replace existing files even if they are inputs or of another kind");
+  app.add_flag("--force", force, "Replace existing files, even inputs and files of another type");
 }
 
 files::Force force_of(bool given) {
@@ -129,7 +129,7 @@ void add_stitching_options(CLI::App& app, deform::AskedScheme& asked) {
   auto& iterations = asked.iterations;
   auto* stitched = app.add_flag_function(
       "--stitched", [&iterations](std::int64_t) { iterations = 1; },
-      "Stitching: solve for a mesh that is as rigid as possible");
+      "ARAP: solve for a mesh that is as rigid as possible");
   auto* number = app.add_option_function<int>(
       "--iterations", [&iterations](int n) { iterations = n; }, "ARAP: number of solves per frame");
   whole_in_range(number, 1, deform::most_iterations)->default_str("1")->needs(stitched);

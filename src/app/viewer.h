@@ -154,8 +154,8 @@ private:
   unsigned message_revision_ = 0;
   std::optional<document::Revision> cage_drawn_;  ///< revision of the uploaded pose; nullopt: upload again
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
-  double last_change_ = 0, last_frame_ = 0;  ///< wall seconds of the view's last change and of the last frame
-  double last_motion_ = 0;                   ///< wall seconds of the last picture with motion
+  double last_change_ = 0, last_frame_ = 0;  ///< clock times in seconds: last change, last frame
+  double last_motion_ = 0;                   ///< clock time in seconds of the last picture with motion
   bool refines_ = false, moves_ = false;  ///< refines_: this frame refines the view. moves_: it shows motion
   unsigned settle_frames_ = 3;            ///< frames still to draw, until ImGui has computed all sizes
   std::optional<bool> theme_seen_;

@@ -70,7 +70,7 @@ std::array<Eigen::Vector3d, 3> corners(const mesh::Triangle& t, std::span<const 
   return {vector(positions[t[0]]), vector(positions[t[1]]), vector(positions[t[2]])};
 }
 
-// Returns a matrix with the columns u, v and their cross product n / sqrt(|n|), where u and v are edges.
+// Returns the matrix with the columns u, v and n / sqrt(|n|). u and v are edges, and n = u x v.
 Eigen::Matrix3d frame_of(const std::array<Eigen::Vector3d, 3>& t) {
   const Eigen::Vector3d u = t[1] - t[0], v = t[2] - t[0], n = u.cross(v);
   Eigen::Matrix3d frame;

@@ -76,7 +76,8 @@ public:
   /// the normals cancel. If the star is on the mirror plane, the result is parallel to this plane.
   Vec3 outward(const Star& star) const;
   double volume() const;
-  /// Returns a position for the star's vertex that fits and encloses less volume than x; x if none is found.
+  /// Returns a position of the star's vertex where the star fits and the cage has less volume than with the
+  /// vertex at x. If none is found, returns x.
   Point drawn_in(const Star& star, const Point& x, const Shape& shape);
   /// Returns the volume that the cage gains if the star, with its vertex at x, replaces the old triangles.
   double added_volume(const Star& star, const Point& x) const;

@@ -46,8 +46,9 @@ struct HandleShape {
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle);
 
 /// Returns x - sum of weights[j] * handles[j], for a vertex at the rest position x. Rounds as blend() does,
-/// so that a cage at rest reproduces all bits of x. If the difference is only a rounding error, returns 0. A
-/// pose that shrinks the model would not shrink this error. `handles` and x must have the same origin.
+/// so that a cage at rest reproduces all bits of x. If the difference is only a rounding error, returns 0,
+/// because a pose that shrinks the model would not shrink the error. `handles` and x must have the same
+/// origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
 

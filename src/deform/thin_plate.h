@@ -18,7 +18,8 @@ namespace viete::deform {
 struct HeldParts {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_vertex;  ///< the part of each vertex, or none
-  std::vector<std::uint32_t> grounds;    ///< the fixed vertex of each part: the lowest vertex with a spring
+  std::vector<std::uint32_t>
+      grounds;  ///< the fixed vertex of each part: of the vertices with a spring, the lowest index
 
   bool holds(std::uint32_t vertex) const { return of_vertex[vertex] != none; }
 };
@@ -55,8 +56,8 @@ public:
             base::Progress* progress = nullptr, double done = 1);
 
   const BlockSolver& solver() const { return solver_; }
-  /// Writes the shapes of loads [begin, end), at most solved_columns, to `block`, which must be 0 before.
-  /// Vertices of parts without springs get 0.
+  /// Writes the shapes of loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
+  /// must contain 0 before the call, and end - begin must be at most solved_columns.
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
 
 private:

@@ -104,10 +104,11 @@ bool compressible(std::size_t vertices, std::size_t handles);
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
-/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Stores weights with a radius
-/// as lists. If `tolerance` is not 0, and a sample of leaves predicts cheaper frames, compresses other
-/// weights. `storage` overrides these choices. Results do not depend on the number of threads. Throws
-/// base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
+/// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Weights with a radius are
+/// stored as lists. All other weights are compressed if `tolerance` is not 0 and tests on some leaves show
+/// that this makes frames faster. `storage` overrides these choices. Results do not depend on the number of
+/// threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient or the model has no
+/// vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {});

@@ -101,8 +101,8 @@ std::vector<std::string> write_exact(const Export& what, deform::ExactModel defo
 
 std::string gltf_note(document::UpAxis up) {
   return up == document::UpAxis::z
-             ? "the up axis of this glTF file is Z, but other programs expect Y: rotate the model by -90 "
-               "degrees about X there"
+             ? "the up axis of this glTF file is Z, but other programs expect Y: in these programs, rotate "
+               "the model by -90 degrees about X"
              : "";
 }
 

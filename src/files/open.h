@@ -74,7 +74,7 @@ struct Opened {
 /// - a session
 /// - a point cache: shapes if the number of points matches the model but not the cage, otherwise keys
 /// - a pose, if the file has the number of vertices and the faces of the open cage
-/// - a shape, if the file has the number of vertices and the faces of the open model, and is another file
+/// - a shape, if the file is not the open model's file but has its number of vertices and its faces
 /// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
 /// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is

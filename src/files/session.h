@@ -17,8 +17,9 @@ namespace viete::files {
 /// The contents of a session file. Only the keys format, version and model are required. Unknown keys are
 /// ignored, because newer programs may write them. An invalid value is an error.
 ///
-/// After reading, `cage` is null, and `model` and `cage_file` have only path and content. Only a cage without
-/// a path has its surface. An empty `pose` is the pose of the keys or, without keys, the rest pose.
+/// After reading, `cage` is null, and `model` and `cage_file` have a path and a checksum of the content. If
+/// the cage has no path, `cage_file` has its surface. An empty `pose` is the pose of the keys or, without
+/// keys, the rest pose.
 struct Session : document::DocumentState {
   document::OpenedSurface model;
   std::filesystem::path origin;  ///< in recovery files: absolute path of the edited session; or empty

@@ -34,7 +34,7 @@ std::string advice_on(std::string_view word) {
     if (signs.find(word[i - 1]) != std::string_view::npos) return "it has two signs: keep one";
     if (word[i - 1] == 'd' || word[i - 1] == 'D') return "it has a Fortran exponent: replace d by e";
     if (word[i - 1] != 'e' && word[i - 1] != 'E')
-      return "it contains a sign: put a blank between numbers, or e before the exponent";
+      return "it contains + or -: put a blank between two numbers, or e before an exponent";
   }
   return "repair or export the file again";
 }

@@ -118,8 +118,8 @@ static HWY_INLINE void store_nine(D d, const V (&e)[9], T* data) {
   }
 }
 
-/// entry_in_nine[k] is the index in the full matrix of entry k of Sym3. nine_of_entries[j] is the index in
-/// Sym3 of entry j of the full matrix.
+/// Entry k of Sym3 is entry entry_in_nine[k] of the full matrix. Entry j of the full matrix is entry
+/// nine_of_entries[j] of Sym3.
 inline constexpr int entry_in_nine[6] = {0, 1, 2, 4, 5, 8};
 inline constexpr int nine_of_entries[9] = {0, 1, 2, 1, 3, 4, 2, 4, 5};
 

@@ -14,7 +14,7 @@ namespace viete::ui {
 
 struct ChoiceListWords {
   const char* prefix = "";  ///< prefix of the entries' widget names, for tests
-  const char* none = "";    ///< text shown without a value
+  const char* none = "";    ///< text shown if no value is chosen
   const char* about = "";   ///< tooltip that replaces the value's tooltip
 };
 

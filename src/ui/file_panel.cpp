@@ -111,7 +111,7 @@ void path_field(const Context& ui) {
   Browser& browser = ui.workspace.files.browser;
   if (browser.appearing && browser.saves()) ImGui::SetKeyboardFocusHere();
   ImGui::SetNextItemWidth(-1);
-  // Typing replaces a proposed name, but not a name to correct or to confirm.
+  // A proposed name is selected, so that typing replaces it. A name with a problem is not selected.
   const bool proposed = browser.problem.empty() && browser.warned.empty();
   const auto flags = ImGuiInputTextFlags_EnterReturnsTrue |
                      (proposed ? ImGuiInputTextFlags_AutoSelectAll : ImGuiInputTextFlags_None);

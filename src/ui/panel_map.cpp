@@ -48,7 +48,7 @@ void panel_map(const Context& ui) {
   const bool needs_selection = wanted == analysis::Field::influence && w.document.selection.empty();
   note_within(
       ui, 2,
-      needs_selection ? "Select part of the cage or a probe." : std::string(base::entry_of(wanted).hint));
+      needs_selection ? "Select a probe or a part of the cage." : std::string(base::entry_of(wanted).hint));
   command_toggle(ui, "hold_map_range");
   command_button(ui, "frame_worst", ImGui::GetContentRegionAvail().x);
 }

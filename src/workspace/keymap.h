@@ -37,7 +37,8 @@ public:
   void set_preset(KeyPreset preset);
 
   const Changes& changes() const { return changes_; }
-  /// Makes this key the command's only key; losers() lose the key. Key::none removes all keys of the command.
+  /// Makes this key the command's only key. Commands in losers() no longer have it. Key::none removes all
+  /// keys.
   void change(std::string_view command, const Shortcut& shortcut);
   /// Removes the user's change of a command, so that the command has the preset's keys.
   void take_back(std::string_view command);

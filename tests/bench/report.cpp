@@ -201,10 +201,10 @@ TEST_CASE("readme_statements_on_deformers_match_the_recorded_report") {
   };
   const auto smooth = distortion(recorded_report(), "smooth"), paper = distortion(recorded_report(), "paper");
   CHECK(test::mentions(readme,
-                       said("\n%.2f times as much as mean value coordinates (median; worst pose: %.2f times)",
+                       said("\n%.2f times that of mean value coordinates (median; worst pose: %.2f times)",
                             smooth.first, smooth.second)));
-  CHECK(test::mentions(readme,
-                       said("\n%.1f times as much (worst pose: %.1f times)", paper.first, paper.second)));
+  CHECK(test::mentions(readme, said("\n%.1f times that of mean value coordinates (worst pose: %.1f times)",
+                                    paper.first, paper.second)));
 }
 
 TEST_CASE("numbers_of_readme_and_manual_match_the_recorded_report") {
