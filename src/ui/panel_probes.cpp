@@ -89,7 +89,7 @@ void panel_probes(const Context& ui) {
   } else {
     note(ui, document.selection.kind() == document::ElementKind::probe
                  ? "Click a probe in the view to select it."
-                 : "Press 4 and click a probe to select it.");
+                 : "Choose \"Select probes\" and click a probe in the view.");
   }
   if (!std::ranges::all_of(document.probes.all, [](const document::Probe& p) { return p.pin.has_value(); }))
     mix(ui);

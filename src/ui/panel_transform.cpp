@@ -109,15 +109,15 @@ void mirror_row(const Context& ui) {
 void soft_radius(const Context& ui) {
   document::SoftSelection& soft = ui.workspace.view.handling.soft;
   const double diagonal = ui.workspace.document.space.diagonal();
-  constexpr double least = document::SoftSelection::least_radius;
+  const double least = soft.least_radius, most = soft.largest_radius;
   const auto chosen = slider(ui, "soft_radius", soft.radius * diagonal,
                              {.least = least * diagonal,
-                              .most = diagonal,
+                              .most = most * diagonal,
                               .format = "%.3g",
                               .tip = "Radius of soft selection. The wheel changes it during a drag.",
                               .logarithmic = true,
                               .enabled = soft.on});
-  if (chosen) soft.radius = std::clamp(*chosen / diagonal, least, 1.0);
+  if (chosen) soft.radius = std::clamp(*chosen / diagonal, least, most);
 }
 
 void soft_rows(const Context& ui) {

@@ -94,13 +94,13 @@ inline constexpr Condition can_edit_cage{
     "Open or make a cage first. If you are making one, choose Done."};
 inline constexpr Condition is_editing{
     [](const Workspace& w) { return is_editing_cage(w.document) && !is_dragging(w); },
-    "Start cage editing first (Tab)."};
+    "Start cage editing first."};
 inline constexpr Condition has_cage_selected{
     [](const Workspace& w) {
       return is_editing(w) && !selects_probes(w) && has_selection(w) &&
              !w.view.time.hovered;  // over the timeline, Delete deletes timeline keys
     },
-    "Start cage editing (Tab) and select part of the cage first."};
+    "Start cage editing and select part of the cage first."};
 inline constexpr Condition has_outside{
     [](const Workspace& w) { return outside_finding(w.checks).has_value(); },
     "The cage encloses all vertices of the model."};

@@ -61,10 +61,10 @@ constexpr Condition has_example{[](const Workspace& w) { return !w.files.example
 
 constexpr Condition can_import{
     [](const Workspace& w) { return has_cage(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage first and leave cage editing (Tab)."};
+    "Open a cage first. Leave cage editing."};
 constexpr Condition can_import_shapes{
     [](const Workspace& w) { return has_model(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a model first and leave cage editing (Tab)."};
+    "Open a model first. Leave cage editing."};
 constexpr Condition can_export_animation{[](const Workspace& w) {
                                            return is_movable(w) && !w.document.timeline.keys.empty() &&
                                                   !is_editing_cage(w.document);

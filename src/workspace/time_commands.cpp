@@ -15,7 +15,7 @@ namespace {
 
 constexpr Condition can_pose{
     [](const Workspace& w) { return is_movable(w) && !is_editing_cage(w.document) && !is_dragging(w); },
-    "Open a cage, add a probe or import shapes first. If you edit the cage, press Tab."};
+    "Open a cage, add a probe or import shapes first. Leave cage editing."};
 constexpr Condition has_chosen_pose{[](const Workspace& w) { return can_pose(w) && chosen_pose(w); },
                                     "Choose a pose in the list first. Add pose adds the current pose."};
 constexpr Condition has_mix{[](const Workspace& w) { return can_pose(w) && w.document.library.mixes(); },
