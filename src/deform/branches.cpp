@@ -52,8 +52,8 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Logs with which a part's logs are compared. reference: the part's entry of `turns`. leader: the mean log of
-// the first part.
+// Logs with which a part's logs are compared. `reference` is the part's entry of `turns`. `leader` is the
+// mean log of the first part, or for the first part itself the same log as `reference`.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -185,7 +185,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
 }
 
 // Returns false if `turn_of_part` is at most half a turn. Otherwise returns true if `mean` has another axis
-// or fewer whole turns.
+// than `turn_of_part`, or fewer whole turns about this axis.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;

@@ -190,7 +190,7 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// Returns the corner opposite to the edge that looks widest from p.
+// Returns the corner opposite to the edge with the largest sine, see View.
 int widest(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;

@@ -30,7 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight, 0 to 1, at a distance given in radii. From one radius on, only `endless` is above 0.
+/// Returns the weight, 0 to 1, at a distance in radii. For radii >= 1, only Falloff::endless is above 0.
 double weight_at(Falloff falloff, double radii);
 
 /// The range in which one part of a probe's motion (turn, stretch or move) acts.
