@@ -19,8 +19,8 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // integers k. These logs are called branches. Blending is linear, so neighbours need logs near each other.
 
 constexpr double turn = 2 * std::numbers::pi;
-// Distances count as equal if they differ by less than this number of radians. If the reference is half a
-// turn away, two branches are equally near, and rounding errors must not decide.
+// Distances count as equal if they differ by less than this number of radians. If a log is half a turn from
+// the reference, two branches are equally near to the reference, and rounding errors must not decide.
 constexpr double half_turn_tie = 1e-2;
 // A branch of the root's log replaces the previous branch only if its roughness (see Branching) is at most
 // rougher * (previous roughness) + rougher_at_rest radians. The second term is for equal rotations: their

@@ -22,7 +22,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t blocks_at_once = 128;  // fixed, so that sums do not depend on the number of threads
-constexpr double longest_step = 0.7;         // largest change of a weight, and of the rotation in radians
+constexpr double longest_step = 0.7;  // limit of the change of a weight, and of the rotation in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
 constexpr double at_rest = 1e-5;  // solve() ends after a step below this size
 

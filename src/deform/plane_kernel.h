@@ -7,8 +7,8 @@
 
 namespace viete::deform {
 
-/// A plane has one number per triangle, and one cache line of padding. Without padding, some planes would be
-/// 4096 bytes apart. The functions always compute plane_size numbers, even if a block has fewer triangles.
+/// A plane has one number per triangle, and one cache line of padding. Planes 4096 bytes apart would be slow.
+/// The functions always compute plane_size numbers, even if a block has fewer triangles.
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 

@@ -95,7 +95,7 @@ struct ProbeWeights {
 inline constexpr double softmax_sharpness = 8;
 /// Computes the weights of all probes at a rest position; pins get 0. `weights` has one entry per probe. The
 /// ProbeMix combines weights of turn, stretch and move separately: `added` does not change weights. `partial`
-/// divides weights by their sum if the sum is above 1, `whole` if it is above 0. `softmax` replaces each
+/// divides weights by their sum if the sum is above 1. `whole` always divides them. `softmax` replaces each
 /// weight b by e^(softmax_sharpness * b) - 1 and continues as `whole`, so the nearest probe dominates. A
 /// probe's `pivot` is its max(turn, stretch), divided by the sum of this maximum over all probes.
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
