@@ -15,11 +15,11 @@ template <class T>
 struct DistanceTriangle {
   T axes[3][3];
   T length[3];  ///< edge lengths
-  /// Coefficients for the second and the third edge. For a point (x, y), dot(along, (x, y, 1)) is the
-  /// coordinate along the edge. dot(inward, (x, y, 1)) is the distance from the edge's line, positive inside.
+  /// Entry k is for edge k + 1. For a point (x, y), dot(along[k], (x, y, 1)) is the coordinate along the
+  /// edge, and dot(inward[k], (x, y, 1)) is the distance from the edge's line, positive inside.
   T along[2][3], inward[2][3];
-  T outside;        ///< points with a smaller inward distance are outside: 0, or infinity without area
-  T near;           ///< smaller squared distances are inaccurate in float; about (longest edge / 16)^2
+  T outside;        ///< least inward distance of inside points: 0, or infinity if there is no area
+  T near;           ///< least squared distance that is accurate in float; about (longest edge / 16)^2
   bool degenerate;  ///< true: the triangle has no area, and its weight is 0
 };
 

@@ -19,8 +19,8 @@ using Rotations = std::span<const sym3::Mat3<double>>;
 // integers k. These logs are called branches. Blending is linear, so neighbours need logs near each other.
 
 constexpr double turn = 2 * std::numbers::pi;
-// Distances count as equal if they differ by less than this number of radians. If the reference is half a
-// turn away, two branches are equally near, and rounding errors must not decide.
+// Distances count as equal if they differ by less than this number of radians. If a log is half a turn from
+// the reference, two branches are equally near to the reference, and rounding errors must not decide.
 constexpr double half_turn_tie = 1e-2;
 // A branch of the root's log replaces the previous branch only if its roughness (see Branching) is at most
 // rougher * (previous roughness) + rougher_at_rest radians. The second term is for equal rotations: their
@@ -52,8 +52,8 @@ Tree tree_of(const mesh::Adjacency& forest, std::uint32_t root) {
   return tree;
 }
 
-// Logs with which a part's logs are compared. reference: the part's entry of `turns`. leader: the mean log of
-// the first part.
+// Logs with which a part's logs are compared. `reference` is the part's entry of `turns`. `leader` is the
+// mean log of the first part, or for the first part itself the same log as `reference`.
 struct Anchors {
   Vec3 reference, leader;
 };
@@ -185,7 +185,7 @@ Branches nearest_branches(const Cage& cage, Rotations rotations, std::span<const
 }
 
 // Returns false if `turn_of_part` is at most half a turn. Otherwise returns true if `mean` has another axis
-// or fewer whole turns.
+// than `turn_of_part`, or fewer whole turns about this axis.
 bool may_lack_turns(const Vec3& mean, const Vec3& turn_of_part) {
   const double length = norm(turn_of_part);
   if (length <= turn / 2) return false;

@@ -35,15 +35,15 @@ Vec3 with_whole_turns(const Vec3& axis, double count, const Vec3& least);
 
 struct Branches {
   std::vector<Vec3> logs;  ///< one log per element
-  /// For each part, the mean log; or with_whole_turns(), if logs cannot represent the part's whole turns.
+  /// One per part: the mean log, or with_whole_turns() if logs cannot represent the part's whole turns.
   std::vector<Vec3> turns;
 };
 
 /// Chooses a branch for each element's log, given the principal logs. Goes from the root of each part along
 /// spanning_forest(): an element gets the branch nearest to the log of its parent in the forest. For the
-/// root, takes the branch for which the part's logs are nearest to turns[part] (root mean square; a missing
-/// entry is 0). Rejects a root branch if neighbours' logs differ much more than with other root branches. If
-/// two root branches are equally good, takes the branch nearer to the first part's mean log.
+/// root, takes the branch with the part's logs nearest to turns[part] (root mean square; 0 if missing):
+/// - Rejects a branch if neighbours' logs then differ much more than with the other branches.
+/// - If two branches are equally good, takes the branch nearer to the first part's mean log.
 ///
 /// A log can have whole turns only about the axis of its rotation. Whole turns of turns[part] about another
 /// axis are kept only in Branches::turns. If turns[part] makes neighbours' logs too different, the part gets

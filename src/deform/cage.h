@@ -30,7 +30,7 @@ struct RestBasis {
   Vec3 u{}, v{}, n{}, dual_u{}, dual_v{}, dual_n{};
 };
 
-/// Returns area / sqrt(|area|), or 0 if `area` is 0. The squared length of the result is |area|.
+/// Returns area / sqrt(|area|) for an area vector; 0 for 0. The squared length of the result is |area|.
 Vec3 side_along(const Vec3& area);
 
 RestBasis rest_basis(std::span<const mesh::Point> positions, const mesh::Triangle& triangle);
@@ -51,7 +51,7 @@ struct Cage {
       parts;             ///< per element, an index into roots; roots.size() for elements without area
   double diagonal = 0;   ///< diagonal of the rest bounding box, the unit of tolerances
   double size = 0;       ///< mesh::used_size(), the unit of radii
-  double contact = 0;    ///< a point this near to an element counts as touching; about the rounding error
+  double contact = 0;    ///< points within this distance touch an element; about the rounding error
   bool closed = false;   ///< true: every edge has two triangles, in opposite directions along the edge
   mesh::OneSided sides;  ///< consistently oriented triangles for mean value coordinates
   std::vector<std::string> warnings;  ///< one line each, with element numbers from 0
@@ -103,12 +103,12 @@ std::vector<mesh::Edge> without_skipped(std::vector<mesh::Edge> pairs, std::span
 
 struct GraphParts {
   std::vector<std::uint32_t> centers;
-  std::vector<std::uint32_t> of;  ///< index into centers per element; centers.size() for skipped elements
+  std::vector<std::uint32_t> of;  ///< per element, an index into centers; centers.size() if skipped
 };
-/// Returns the connected parts of a graph without skipped elements, in the order of their lowest elements.
-/// The centre of a part is the element from which the largest distance to another element is smallest; ties:
-/// the lowest index. In a part of more than 4,096 elements, the centre is the middle of a long path, found in
-/// linear time.
+/// Returns the connected parts of a graph without skipped elements, sorted by their lowest element index. The
+/// centre of a part is the element whose path to its farthest element has the fewest edges. If there are
+/// several, takes the one with the lowest index. For more than 4,096 elements, takes the middle of a long
+/// path, because this needs only linear time.
 GraphParts graph_parts(std::size_t elements, std::span<const mesh::Edge> edges,
                        std::span<const std::uint8_t> skip);
 

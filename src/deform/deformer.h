@@ -64,8 +64,8 @@ public:
   /// other engines the precision of FrameVertex. Stitched positions are double if no probe moves the model.
   std::vector<mesh::Point> positions() const;
   std::vector<mesh::Point> normals() const;
-  /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model;
-  /// empty without exponentials. Computes exact weights, which takes one or two microseconds per vertex.
+  /// Returns the logs of stretch of the last frame at up to `limit` vertices, spread evenly over the model.
+  /// Empty if the blend has no exponentials. Computes exact weights in one or two microseconds per vertex.
   std::vector<sym3::Sym3<double>> sample_matrices(std::size_t limit) const;
   /// Returns deform::sampled_error() of the last frame; 0 after a staged frame. After a stitched frame,
   /// measures the blended vertices before stitching and probes.

@@ -23,9 +23,9 @@ public:
   /// All setters apply to the next frames. If there is a mask or weights are partial, call
   /// CageState::keep_origin(true).
   virtual void set_mask(const Mask& mask) = 0;
-  /// `ways`: displacement of each vertex from rest to the shape; empty if all are 0. Used by the next frames.
+  /// `ways`: displacement of each vertex from rest to the shape; empty if all are 0.
   virtual void set_shape(std::span<const Vec3> ways) = 0;
-  /// `layer`: probes that move the model after the cage, or null. Used by the next frames.
+  /// `layer`: probes that move the model after the cage, or null.
   void set_layer(ProbeLayer* layer) { layer_ = layer; }
   /// Computes one frame. The state must have the cage, elements and blend that the engine was made for.
   virtual void run(const CageState& state, sym3::Method method) = 0;

@@ -30,11 +30,11 @@ struct ExactModel {
 
 /// Deforms one model by any number of poses. The positions differ from those of the staged engine by at most
 /// 1e-12 of the cage's diagonal. The number of threads and earlier poses do not change the results. Needs
-/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements). If
-/// weights are along the surface, needs memory for the weights of all vertices. Not thread-safe.
+/// memory for the positions and about a megabyte per thread (more if the cage has over 10,000 elements).
+/// Harmonic and biharmonic weights need memory for the weights of all vertices. Not thread-safe.
 class ExactDeformer {
 public:
-  /// `kept`: keeps all weights for later poses if the weights need less than a quarter of the free memory.
+  /// Weights::kept keeps all weights for later poses, if they need less than a quarter of the free memory.
   enum class Weights { dropped, kept };
 
   /// model and pool must outlive the deformer; cage must not be null. progress reports the work before the
@@ -66,7 +66,7 @@ private:
   std::optional<Stitching> stitching_;
   std::vector<double> sums_;      // weighted sums of rows for all vertices, only for stitching
   Shares shares_;                 // shares of all vertices, only for stitching
-  Binding surface_weights_;       // weights of all vertices; empty unless the weights are along the surface
+  Binding surface_weights_;       // harmonic or biharmonic weights of all vertices; empty for other weights
   std::vector<BoundPart> parts_;  // one per block; empty unless weights are kept
   ProbeLayer layer_;
   std::optional<ShapeFollower> follower_;  // rotates shapes if the elements only translate

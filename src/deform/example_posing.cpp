@@ -22,7 +22,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t blocks_at_once = 128;  // fixed, so that sums do not depend on the number of threads
-constexpr double longest_step = 0.7;         // largest change of a weight, and of the rotation in radians
+constexpr double longest_step = 0.7;  // limit of the change of a weight, and of the rotation in radians
 constexpr double least_damping = 1e-9, most_damping = 1e3;
 constexpr double at_rest = 1e-5;  // solve() ends after a step below this size
 
@@ -220,7 +220,7 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
   return reach;
 }
 
-// Returns the sums over the blocks [begin, end): [map][pin][3], see reach_of_pins().
+// Returns the sums in reach_of_pins(), but only over the blocks [begin, end).
 std::vector<double> ExamplePosing::sums_of_blocks(std::size_t begin, std::size_t end) const {
   const PlaneKernel& kernel = plane_kernel(sym3::kernel());
   const std::size_t numbers = numbers_of_group(), pins = pins_.size(), maps = examples_.size() + 1;
@@ -247,7 +247,7 @@ std::vector<LogTerm> ExamplePosing::terms() const {
 ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
   const std::size_t n = pins_.size(), m = examples_.size();
   // Sums over all triangles, [example][pin][3]: derivatives of the pins' positions by the examples' weights.
-  // After the last example: the positions.
+  // The entry after the last example contains the positions.
   std::vector<double> sums(3 * n * (m + 1));
   std::vector<std::vector<double>> parts((blocks() + blocks_at_once - 1) / blocks_at_once);
   pool_.for_blocks(blocks(), blocks_at_once, [&](std::size_t begin, std::size_t end) {

@@ -41,10 +41,10 @@ struct PosingSettings {
 ///         + restraint * area * |w - w0|^2
 ///
 /// M_t(w) is the blend of the maps of triangle t (see LogSpace), T_t the projection onto the plane of
-/// triangle t, and c_k the firmness of pin k. The first sum is reduced by its minimum without pins. Weights
-/// may be below 0 and above 1. Gauss-Newton steps with exact derivatives find w and G. For each w and G, the
-/// best x follows from a small linear system for the pins. While dragging, one step per frame is enough. Not
-/// thread-safe. Results do not depend on the number of threads.
+/// triangle t, and c_k the firmness of pin k. Of the first sum, only the increase caused by the pins counts:
+/// its minimum over x without pins is subtracted. Weights may be below 0 and above 1. Gauss-Newton steps with
+/// exact derivatives find w and G. For each w and G, a small linear system for the pins gives the best x. In
+/// a drag, one step per frame is enough. Not thread-safe. Results do not depend on the number of threads.
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
@@ -55,8 +55,8 @@ public:
   /// most_pins pins, if a vertex has no triangle with area, or if memory is insufficient.
   void set_pins(std::vector<PosingPin> pins);
 
-  /// Returns the displacement of each vertex if the targets of these pins (given by index) move by one unit
-  /// and all other targets stay. Weights and rotation are constant.
+  /// Returns one factor r per vertex. If the targets of these pins (indices) move by a vector d and all other
+  /// targets stay, the vertex moves by r * d. The weights and the rotation are assumed to be constant.
   std::vector<double> reach(std::span<const std::size_t> pins) const;
 
   /// Makes one step towards the targets (one per pin). Returns the size of the step: the largest change of a
@@ -94,7 +94,7 @@ private:
   const ShapeSpace& space_;
   std::vector<const LogVector*> examples_;
   base::WorkerPool& pool_;
-  std::vector<std::vector<Vec3>> leftovers_;  // per example: its leftovers without its whole turn
+  std::vector<std::vector<Vec3>> leftovers_;  // per example: LogVector::leftovers without the whole turn
   base::AlignedVector<double> groups_;        // input of PlaneKernel::derive for all triangles
   double area_ = 0;
 

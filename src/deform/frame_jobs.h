@@ -45,7 +45,7 @@ struct RingRun {
 
 /// Functions that compute sums or positions from weights, for one row form.
 struct TileKernel {
-  std::size_t sums;  ///< sums per vertex: the number of columns of a row, except for moment forms
+  std::size_t sums;  ///< sums per vertex: 12 for moment forms, else the number of columns of a row
   /// Writes the weighted sums of rows to sums [tile][sum][lane].
   void (*blend)(const TileRun& run, float* sums);
   /// Writes positions to out [slot] as x y z x. `rest` and `offsets` are x and o of RowForm, [tile][3][lane].

@@ -40,9 +40,9 @@ struct TileLines {
   }
 };
 
-// Fills a table of moment rows. With this table, the first three sums of the blend kernel are the sum of v *
-// (p - near), and the fourth is the sum of v. v are the weights, p the handles' rest centres, and `near` is
-// the point in the slot's first three rest moments.
+// Fills a table of moment rows. A handle has the weight v and the rest centre p. `near` is the point in the
+// slot's first three rest moments. With this table, the blend kernel computes
+//     sums 0 to 2: sum v * (p - near),    sum 3: sum v.
 void write_offset_rows(std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     std::fill_n(table.begin() + std::ptrdiff_t(j + 3), 12, 0.0f);
@@ -50,8 +50,8 @@ void write_offset_rows(std::span<float> table) {
   }
 }
 
-// Fills a table of moment rows. With this table, the first nine sums of the blend kernel are the matrix sum
-// of v * ((p - middle) * (p - near)^T + I), with v, p and near as in write_offset_rows().
+// Fills a table of moment rows. With v, p and `near` as in write_offset_rows(), the blend kernel computes
+//     sums 0 to 8: sum v * ((p - middle) * (p - near)^T + I), by rows.
 void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span<float> table) {
   for (std::size_t j = 0; j < table.size(); j += moment_shape.columns) {
     for (std::size_t i = 0; i < 9; ++i) table[j + 3 + i] = i % 4 == 0;
@@ -294,7 +294,7 @@ void FusedEngine::begin_drag(Handles moving) {
   });
 }
 
-// Lists the moving handles with weight in each leaf. Returns the number of weights of all listed handles.
+// For each leaf, lists the moving handles that have weights there. Returns the total number of these weights.
 std::size_t FusedEngine::list_moving() {
   const TiledBinding& b = *binding_;
   drag_.starts = {0};
@@ -384,8 +384,8 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
 }
 
-// Returns the kernel's input for a leaf: all rows. During a drag, if moving handles have weight in the leaf,
-// returns only the moving handles' rows, and the cached sums.
+// Returns the kernel's input for a leaf. If a drag moves handles with weight in the leaf, the input contains
+// the rows of these handles and the cached sums. Otherwise, it contains all rows.
 TileRun FusedEngine::frame_run(std::size_t leaf) const {
   TileRun run = leaf_run(leaf, table_.data());
   if (!dragging_ || drag_.row_count(leaf) == 0) return run;

@@ -229,7 +229,7 @@ private:
     return {0.5 * (l + (to_tail - to_head) * (to_tail + to_head) / l), 2 * area_[h] / l};
   }
 
-  // Replaces the triangles abc and bad by cdb and dca: flips the common edge ab to the edge cd.
+  // Replaces h, the common edge (a, b) of the triangles (a, b, c) and (b, a, d), by the edge (c, d).
   void flip(std::uint32_t h) {
     const std::uint32_t g = twin_[h], bc = next_[h], ca = next_[bc], ad = next_[g], db = next_[ad];
     const auto c = corner_beside(h, length_[ca], length_[bc]), d = corner_beside(g, length_[db], length_[ad]);

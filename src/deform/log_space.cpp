@@ -171,7 +171,7 @@ LogSpace::LogSpace(const Mesh& mesh, base::WorkerPool& pool, base::Progress* pro
       places_(first_at_place(rest_)),
       factors_(add_triangles(mesh), pool, told(progress, 0, 1)) {}
 
-// Fills the data of triangles. Returns the stiffness matrix of the places, with one fixed place per part.
+// Fills the data of triangles. Returns the stiffness matrix of places_, with one fixed place per part.
 SparseMatrix LogSpace::add_triangles(const Mesh& mesh) {
   index_of_.resize(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

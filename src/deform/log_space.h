@@ -106,8 +106,8 @@ public:
   void follow_fitted(std::span<const LogTerm> terms, double share, base::WorkerPool& pool, Work& work,
                      const Vec3* whole = nullptr) const;
   /// Solves the Poisson problem for the right-hand side work.right, and writes the solution to work.ways.
-  /// work.right must be 0 except at places (see place()). One vertex of each part does not move. Solves three
-  /// columns at once.
+  /// work.right must be 0 except at places (see place()). One vertex of each part does not move. Solves all
+  /// three coordinates at once.
   void solve(Work& work) const;
 
   /// The triangles with area: corners, half cotangents and indices in the mesh. place() returns the first

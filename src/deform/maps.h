@@ -73,7 +73,7 @@ struct MapSplit {
   sym3::Mat3<double> rotation;  ///< the nearest rotation
   sym3::Sym3<double> stretch;  ///< X = log S; valid if `least` is positive and not tiny relative to `largest`
   Vec3 turn;                   ///< rotation vector, |turn| <= pi
-  double least, largest;       ///< singular values; least < 0 if the map mirrors, NaN if it is not finite
+  double least, largest;       ///< singular values; NaN if the map is not finite, least < 0 if it mirrors
 };
 
 /// Splits the maps of `elements` in double precision and leaves other splits unchanged. The bits of a split
@@ -124,8 +124,8 @@ sym3::Sym3<double> log_stretch(const Polar& polar);
 /// Returns true if `least` is at least the minimum stretch of log_maps(). Returns false for NaN.
 bool is_ordinary(double least, double largest, double mean_stretch);
 
-/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise computes the split by SVD, and replaces
-/// small singular values by the minimum of log_maps(). Returns true if it did so or the map is not finite.
+/// Leaves an ordinary split unchanged, see is_ordinary(). Otherwise splits the map by SVD, and raises small
+/// singular values to the minimum of log_maps(). Returns true if it raised one, or if the map is not finite.
 bool raise_to_floor(const AffineMap& map, double mean_stretch, MapSplit& split);
 
 /// Computes X = log S and Y = log R of each map R * S. Uses the split, or an SVD if the map mirrors or nearly

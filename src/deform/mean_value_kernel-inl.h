@@ -126,7 +126,7 @@ static void see_edges(const MeanValueJob& job, std::size_t lane, const Seen& see
   }
 }
 
-// Adds the triangle's s_i to its corners' weights. Returns the lanes in which p may be in the plane.
+// Adds s_i to the weights of the corners. Returns the lanes in which p may be in the triangle's plane.
 static HWY_INLINE hn::Mask<ViewTag> add_triangle(const MeanValueTriangle& t, std::size_t lane,
                                                  const Seen& seen, double* weights) {
   const ViewTag d;

@@ -51,7 +51,7 @@ Means means(std::span<const double> weights, const double* table) {
   return m;
 }
 
-// posed is B / l, and rest is K / l^2.
+// `posed` is B / l, and `rest` is K / l^2, see moments.h.
 struct Moments {
   MomentMatrix posed{}, rest{};
 };

@@ -19,14 +19,14 @@ namespace viete::deform {
 ///     B = sum v * (p' - m') * (p - m)^T + l^2 * sum v * A,
 ///     K = sum v * (p - m) * (p - m)^T + l^2 * sum v * I.
 ///
-/// The form `affine` has M = B * K^-1. With the polar decomposition B = R * S, `rigid` has M = R, and
-/// `similar` has M = R * tr S / tr K.
+/// The polar decomposition of B is R * S. M depends on the RowForm:
+///     affine_moments: M = B * K^-1,   rigid_moments: M = R,   similar_moments: M = R * tr S / tr K.
 ///
 /// The paper has only the first terms of B and K. If one point has all the weight, these terms vanish. If the
 /// weighted points lie in a plane, these terms lose rank. M would then be undetermined. The second terms
 /// prevent this: K is never singular. A is the map of the point's patch (patch_maps.h). A patch acts like a
-/// cloud of points with the radius l, which is 10 % of the cage's edge length. `affine` follows affine poses
-/// of the cage exactly, or only similarities if the cage is flat. `rigid` and `similar` follow similarities.
+/// cloud of points with the radius l, which is 10 % of the cage's edge length. affine_moments follows
+/// affine poses of the cage exactly, if the cage is not flat. All forms follow similarities.
 ///
 /// Negative (biharmonic) weights affect only the sums of w * p and w * p'. In K, negative weights could
 /// cancel other weights. Shares scale the displacements. Each vertex is independent of other vertices.

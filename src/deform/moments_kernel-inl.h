@@ -168,7 +168,7 @@ struct TileLanes {
   }
 };
 
-// Returns B = B' - center * sum^T.
+// Returns B = B' - center * sum^T, see RestMoment: `center` is m' or near it, and `sum` is s.
 template <class V>
 static HWY_INLINE lanes::Nine<V> about_mean(const TileLanes& at, const float* sums,
                                             const lanes::Three<V>& center, const lanes::Three<V>& sum) {

@@ -38,7 +38,7 @@ std::vector<Coupling> part_couplings(const mesh::Surface& surface, const mesh::E
                                      std::span<const double> masses, base::WorkerPool& pool);
 
 /// Splits each coupling into couplings to the corners with a positive share. Such couplings add no positive
-/// off-diagonal entries to a matrix. But they resist linear functions on the triangle; the original does not.
+/// off-diagonal entries to a matrix. But they resist linear functions on the triangle, unlike the original.
 std::vector<Coupling> by_corners(std::span<const Coupling> couplings);
 
 SparseMatrix with_couplings(const SparseMatrix& stiffness, std::span<const Coupling> couplings);

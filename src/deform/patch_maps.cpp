@@ -18,7 +18,7 @@ constexpr double width_of_fit = 0.03;  // e of VertexPatches, relative to the ca
 constexpr double least_spread = 0.1;   // limit of (least singular value) / (largest singular value)
 constexpr double flat_spread = 1e-3;   // a patch with a smaller ratio counts as flat
 constexpr std::size_t most_vertices = 256;
-constexpr double least_area = 1e-9;  // limit of |sum of area vectors| / (sum of areas): below, they cancel
+constexpr double least_area = 1e-9;  // limit of |sum of area vectors| / (sum of areas); below: they cancel
 constexpr std::size_t most_corners = 16;  // in larger polygons, only the two ends of an edge are neighbours
 struct Spread {
   Symmetric k{0, 0, 0, 0, 0, 0};

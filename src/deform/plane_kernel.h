@@ -1,4 +1,4 @@
-// Vector code for small matrices, one per triangle. A plane contains one entry of the matrices of a block.
+// Vector code for blocks of triangles with one matrix each. A plane contains one entry of all matrices.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace viete::deform {
 
-/// A plane has one number per triangle, and one cache line of padding. Without padding, some planes would be
-/// 4096 bytes apart. The functions always compute plane_size numbers, even if a block has fewer triangles.
+/// A plane has one number per triangle, and one cache line of padding. Planes 4096 bytes apart would be slow.
+/// The functions always compute plane_size numbers, even if a block has fewer triangles.
 inline constexpr std::size_t plane_size = 64, plane_stride = 72;
 using Plane = double[plane_stride];
 
@@ -36,8 +36,8 @@ struct PlaneKernel {
   void (*map)(const Plane* logs, const double* r, const Plane* next, Plane* s, Plane* m);
   /// Blends `count` logs with `weights` to X and Y. Computes the images of two directions u and v under
   /// exp(Y) * exp(X), and their derivatives by the weights. `group` [number][group_size] contains u, v, and
-  /// for each log X (in the axes u, v, u x v) and Y. `changes` [log][6][plane_stride] gets the derivatives by
-  /// the log's weight, and after the logs the images. Writes only group_size numbers per plane.
+  /// for each log X (in the axes u, v, u x v) and Y. Writes the derivatives by each log's weight, and
+  /// then the images, to `changes` [log][6][plane_stride]. Writes only group_size numbers per plane.
   void (*derive)(const double* group, const double* weights, std::size_t count, double* changes);
   /// For each of `count` maps and each k < n, adds u * q_0 + v * q_1 to sums[map][k][3][group_size], for all
   /// triangles of the block. u and v are the map's images (see derive), and q = columns[k][2][plane_size].

@@ -190,14 +190,14 @@ Vec3 mean_vector(const View& v) {
   return m;
 }
 
-// Returns the corner opposite to the edge that looks widest from p.
+// Returns the corner opposite to the edge with the largest sine, see View.
 int widest(const View& v) {
   const int i = v.sine[0] >= v.sine[1] ? 0 : 1;
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
 // Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane,
-// these directions are nearly dependent. Then uses only the two most independent directions.
+// these directions are nearly dependent. If so, uses only the ends of the edge with the largest sine.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

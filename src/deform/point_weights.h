@@ -73,8 +73,8 @@ double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& 
 /// vector of a triangle is the integral of all unit directions from p to the triangle. It is split along the
 /// directions to the triangle's corners. Over a closed cage the mean vectors cancel, so the weights reproduce
 /// p. If p is nearer to the cage than cage.contact, the weights are barycentric. If the sum of the weights
-/// vanishes (possible outside the cage, or if it is open), writes the weights of the cage's closest point and
-/// returns false. weights.size() must be the number of vertices. Thread-safe.
+/// vanishes (possible outside the cage or for an open cage), writes the weights of the cage's closest
+/// point and returns false. weights.size() must be the number of vertices. Thread-safe.
 bool mean_value_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights);
 
 }  // namespace viete::deform

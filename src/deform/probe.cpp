@@ -37,7 +37,7 @@ constexpr ProbeMixEntry mixes[] = {
 
 constexpr std::array parts = {&ProbeWeights::turn, &ProbeWeights::stretch, &ProbeWeights::move};
 
-// Divides the member `part` of all weights by its sum. If `always` is false, only if the sum is above 1.
+// Divides the member `part` of each weight by the sum of this member. If not `always`, skips sums up to 1.
 void share_out(std::span<ProbeWeights> weights, double ProbeWeights::*part, bool always) {
   double sum = 0;
   for (const auto& w : weights) sum += w.*part;

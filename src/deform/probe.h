@@ -30,7 +30,7 @@ std::span<const ProbeMixEntry> all_probe_mixes();
 const FalloffEntry& entry(Falloff falloff);
 const ProbeMixEntry& entry(ProbeMix mix);
 
-/// Returns the weight, 0 to 1, at a distance given in radii. From one radius on, only `endless` is above 0.
+/// Returns the weight, 0 to 1, at a distance in radii. For radii >= 1, only Falloff::endless is above 0.
 double weight_at(Falloff falloff, double radii);
 
 /// The range in which one part of a probe's motion (turn, stretch or move) acts.
@@ -95,7 +95,7 @@ struct ProbeWeights {
 inline constexpr double softmax_sharpness = 8;
 /// Computes the weights of all probes at a rest position; pins get 0. `weights` has one entry per probe. The
 /// ProbeMix combines weights of turn, stretch and move separately: `added` does not change weights. `partial`
-/// divides weights by their sum if the sum is above 1, `whole` if it is above 0. `softmax` replaces each
+/// divides weights by their sum if the sum is above 1. `whole` always divides them. `softmax` replaces each
 /// weight b by e^(softmax_sharpness * b) - 1 and continues as `whole`, so the nearest probe dominates. A
 /// probe's `pivot` is its max(turn, stretch), divided by the sum of this maximum over all probes.
 void probe_weights(const Probes& probes, const mesh::Point& point, std::span<ProbeWeights> weights);
