@@ -1,5 +1,5 @@
-// Measures times of exp by method, layout and size, and of copying the same bytes. Also checks the limits of
-// sym3.
+// Measures the time of exp by method, layout and size, and for comparison the time of copying the same bytes.
+// Also checks the limits of sym3.
 #pragma once
 
 #include <cstddef>
@@ -66,7 +66,7 @@ struct EigenBench {
 };
 
 /// Measures eigenvalues by QR, Eigen's closed form, Viete's formula and Fast, for the paper's ensemble in
-/// double on one thread. Times are medians of processor time. Throws base::Cancelled.
+/// double precision on one thread. Times are medians of processor time. Throws base::Cancelled.
 EigenBench measure_eigen(std::size_t count, base::Progress& progress);
 
 void print(const EigenBench& bench);

@@ -78,7 +78,7 @@ inline constexpr const char* rest = "#cfd6dd";  ///< the uncoloured part of a ba
 inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
 }  // namespace plot_color
 
-/// Returns the colour of a method, which is equal in all plots. Other names get the colour of references.
+/// Returns the colour of a method. It is the same in all plots. Other names get the colour of references.
 const char* color_of_method(const std::string& name);
 
 /// Returns an SVG document, 400 pixels wide, with the bars or the curves.

@@ -277,7 +277,7 @@ void derivatives(const std::string& type, Bars& report) {
       [](auto s, auto... a) { sym3::pow_tangent(s, pow_exponent, a...); });
 }
 
-/// Returns the largest relative error of exp against 106 bits, in units of the roundoff u.
+/// Returns the largest error of exp relative to 106-bit results, in units of the roundoff u.
 template <class T>
 double worst_error(const std::vector<Sym3<T>>& matrices) {
   std::vector<Sym3<T>> answers(matrices.size());

@@ -44,8 +44,8 @@ public:
     std::uint32_t cluster;
     double factor;
   };
-  /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * value at
-  /// cluster. The factors sum to 1 up to rounding. Thread-safe.
+  /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * (value at the
+  /// cluster). The factors sum to 1 up to rounding. Thread-safe.
   void terms(std::uint32_t vertex, std::vector<Term>& terms) const;
 
 private:

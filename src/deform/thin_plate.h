@@ -1,4 +1,4 @@
-// A surface as a thin plate on springs, which pull the plate to shapes.
+// A surface as a thin plate on springs. The springs pull their vertices to given values.
 #pragma once
 
 #include <cstddef>
@@ -56,7 +56,7 @@ public:
             base::Progress* progress = nullptr, double done = 1);
 
   const BlockSolver& solver() const { return solver_; }
-  /// Writes the shapes of loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
+  /// Writes the w of the loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
   /// must contain 0 before the call, and end - begin must be at most solved_columns.
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
 

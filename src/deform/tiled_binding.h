@@ -85,7 +85,7 @@ struct TiledBinding {
   struct Sizes {
     std::size_t factors, skeleton;
   };
-  /// Sets the indices `first` and `pivots` of every leaf from rank and dense. Returns the required sizes.
+  /// Sets `first` and `pivots` of every leaf from `rank` and `dense`. Returns the required sizes.
   Sizes lay_out_factors();
 };
 
