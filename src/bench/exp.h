@@ -1,5 +1,5 @@
-// Measures the time of exp by method, layout and size, and for comparison the time of copying the same bytes.
-// Also checks the limits of sym3.
+// Measures the time of exp by method, layout and size. For comparison, also measures copying as many bytes.
+// Checks the limits of sym3.
 #pragma once
 
 #include <cstddef>

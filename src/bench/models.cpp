@@ -182,7 +182,7 @@ double area_of(std::span<const Point> p, const mesh::Triangle& t) {
   return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
 }
 
-// Sums the volumes of tetrahedra with a common apex: a vertex, so that models far from 0 lose no digits.
+// The common apex of all tetrahedra is a vertex, so that models far from 0 lose no digits.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
   double sum = 0;

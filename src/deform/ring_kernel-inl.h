@@ -100,7 +100,7 @@ template <class D>
 static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
-// Loads neighbour k into block k of the register. Its load also fills all later blocks, temporarily.
+// Loads neighbour k into block k. Each load also fills the later blocks, which later loads replace.
 template <std::size_t floats, class D, class Index>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
   auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
@@ -182,8 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (|x| + |y| + |z|) for each vector z x y 0, or 0 if its area is 0. Lane k of block b of the
-// result belongs to block b of areas[k].
+// Returns 1 / (|x| + |y| + |z|) for each vector z x y 0, or 0 if its area is 0. Lanes k belong to areas[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -216,8 +215,7 @@ struct Areas {
 
 // Returns twice the sum of the area vectors of the triangles around `self`. Two consecutive triangles form a
 // quadrilateral. The cross product of its diagonals is twice its area vector, so half as many products
-// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. If `closed` is false, `length` must
-// be odd or 0.
+// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. Open rings must have odd lengths.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -259,8 +257,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Returns the area vectors of slot s and the next slots, one register. Advances `neighbours` after each
-// group.
+// Returns the area vectors of the slots in the register at slot s. Advances `neighbours` after each group.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;
@@ -313,7 +310,7 @@ static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const 
 
 constexpr std::size_t ring_block = 128;  // slots; a leaf has a multiple of 32 slots
 
-// Computes up to ring_block slots from `begin` on. Finishes each step for all slots first, to hide latency.
+// Computes up to ring_block slots from `begin` on. Runs each step for all slots, to hide latency.
 static HWY_INLINE void ring_slots(const RingRun& run, std::size_t begin, const std::uint16_t*& neighbours,
                                   FrameVertex* HWY_RESTRICT vertices) {
   const ManyPoints d;

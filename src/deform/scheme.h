@@ -12,7 +12,7 @@
 namespace viete::deform {
 
 /// The handles of the cage. `face`: the triangles, each with an affine map. `point`: the vertices, which only
-/// translate. Weights and blend determine which of them are handles, see elements_of().
+/// translate. Weights and blend decide between face and point, see elements_of().
 enum class Elements { face, point };
 /// Returns "faces" or "vertices".
 std::string_view name(Elements elements);
@@ -83,10 +83,9 @@ struct Weighting {
   }
 };
 
-/// Factors for the logs of each map: `turn` for its rotation, `stretch` for its stretch. Handles' centres do
-/// not change.
+/// Factors of the logs of each map. Handles' centres do not change.
 struct Amounts {
-  double turn = 1, stretch = 1;
+  double turn = 1, stretch = 1;  ///< turn: factor of the rotation's log; stretch: of the stretch's log
 
   bool whole() const { return turn == 1 && stretch == 1; }
   friend bool operator==(const Amounts&, const Amounts&) = default;
@@ -214,9 +213,9 @@ std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
 /// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
-/// weights were chosen by name earlier, for example in a session. If it is false, a radius without deformer
-/// and weights in `asked` selects cut-off weights. Throws base::Error for incompatible choices, for numbers
-/// that the scheme does not use, and for stitching of elements that only translate.
+/// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
+/// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
+/// numbers that the scheme does not use, and for stitching of elements that only translate.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 
 /// Returns `stitched` for stitched schemes, `fused` for the method `fast` and for schemes without an

@@ -2,8 +2,7 @@
 
 namespace viete::deform {
 
-// Returns v' (see ShapeFollower) for each v in `ways`. `sums` has share * (sum w * (M - I)), matrices by
-// rows.
+// Returns v' for each v in `ways`, see ShapeFollower. `sums` has share * (sum w * (M - I)) by rows.
 std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::span<const Vec3> ways) const {
   std::vector<Vec3> all;
   all.reserve(ways.size());

@@ -18,8 +18,7 @@ namespace viete::deform {
 /// `sums` must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Multiplies the sums of each vertex by the vertex's share. Adds (1 - share) * rest position to the sums of
-/// centres.
+/// Multiplies sums by the shares of the vertices. Adds (1 - share) * rest position to the sums of centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 

@@ -65,10 +65,9 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// Computes stitched frames. The fused engine computes the sums in float. The maps of triangles, the solve
-/// and the positions have double precision. The matrix is not factored again for a pose. The result agrees
-/// with deform_exactly() up to the error of the sums: 1e-6 of the diagonal, or the fused engine's error with
-/// compressed weights.
+/// Computes stitched frames. The fused engine computes the sums in float. All later steps
+/// have double precision. Poses need no factorisation. The result agrees with deform_exactly() up to the
+/// error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// `binding` and `stitching` must not be null, and must belong to the same model, cage and kind of

@@ -103,8 +103,7 @@ private:
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
-        const double farthest =
-            least + slack + side;  // if corner a is farther away than this, skips the triangle
+        const double farthest = least + slack + side;  // limit of the distance to corner a
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
         const double distance =
             std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);

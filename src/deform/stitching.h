@@ -69,12 +69,11 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Each handle pins its nearest triangle. Let r be holding.radius *
-/// cage.size. Each handle also pins the vertices at distances d < r from its centre, with weight pin_strength
-/// *
-/// ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if the model has
-/// no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on
-/// the number of threads.
+/// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
+/// distances d < r from its centre: r is holding.radius * cage.size, and the weight of these pins is
+/// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if
+/// the model has no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do
+/// not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 
