@@ -52,7 +52,7 @@ struct ExpBench {
 /// bytes per matrix; 10^7 matrices take 30 s. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-/// Returns the times of the methods by label, and the time of Fast in the cache.
+/// Returns the times of the methods with their labels, and the time of Fast for matrices in the cache.
 std::vector<BenchResult> labelled_times(const ExpBench& bench);
 Table layouts_table(const ExpBench& bench);
 

@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (|x| + |y| + |z|) for each vector z x y 0, or 0 if its area is 0. Lanes k belong to areas[k].
+// Returns 1 / (|x| + |y| + |z|) of vectors z x y 0, or 0 if the area is 0. Lane k of a block is for areas[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});

@@ -31,7 +31,7 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 ///
 ///     w^T * L * M^-1 * L * w + sum over springs v of s_v * (w_v - t_v)^2.
 ///
-/// A factor of this problem's matrix would take ten times as long as a factor of L. Therefore, first computes
+/// Factoring this problem's matrix would take ten times as long as factoring L. Therefore, first computes
 /// the springs' forces f_v = s_v * (t_v - w_v). Then L * y = f and L * w = M * y give w. Each part has one
 /// fixed vertex, the ground, where the solution w' of these equations is 0. So w = w' + b, with one b per
 /// part: at the ground, b = t - f / s. The forces phi of springs that are not at a ground solve
