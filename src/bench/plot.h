@@ -62,7 +62,7 @@ struct Plot {
   std::vector<PlotBar> bars;  ///< the first bar is the reference
   std::vector<PlotCurve> curves;
   std::string unit = " ns";  ///< unit of the bars
-  bool compared = true;      ///< true shows ratios to the first bar
+  bool compared = true;      ///< if true, shows ratios to the first bar
   std::string across = "matrices in a batch";
   /// If true, axes are linear from 0, and names of curves have no values. If false, axes are logarithmic and
   /// skip values of 0 and below.

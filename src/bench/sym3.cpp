@@ -34,7 +34,7 @@ using sym3::Method;
 using sym3::Sym3;
 using sym3::SymView;
 
-constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB in double
+constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB as doubles
 const std::string planes_text = ", planes in the second cache, per matrix";
 
 template <class In, class Out, class Function>
@@ -164,7 +164,7 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
   report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
 }
 
-constexpr std::size_t matrices_in_cache = 1024;  // 640 KB in double, with six directions and results
+constexpr std::size_t matrices_in_cache = 1024;  // 640 KB as doubles, with six directions and results
 constexpr double pow_exponent = 0.4;
 
 /// Computes derivatives as usual in finite element codes: by eigenvectors (QR) and divided differences. For

@@ -25,7 +25,7 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// Each handle owns the vertex nearest to it (the lowest index, if several are equally near).
+/// Each handle owns the vertex nearest to it. Of equally near vertices, it owns the first.
 /// Vertices without triangles have no owner. Handles own no vertex if HandleShape::weighs is false.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();

@@ -1,4 +1,4 @@
-// The sums of a frame at selected vertices, computed in double from the rest positions.
+// The sums of a frame at selected vertices, computed in double precision from the rest positions.
 #pragma once
 
 #include <cstddef>
