@@ -27,8 +27,8 @@ struct AccuracyTable {
   std::vector<Row> rows;
 };
 
-/// Measures all tables with `samples` matrices per row, against results of 106 bits (sym3/reference.h). In
-/// float, first rounds the input to float; errors refer to the rounded input. Throws base::Cancelled.
+/// Measures all tables with `samples` matrices per row. Errors are relative to 106-bit results of the same
+/// input (sym3/reference.h). If in_float is true, first rounds the input to float. Throws base::Cancelled.
 std::vector<AccuracyTable> measure_accuracy(std::size_t samples, bool in_float, base::Progress& progress);
 
 Table errors_table(const AccuracyTable& accuracy);

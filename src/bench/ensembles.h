@@ -100,8 +100,8 @@ std::vector<Sym3<T>> triples(double gap, std::size_t count) {
   });
 }
 
-/// Returns matrices with eigenvalues from `lowest` to lowest + spread. The middle eigenvalue is equal or
-/// close to one of these two, or between them.
+/// Returns matrices with eigenvalues from `lowest` to lowest + spread. The middle eigenvalue is equal to
+/// one of these two, close to one of them, or anywhere between them.
 template <class T>
 std::vector<Sym3<T>> spreads(double spread, double lowest, std::size_t count) {
   return made<T>(count, usual_seed, [=](Random& random, std::size_t i) {

@@ -63,8 +63,8 @@ namespace {
 using sym3::Layout;
 
 constexpr std::array layouts = {Layout::planes, Layout::packed, Layout::full};
-constexpr std::size_t distinct = 1 << 16;  // number of different matrices; larger arrays repeat these
-constexpr std::size_t window = 1024;       // matrices per round of the slow methods; they fit the cache
+constexpr std::size_t distinct = 1 << 16;  // number of different matrices; larger arrays repeat them
+constexpr std::size_t window = 1024;       // matrices per round of slow methods; few enough for the cache
 
 template <class T>
 std::span<const Sym3<T>> turn(const std::vector<Sym3<T>>& matrices, std::size_t round) {

@@ -1,5 +1,5 @@
-// Measures times of exp by method, layout and size, and of copying the same bytes. Also checks the limits of
-// sym3.
+// Measures the time of exp by method, layout and size. For comparison, also measures copying as many bytes.
+// Checks the limits of sym3.
 #pragma once
 
 #include <cstddef>
@@ -52,7 +52,7 @@ struct ExpBench {
 /// bytes per matrix; 10^7 matrices take 30 s. Throws base::Cancelled.
 ExpBench measure_exp(std::size_t count, bool in_float, base::Progress& progress);
 
-/// Returns the times of the methods by label, and the time of Fast in the cache.
+/// Returns the times of the methods with their labels, and the time of Fast for matrices in the cache.
 std::vector<BenchResult> labelled_times(const ExpBench& bench);
 Table layouts_table(const ExpBench& bench);
 
@@ -66,7 +66,7 @@ struct EigenBench {
 };
 
 /// Measures eigenvalues by QR, Eigen's closed form, Viete's formula and Fast, for the paper's ensemble in
-/// double on one thread. Times are medians of processor time. Throws base::Cancelled.
+/// double precision on one thread. Times are medians of processor time. Throws base::Cancelled.
 EigenBench measure_eigen(std::size_t count, base::Progress& progress);
 
 void print(const EigenBench& bench);

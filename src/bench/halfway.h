@@ -42,7 +42,7 @@ struct Halfway {
   /// shape, or NaN if the model encloses no volume. "volumes" has the relative volumes at 21 even steps from
   /// rest to the shape.
   nlohmann::json rows;
-  std::size_t most_lost = 0;           ///< row of the shape with the smallest volume by linear interpolation
+  std::size_t most_lost = 0;           ///< row of the smallest volume halfway, with linear interpolation
   std::vector<ShapePicture> pictures;  ///< pictures from rest to the shape of row `most_lost`
 };
 /// Requires one shape or more. Throws base::Cancelled.

@@ -170,7 +170,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
 
 namespace {
 
-// If a value of mean value coordinates is smaller, it is a rounding error, and ratios to it are NaN.
+// If a value of mean value coordinates is below this, it is a rounding error, and ratios to it are NaN.
 constexpr double next_to_none = 1e-10;
 
 class ModeRuns {
@@ -300,7 +300,7 @@ private:
   base::WorkerPool one_{1}, all_{0};
   std::vector<CagePoint> nearest_;
   std::shared_ptr<const deform::Binding> staged_;
-  std::deque<Bound> bound_;  // a deque, because its references stay valid
+  std::deque<Bound> bound_;  // a deque, so that references to its elements stay valid
   std::shared_ptr<const deform::Stitching> stitching_;
   std::vector<Frame> frames_;
   std::vector<std::string> warnings_;

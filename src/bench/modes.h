@@ -124,8 +124,8 @@ struct ModeSettings {
   bool named_only = false;  ///< if true, measures only named deformers
 };
 
-/// Measures the named deformers and all other valid schemes, if they match settings.choice. Shapes are in
-/// double by the staged engine, except for stitched schemes. Frame times are for the first pose, on one
+/// Measures the named deformers and all other valid schemes, if they match settings.choice. The staged
+/// engine computes the shapes, except those of stitched schemes. Frame times are for the first pose, on one
 /// thread, in interleaved rounds. `poses` must not be empty. Throws base::Error and base::Cancelled.
 ModeComparison measure_modes(const mesh::Surface& model, std::shared_ptr<const deform::Cage> cage,
                              std::span<const NamedPose> poses, const ModeSettings& settings,

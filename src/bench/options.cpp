@@ -38,7 +38,7 @@ void add_json_options(CLI::App& command, Options& options) {
 constexpr std::size_t paper_count = 10'000'000;
 constexpr std::int64_t most_matrices = 1'000'000'000;
 
-// Throws if memory is not sufficient. Input and output have at most nine doubles each for each matrix.
+// Throws if memory is not sufficient. The input and the output have at most nine doubles per matrix.
 void require_memory_for(std::size_t count) {
   base::require_memory({160.0 * static_cast<double>(count), base::with_thousands(count) + " matrices take",
                         "give a smaller number", "--count"});

@@ -62,7 +62,7 @@ struct Plot {
   std::vector<PlotBar> bars;  ///< the first bar is the reference
   std::vector<PlotCurve> curves;
   std::string unit = " ns";  ///< unit of the bars
-  bool compared = true;      ///< true shows ratios to the first bar
+  bool compared = true;      ///< if true, shows ratios to the first bar
   std::string across = "matrices in a batch";
   /// If true, axes are linear from 0, and names of curves have no values. If false, axes are logarithmic and
   /// skip values of 0 and below.
@@ -78,7 +78,7 @@ inline constexpr const char* rest = "#cfd6dd";  ///< the uncoloured part of a ba
 inline constexpr const char* ours[] = {"#0072b2", "#009e73", "#b3589a", "#3a3f9e"};
 }  // namespace plot_color
 
-/// Returns the colour of a method, which is equal in all plots. Other names get the colour of references.
+/// Returns the colour of a method. It is the same in all plots. Other names get the colour of references.
 const char* color_of_method(const std::string& name);
 
 /// Returns an SVG document, 400 pixels wide, with the bars or the curves.

@@ -22,8 +22,8 @@ double distance_to_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
   return norm(p - a - t * edge);
 }
 
-// Solves p = a + x * (b - a) + y * (c - a) + z * n by Cramer's rule. x and y tell whether the point of the
-// plane nearest to p is inside the triangle.
+// Solves p = a + x * (b - a) + y * (c - a) + z * n by Cramer's rule. x and y tell whether the plane's
+// point nearest to p is inside the triangle.
 double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
   const Vec3 u = b - a, v = c - a, w = p - a, normal = cross(u, v);
   const Vec3 n = (1 / norm(normal)) * normal;

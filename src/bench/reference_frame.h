@@ -9,10 +9,10 @@
 
 namespace viete::bench {
 
-/// Computes weights by loops over vertices and cage triangles, in double. The distance to a triangle is the
+/// Computes weights by loops over vertices and cage triangles. The distance to a triangle is the
 /// distance to its plane, if the nearest point of the plane is inside the triangle. Otherwise the distance to
-/// the nearest edge is used. The weight is distance^-2, divided by the sum over all triangles. Both arrays
-/// have one row for each vertex and one column for each triangle.
+/// the nearest edge is used. The weight is distance^-2, divided by the sum over all triangles. Distances
+/// and weights have one row for each vertex and one column for each triangle.
 class PlainWeights {
 public:
   PlainWeights(std::size_t vertices, std::size_t elements)
@@ -25,7 +25,7 @@ private:
   std::vector<double> distances_, weights_;
 };
 
-/// Computes frames in double, in three steps:
+/// Computes frames in double precision, in three steps:
 ///   - for each cage triangle, the logarithms of stretch and rotation, by SVD
 ///   - for each vertex, the weighted sums of logarithms and centres, then improved SD and Rodrigues' formula
 ///   - vertex normals

@@ -31,7 +31,7 @@ const FrameTime* staged_frame(std::span<const FrameTime> times, sym3::Method met
                        : frame_of(times, "staged, " + std::string(sym3::name(method)), times.front().faces);
 }
 
-// Returns the largest error of the method in all tables by gap, in double.
+// Returns the largest error of the method in double precision, over all tables whose rows are gaps.
 std::string worst_error(const Figures& figures, Method method) {
   const auto methods = exp_methods();
   const auto at = std::ranges::find(methods, sym3::label(method),

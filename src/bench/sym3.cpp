@@ -34,7 +34,7 @@ using sym3::Method;
 using sym3::Sym3;
 using sym3::SymView;
 
-constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB in double
+constexpr std::size_t in_cache = 4096;  // number of matrices; input and output take 400 KB as doubles
 const std::string planes_text = ", planes in the second cache, per matrix";
 
 template <class In, class Out, class Function>
@@ -164,7 +164,7 @@ void logarithms(const std::string& what, const std::vector<Sym3<double>>& matric
   report.check("log, " + what + ": QR / batched", faster(r, "QR", "batched"), 20, true);
 }
 
-constexpr std::size_t matrices_in_cache = 1024;  // 640 KB in double, with six directions and results
+constexpr std::size_t matrices_in_cache = 1024;  // 640 KB as doubles, with six directions and results
 constexpr double pow_exponent = 0.4;
 
 /// Computes derivatives as usual in finite element codes: by eigenvectors (QR) and divided differences. For
@@ -277,7 +277,7 @@ void derivatives(const std::string& type, Bars& report) {
       [](auto s, auto... a) { sym3::pow_tangent(s, pow_exponent, a...); });
 }
 
-/// Returns the largest relative error of exp against 106 bits, in units of the roundoff u.
+/// Returns the largest error of exp relative to 106-bit results, in units of the roundoff u.
 template <class T>
 double worst_error(const std::vector<Sym3<T>>& matrices) {
   std::vector<Sym3<T>> answers(matrices.size());

@@ -17,7 +17,7 @@ struct RoundCase {
   std::string name;
   std::size_t items;
   std::function<void(std::size_t round)> run;
-  std::size_t repeats = 1;  ///< runs per round, if a run is shorter than the resolution of the clock
+  std::size_t repeats = 1;  ///< runs per round; above 1 if one run is too short for the clock
 };
 
 struct BenchResult {
@@ -35,8 +35,8 @@ double faster(const std::vector<BenchResult>& results, const std::string& slow, 
 std::vector<BenchResult> measure_rounds(const std::vector<RoundCase>& cases, std::size_t rounds,
                                         base::Progress& progress);
 
-/// Rows of text for the terminal and for the page. The first column has names. All other columns have
-/// right-aligned numbers, except the columns whose names are in `words`.
+/// Rows of text for the terminal and for the report's page. The first column has names. All other columns
+/// have right-aligned numbers, except the columns whose names are in `words`.
 struct Table {
   std::vector<std::string> columns;
   std::vector<std::vector<std::string>> rows;

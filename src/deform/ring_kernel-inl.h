@@ -19,8 +19,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 constexpr float smallest = 1e-18f, largest = 1e18f;  // areas outside this range count as 0
 
-// A point is a block of four lanes x y z x. A rotation left by one lane gives y z x, as a cross product needs
-// it. A register contains as many points as fit.
+// A block of four lanes contains one point as x y z x. Cross products need y z x: the block rotated left by
+// one lane. A register contains as many blocks as fit.
 #if HWY_TARGET == HWY_SCALAR
 
 struct OnePoint {};
@@ -67,7 +67,7 @@ static HWY_INLINE void store_vertices(OnePoint, const Points& position, const Po
   vertices[*order] = {{position.x, position.y, position.z}, {packed(normal.x), packed(normal.y)}};
 }
 
-// Returns 1 / (|x| + |y| + |z|) of 4 area vectors with lanes z x y 0, or 0 for a vector without area.
+// Returns 1 / (|x| + |y| + |z|) for each of 4 area vectors with lanes z x y 0, or 0 if its area is 0.
 static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   float inverse[4];
   for (int k = 0; k < 4; ++k) {
@@ -78,7 +78,7 @@ static HWY_INLINE Points inverse_sums(OnePoint, const Points (&areas)[4]) {
   return {inverse[0], inverse[1], inverse[2], inverse[3]};
 }
 
-// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. If inverse_sum is 0, writes 0 0 1 0.
 static HWY_INLINE void normalise(OnePoint, const Points& inverse_sum, Points (&areas)[4]) {
   const float scale[4] = {inverse_sum.x, inverse_sum.y, inverse_sum.z, inverse_sum.w};
   for (int k = 0; k < 4; ++k) {
@@ -100,7 +100,7 @@ template <class D>
 static HWY_INLINE hn::Vec<D> load(D d, const float* p) {
   return hn::Load(d, p);
 }
-// Loads one point per block. Each load fills all blocks except those that earlier loads filled.
+// Loads neighbour k into block k. Each load also fills the later blocks, which later loads replace.
 template <std::size_t floats, class D, class Index>
 static HWY_INLINE hn::Vec<D> gather(D d, const float* positions, const Index* neighbours) {
   auto all = hn::LoadDup128(d, positions + floats * neighbours[0]);
@@ -161,7 +161,7 @@ static HWY_INLINE void store_vertices(D d, const V& positions, const V& normals,
   store_blocks(d, hn::IfThenElse(is_last, hn::BitCast(d, packed), positions), order, vertices);
 }
 
-// In each block of the result, lane k is the sum of the four lanes of the same block in s[k].
+// Lane k of block b of the result is the sum of the four lanes of block b of s[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V block_sums(D d, const V (&s)[4]) {
   const hn::RepartitionToWide<D> pairs;
@@ -182,7 +182,7 @@ static HWY_INLINE void scale_one(D d, V scale, bool all_have_area, V& area) {
   area = hn::IfThenElse(hn::Eq(factor, hn::Zero(d)), hn::Load(d, up), area);
 }
 
-// Returns 1 / (|x| + |y| + |z|) of vectors z x y 0, or 0 without area. Lane k of a block is for areas[k].
+// Returns 1 / (|x| + |y| + |z|) of vectors z x y 0, or 0 if the area is 0. Lane k of a block is for areas[k].
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   const V sums = block_sums(d, {hn::Abs(areas[0]), hn::Abs(areas[1]), hn::Abs(areas[2]), hn::Abs(areas[3])});
@@ -190,7 +190,7 @@ static HWY_INLINE V inverse_sums(D d, const V (&areas)[4]) {
   return hn::IfThenElseZero(has_area, hn::Div(hn::Set(d, 1.0f), sums));
 }
 
-// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. Without area, returns 0 0 1 0.
+// Normalises vectors, and reorders their lanes from z x y 0 to x y z 0. If inverse_sum is 0, writes 0 0 1 0.
 template <class D, class V = hn::Vec<D> >
 static HWY_INLINE void normalise(D d, V inverse_sum, V (&areas)[4]) {
   const bool all_have_area = hn::AllFalse(d, hn::Eq(inverse_sum, hn::Zero(d)));
@@ -215,7 +215,7 @@ struct Areas {
 
 // Returns twice the sum of the area vectors of the triangles around `self`. Two consecutive triangles form a
 // quadrilateral. The cross product of its diagonals is twice its area vector, so half as many products
-// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. Open rings have odd lengths.
+// suffice. Neighbour i is at positions + floats * neighbours[i * stride]. Open rings must have odd lengths.
 template <bool closed, std::size_t stride, std::size_t floats, class D, class V, class Index>
 static HWY_INLINE V areas_around(D d, const float* positions, const Index* neighbours, std::size_t length,
                                  const V& self) {
@@ -257,7 +257,7 @@ static HWY_INLINE V areas_of_group(D d, const float* positions, const std::uint1
   return areas_around<true, stride, floats>(d, positions, neighbours, length - closed_ring, self);
 }
 
-// Returns the area vectors of one register of slots, from s on. Advances `neighbours` after each group.
+// Returns the area vectors of the slots in the register at slot s. Advances `neighbours` after each group.
 template <class D>
 static HWY_INLINE auto next_areas(D d, const RingRun& run, std::size_t s, const std::uint16_t*& neighbours) {
   const float* positions = run.positions + 4 * run.first;

@@ -29,7 +29,7 @@ struct RowShape {
   std::size_t center;
 };
 
-inline constexpr RowShape log_shape{12, 9, 9, 9};  // with_mean excludes centres: offsets correct their error
+inline constexpr RowShape log_shape{12, 9, 9, 9};  // with_mean is 9: offsets correct the errors of centres
 inline constexpr RowShape map_shape{12, 9, 12, 12};
 inline constexpr RowShape position_shape{3, 0, 0, 0};
 inline constexpr RowShape moment_shape{15, 3, 0, 12};

@@ -12,7 +12,7 @@
 namespace viete::deform {
 
 /// The handles of the cage. `face`: the triangles, each with an affine map. `point`: the vertices, which only
-/// translate. Weights and blend determine the kind, see elements_of().
+/// translate. Weights and blend decide between face and point, see elements_of().
 enum class Elements { face, point };
 /// Returns "faces" or "vertices".
 std::string_view name(Elements elements);
@@ -24,14 +24,14 @@ enum class Weights { inverse, mean_value, harmonic, biharmonic, cut_off };
 /// The quantities that are summed with the weights, and how the sums become a position.
 enum class Blend { srl, linear, mls_affine, mls_similarity, mls_rigid };
 
-/// How a frame is computed. `staged`: step by step, in double. `fused`: in one pass over the weights, in
-/// float. `stitched`: solves for the positions. The program chooses the engine, see engine_for().
+/// How a frame is computed. `staged`: step by step, in double precision. `fused`: in one pass over the
+/// weights, in float. `stitched`: solves for the positions. The program chooses the engine, see engine_for().
 enum class EngineKind { staged, fused, stitched };
 
 /// The fields common to all tables of choices.
 struct ChoiceEntry {
   std::string_view name;      ///< on the command line and in sessions
-  std::string_view label;     ///< in the window: "Faces"
+  std::string_view label;     ///< in the window, for example "Faces"
   std::string_view sentence;  ///< short description for tooltips and help
 };
 
@@ -83,9 +83,9 @@ struct Weighting {
   }
 };
 
-/// Factors for the log of each map's rotation (`turn`) and of its stretch. Handles' centres do not change.
+/// Factors of the logs of each map. Handles' centres do not change.
 struct Amounts {
-  double turn = 1, stretch = 1;
+  double turn = 1, stretch = 1;  ///< turn: factor of the rotation's log; stretch: of the stretch's log
 
   bool whole() const { return turn == 1 && stretch == 1; }
   friend bool operator==(const Amounts&, const Amounts&) = default;
@@ -124,7 +124,7 @@ inline Scheme no_motion() {
   return {.weighting = {}, .blend = Blend::linear};
 }
 
-/// Returns the reason why weights, blend or stitching are incompatible, as a sentence; otherwise nullopt.
+/// If weights, blend and stitching are incompatible, returns the reason as a sentence; otherwise nullopt.
 std::optional<std::string_view> conflict(const Scheme& scheme);
 
 /// A choice of weights and a choice of a blend. A member without a value allows any value.
@@ -212,9 +212,9 @@ std::string text_of_percent(double fraction);
 std::span<const NumberEntry> all_numbers();
 const NumberEntry& number(std::string_view name);
 
-/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. If `asked` has a
-/// radius, but no deformer and no weights, and `chosen` is false, selects cut-off weights. `chosen`: weights
-/// were chosen by name earlier, for example in a session. Throws base::Error for incompatible choices, for
+/// Returns `now` with the choices in `asked`. Keeps other choices if they are compatible. `chosen` is true if
+/// weights were chosen by name earlier, for example in a session. Otherwise, if `asked` has a radius, but
+/// neither a deformer nor weights, selects cut-off weights. Throws base::Error for incompatible choices, for
 /// numbers that the scheme does not use, and for stitching of elements that only translate.
 Scheme scheme_of(const AskedScheme& asked, const Scheme& now, bool chosen = false);
 

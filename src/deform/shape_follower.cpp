@@ -2,7 +2,7 @@
 
 namespace viete::deform {
 
-// Returns v' for each displacement v. `sums` contains share * (sum w * (M - I)) by rows.
+// Returns v' for each v in `ways`, see ShapeFollower. `sums` has share * (sum w * (M - I)) by rows.
 std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::span<const Vec3> ways) const {
   std::vector<Vec3> all;
   all.reserve(ways.size());

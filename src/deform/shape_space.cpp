@@ -18,7 +18,7 @@ namespace {
 using Mat = sym3::Mat3<double>;
 
 constexpr std::size_t triangles_at_once = 64;
-// The mean map has singular values s0 <= s1 <= s2. If (s0 + s1) / s2 is less, its rotation is not unique.
+// Limit of (s0 + s1) / s2 for singular values s0 <= s1 <= s2 of a map. Below it, the rotation is not unique.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
 // Limits, in radians, of a log's difference from a neighbour's log. Above `doubted`, the rotation becomes
@@ -184,7 +184,7 @@ std::vector<MapSplit> ShapeSpace::split(std::span<const mesh::Point> positions, 
   return splits;
 }
 
-// Gives collapsed triangles the minimum stretch, see log_maps(). Returns 1 for each of them, otherwise 0.
+// Gives collapsed triangles the minimum stretch (see log_maps()). Returns for each triangle if it collapsed.
 std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positions,
                                             std::vector<MapSplit>& splits) const {
   const double mean = mean_stretch(triangles_.flat, splits);

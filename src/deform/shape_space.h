@@ -24,9 +24,9 @@ struct ShapeReport {
 };
 
 /// Converts shapes of one model, given as vertex positions, to vectors. A vector has one rotation of the
-/// whole shape: the rotation of the area-weighted mean of the triangles' maps. Its logs are relative to this
-/// rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation, 2012;
-/// R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
+/// whole shape: the rotation of the area-weighted mean of the triangles' maps. The triangles' logs are
+/// relative to it. Sources: S. Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation,
+/// 2012; R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.

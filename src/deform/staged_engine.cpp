@@ -32,7 +32,7 @@ void product(const double* weights, const double* table, std::size_t handles, do
   }
 }
 
-// Calls store(vertex, sums) for the vertices [begin, end). The sums of `Rows` vertices fill the registers.
+// Calls store(vertex, sums) for the vertices [begin, end). Computes the sums of `Rows` vertices at a time.
 template <std::size_t Rows, std::size_t Columns, class Store>
 void for_rows(const Binding& binding, const double* table, std::size_t begin, std::size_t end,
               const Store& store) {

@@ -1,4 +1,4 @@
-// Computes frames step by step, in double, so that each step can be timed and compared.
+// Computes frames step by step, in double precision, so that each step can be timed and compared.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ namespace viete::deform {
 /// `sums` must have its final size. Results do not depend on the ranges.
 void blend(const VertexBlock& block, const Rows& rows, std::size_t begin, std::size_t end,
            std::span<double> sums);
-/// Multiplies a vertex's sums by its share, and adds (1 - share) * rest position to the sums of centres.
+/// Multiplies sums by the shares of the vertices. Adds (1 - share) * rest position to the sums of centres.
 void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std::size_t end,
                   std::span<double> sums);
 
@@ -26,8 +26,8 @@ void apply_shares(const VertexBlock& block, RowForm form, std::size_t begin, std
 void stretch_logs(std::span<const double> sums, std::size_t begin, std::size_t end,
                   std::span<sym3::Sym3<double>> logs);
 
-/// Computes positions of the vertices [begin, end) from sums of any form except moments. For logs, these are
-/// origin + (exp(Y) * exp(X) * o + c') with exp(X) from `stretches`. Symbols: see RowForm.
+/// Computes positions of the vertices [begin, end) from sums of any form except moments. For RowForm::logs, a
+/// position is origin + (exp(Y) * exp(X) * o + c'), with exp(X) from `stretches`. Symbols: see RowForm.
 void apply(const VertexBlock& block, RowForm form, std::span<const double> sums,
            std::span<const sym3::Sym3<double>> stretches, const Vec3& origin, std::size_t begin,
            std::size_t end, std::span<mesh::Point> positions);
@@ -53,7 +53,7 @@ public:
   void set_shape(std::span<const Vec3> ways) override { ways_ = ways; }
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return vertices_; }
-  /// Positions of the last frame, in double.
+  /// Positions of the last frame, in double precision.
   std::span<const mesh::Point> positions() const { return positions_; }
   std::span<const mesh::Point> normals() const { return normals_; }
   /// The matrices that the last frame exponentiated; empty if there were none.

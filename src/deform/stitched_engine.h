@@ -26,9 +26,9 @@ public:
   /// Sets the shape of the next poses: one displacement per vertex, see Engine::set_shape(). The
   /// displacements change the edges of the model, but not the cotangents of its triangles.
   void set_shape(std::span<const Vec3> ways);
-  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. `held` has the blended
-  /// position of the vertex of each Stitching::Hold, relative to the rows' origin. A triangle's map is
-  /// computed from the mean of the corners' sums.
+  /// Computes one pose. sums[vertex][column] are the blended rows with shares applied. A triangle's map is
+  /// computed from the mean of the corners' sums. `held` has the blended positions of the vertices in
+  /// Stitching::holds, relative to the rows' origin.
   ///
   /// `iterations`, 1 or more, is the number of solves. Before each solve after the first, the rotations R_t
   /// are replaced by the rotations that best fit the positions. The stretches S_t do not change (O. Sorkine,
@@ -65,9 +65,9 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// Computes stitched frames. The fused engine computes the sums in float. The maps of triangles, the solve
-/// and the positions are in double. No pose needs a factorisation. The result agrees with deform_exactly() up
-/// to the error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
+/// Computes stitched frames. The fused engine computes the sums in float. All later steps
+/// have double precision. Poses need no factorisation. The result agrees with deform_exactly() up to the
+/// error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// `binding` and `stitching` must not be null, and must belong to the same model, cage and kind of
@@ -79,7 +79,7 @@ public:
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return blender_.vertices(); }
-  /// Positions of the last frame, in double, relative to the rows' origin.
+  /// Positions of the last frame, in double precision, relative to the rows' origin.
   std::span<const Vec3> positions() const { return stitcher_.positions(); }
 
   /// Returns positions of vertices in the last frame, before stitching, relative to the rows' origin.

@@ -27,7 +27,7 @@ constexpr auto no_triangle = std::numeric_limits<std::uint32_t>::max();
 constexpr double found_pins = 0.5;  // the fraction of the work that is done when the pins are known
 constexpr double hold_of_loose_vertex = 1;
 constexpr double hold_of_loose_part = 1e-4;
-constexpr double indistinguishable = 1e-9;  // distances that differ by less count as equal; in cage diagonals
+constexpr double indistinguishable = 1e-9;  // in cage diagonals; smaller differences of distances count as 0
 
 class StitchMaker {
 public:
@@ -103,7 +103,7 @@ private:
         if (thin_[t]) continue;
         const auto& [a, b, c] = model_.triangles[t];
         const double side = std::sqrt(std::max(squared_norm(p[b] - p[a]), squared_norm(p[c] - p[a])));
-        const double farthest = least + slack + side;  // if corner a is farther, the triangle is too far
+        const double farthest = least + slack + side;  // limit of the distance to corner a
         if (squared_norm(point - p[a]) > farthest * farthest) continue;
         const double distance =
             std::sqrt(mesh::closest_on_triangle(point, p[a], p[b], p[c]).squared_distance);
@@ -224,7 +224,7 @@ private:
   base::WorkerPool& pool_;
   base::Progress* progress_;
   std::vector<std::uint8_t> thin_;
-  std::vector<Coupling> couplings_;  // only vertex with vertex, see by_corners()
+  std::vector<Coupling> couplings_;  // each joins two vertices, see by_corners()
   std::vector<Stitching::Pin> pins_;
   std::vector<Stitching::Hold> holds_;
 };

@@ -1,4 +1,4 @@
-// Stitching: deforms the model so that its triangles follow the blended maps as closely as one surface can.
+// Stitching: the model's triangles follow the blended maps as closely as possible, and stay connected.
 #pragma once
 
 #include <array>
@@ -23,15 +23,15 @@ inline constexpr double pin_strength = 0.03;
 ///
 /// M_t is the blended map of triangle t, and T_t projects onto the triangle's plane. A pin ties a vertex x to
 /// a handle with the map A_h. A hold pulls a vertex to its blended position b. The published energy (S. Kaji,
-/// "ARAP" modes) has the same minimum, but three times as many unknowns: a fourth corner of each triangle.
+/// "ARAP" modes) has the same minimum, but three times as many unknowns: each triangle gets a fourth corner.
 ///
 /// At the minimum of the first sum, K * x' = sum_t M_t * g_t. K is the stiffness matrix. g_t has one vector
 /// per corner: the area times the gradient of the corner's hat function. The matrix is factored once.
 ///
-/// Couplings join near parts, cracks, and vertices at one position, see part_couplings(). A coupling of a and
-/// b with strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. It is stored as triangle
-/// (a, b, b). In parts without a pin, each vertex is pulled to its blended position with weight 1e-4. The
-/// weight is 1 for vertices that have only thin triangles (see half_cotangents()) or no triangles.
+/// Couplings join near parts, the sides of cracks, and vertices at one position, see part_couplings(). A
+/// coupling of a and b with strength c adds the energy c * |(x'_a - x'_b) - M * (x_a - x_b)|^2. The coupling
+/// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
+/// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
 ///
 /// Results do not depend on the scene's size or its distance from the origin.
 struct Stitching {
@@ -46,7 +46,7 @@ struct Stitching {
 
   Holding holding;
   std::vector<std::uint32_t> order;       ///< all vertices, ordered for locality
-  std::vector<mesh::Triangle> triangles;  ///< all proper triangles, ordered as the vertices; then couplings
+  std::vector<mesh::Triangle> triangles;  ///< all proper triangles, in the order of vertices; then couplings
   /// For each triangle, the index of the triangle that provides the fitted rotation: the triangle itself or,
   /// for a coupling, a neighbouring triangle, because a line does not determine a rotation.
   std::vector<std::uint32_t> rotated_as;
@@ -69,11 +69,11 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. Each handle pins its nearest triangle. With r = holding.radius *
-/// cage.size, it also pins the vertices at distances d < r from its centre, with weight pin_strength *
-/// ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if the model has
-/// no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do not depend on
-/// the number of threads.
+/// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
+/// distances d < r from its centre: r is holding.radius * cage.size, and the weight of these pins is
+/// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight holding.weight. Throws base::Error if
+/// the model has no vertices, or if its size is above 1e75 or below 1e-75. Throws base::Cancelled. Results do
+/// not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                  const Holding& holding = {}, base::Progress* progress = nullptr);
 

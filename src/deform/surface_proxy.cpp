@@ -114,8 +114,8 @@ public:
     return join_small();
   }
 
-  /// Halves the cells of clusters for the reasons in SurfaceProxy. `apart` has the vertices that handles own.
-  /// Returns false if no cell was halved.
+  /// Halves the cells of clusters for the reasons in SurfaceProxy. `apart` has the vertices that handles own:
+  /// they must be in different clusters. Returns false if no cell was halved.
   bool refine(std::span<const std::uint32_t> apart) {
     std::vector<std::uint64_t> met, cornered;
     std::vector<bool> has_triangle(level_.size(), false);
@@ -299,7 +299,7 @@ void SurfaceProxy::find_neighbours() {
   }
 }
 
-// Moves clusters to owned vertices, so that the springs of ThinPlate are where they are without a proxy.
+// Moves clusters to owned vertices. ThinPlate then has springs at the same positions as without a proxy.
 void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   std::vector<bool> used(surface_.positions.size(), false);
   for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;

@@ -19,7 +19,7 @@ namespace viete::deform {
 ///
 /// A cluster is a connected piece of the surface in one cell of a grid. Therefore, a cluster never contains
 /// vertices of two layers or parts. If a triangle has corners in three clusters, it becomes a triangle of the
-/// proxy. A cell is halved, up to five times, if its cluster
+/// proxy. A cell is halved (at most five times) if its cluster
 ///   - is in no triangle of the proxy,
 ///   - contains several vertices that handles own (see OwnedVertices), or
 ///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
@@ -44,8 +44,8 @@ public:
     std::uint32_t cluster;
     double factor;
   };
-  /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * value at
-  /// cluster. The factors sum to 1 up to rounding. Thread-safe.
+  /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * (value at the
+  /// cluster). The factors sum to 1 up to rounding. Thread-safe.
   void terms(std::uint32_t vertex, std::vector<Term>& terms) const;
 
 private:

@@ -21,7 +21,7 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// Handles own no vertices in a body if its area, divided by the mean area per handle, is less.
+// Limit of a body's area, divided by the mean area per handle. Below it, handles own no vertex in the body.
 constexpr double least_body = 0.1;
 // A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
 constexpr double as_near = 1.5;

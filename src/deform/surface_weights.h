@@ -25,8 +25,8 @@ inline constexpr std::size_t proxy_vertices = 40'000;
 /// Models with more vertices use a proxy. For smaller models, a proxy saves little time.
 inline constexpr std::size_t most_solved_vertices = 2 * proxy_vertices;
 
-/// Each handle owns the vertex nearest to it. Of several nearest vertices, it owns the one with the lowest
-/// index. A vertex without triangles has no owner. Handles that do not weigh (see HandleShape) own no vertex.
+/// Each handle owns the vertex nearest to it. Of equally near vertices, it owns the first.
+/// Vertices without triangles have no owner. Handles own no vertex if HandleShape::weighs is false.
 struct OwnedVertices {
   static constexpr auto none = std::numeric_limits<std::uint32_t>::max();
   std::vector<std::uint32_t> of_handle;  ///< the vertex of each handle, or none
@@ -82,7 +82,7 @@ public:
   std::size_t vertices() const { return offsets_.size(); }
   std::size_t handles() const { return owned_.of_handle.size(); }
 
-  /// Weights of handles [first, first + count), at most solved_columns of them.
+  /// Weights of handles [first, first + count). `count` is at most solved_columns.
   struct Solved {
     std::size_t first, count;
     std::span<const double> block;

@@ -81,7 +81,7 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
 }
 
 // Replaces forces by the displacement w', see ThinPlate. If `part` is not null, computes w' only for the
-// unknowns of these supernodes.
+// unknowns of the supernodes in `part`.
 void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
   solver_.solve(block, kernel);

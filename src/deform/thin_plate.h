@@ -1,4 +1,4 @@
-// A surface as a thin plate on springs, which pull the plate to shapes.
+// A surface as a thin plate on springs. The springs pull their vertices to given values.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 ///
 ///     w^T * L * M^-1 * L * w + sum over springs v of s_v * (w_v - t_v)^2.
 ///
-/// A factor of this problem's matrix would take ten times as long as a factor of L. Therefore, first computes
+/// Factoring this problem's matrix would take ten times as long as factoring L. Therefore, first computes
 /// the springs' forces f_v = s_v * (t_v - w_v). Then L * y = f and L * w = M * y give w. Each part has one
 /// fixed vertex, the ground, where the solution w' of these equations is 0. So w = w' + b, with one b per
 /// part: at the ground, b = t - f / s. The forces phi of springs that are not at a ground solve
@@ -56,7 +56,7 @@ public:
             base::Progress* progress = nullptr, double done = 1);
 
   const BlockSolver& solver() const { return solver_; }
-  /// Writes the shapes of loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
+  /// Writes the w of the loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
   /// must contain 0 before the call, and end - begin must be at most solved_columns.
   void solve(std::size_t begin, std::size_t end, std::span<double> block) const;
 

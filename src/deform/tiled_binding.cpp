@@ -182,7 +182,7 @@ private:
     }
   }
 
-  // Writes the weights of a leaf to rows, and the leaf's sums and shares to w. rows must have its final size.
+  // Writes the weights of a leaf to `rows`, which must be large enough. Writes the sums and shares to `w`.
   // Returns the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
@@ -373,7 +373,7 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 
 void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
   const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
-  // Reads a number of an array [tile][place][lane] that begins at `first`.
+  // Reads a number of an array [tile][place][lane] that begins at values[first]; s is a slot of the leaf.
   const auto at = [](const base::AlignedVector<float>& values, std::size_t first, std::size_t places,
                      std::size_t s, std::size_t place) -> double {
     return values[first + (s / lanes * places + place) * lanes + s % lanes];

@@ -26,7 +26,7 @@ std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit
 enum class Storage {
   dense,    ///< weights of every handle at every vertex
   factors,  ///< compressed, see LeafFactors
-  lists,    ///< weights of the handles that have weight in the leaf; lossless
+  lists,    ///< weights of the handles with nonzero weights in the leaf; lossless
 };
 
 /// Compressed weights of a leaf: a matrix of factors times the weights of the pivots. Pivots are some
@@ -80,12 +80,12 @@ struct TiledBinding {
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
-  std::size_t bytes() const;  ///< size of weights (or factors) and offsets; a frame reads all of these once
+  std::size_t bytes() const;        ///< size of weights (or factors) and offsets, which a frame reads once
   std::size_t dense_bytes() const;  ///< bytes() without compression
   struct Sizes {
     std::size_t factors, skeleton;
   };
-  /// Sets the indices `first` and `pivots` of every leaf from rank and dense. Returns the required sizes.
+  /// Sets `first` and `pivots` of every leaf from `rank` and `dense`. Returns the required sizes.
   Sizes lay_out_factors();
 };
 

@@ -1,4 +1,4 @@
-// The sums of a frame at selected vertices, computed in double from the rest positions.
+// The sums of a frame at selected vertices, computed in double precision from the rest positions.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ struct VertexSum {
   bool has_logs = false;         ///< false: rows have another form, and all X and Y are 0
 };
 
-/// Computes the sum at a vertex. From the binding, reads only weights along the surface. mask may be null.
+/// Computes the sum at a vertex. Reads only weights along the surface from `binding`. `mask` may be null.
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
@@ -57,9 +57,9 @@ private:
 
 /// Returns the error of a frame: the largest distance of a vertex from its exact position, relative to the
 /// cage's diagonal. Compares the vertices of spread_vertices(n, error_sample). Exact positions are computed
-/// in double from exact weights, and moved by `layer` if it is not null. ways: the shape's displacements, see
-/// Engine::set_shape(). shown: the frame's positions of these vertices, relative to the rows' origin. For
-/// weights along the surface, binding.tiles must not be null.
+/// in double precision from exact weights. If `layer` is not null, it moves them. `ways` are the shape's
+/// displacements, see Engine::set_shape(). `shown` are the frame's positions of the compared vertices,
+/// relative to the rows' origin. For weights along the surface, binding.tiles must not be null.
 double sampled_error(const Weigher& weigher, const Binding& binding, const Mask& mask,
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown);

@@ -135,7 +135,7 @@ TEST_CASE("a_fold_bends_by_the_square_of_its_angle") {
     CHECK(model.bending(folded(angle)) == doctest::Approx(6 * angle * angle));
     CHECK(std::abs(model.distortion(folded(angle)).energy) < 1e-12);
   }
-  // Between folds of 3 and -3 radians, the smaller rotation is 2 pi - 6: it passes the complete fold, pi.
+  // From a fold of 3 radians to one of -3, the shorter way is 2 pi - 6. It passes pi, the complete fold.
   auto creased = square();
   creased.positions = folded(3.0);
   const double turned = 2 * std::numbers::pi - 6;

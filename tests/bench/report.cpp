@@ -130,7 +130,7 @@ nlohmann::json recorded_report() {
   return nlohmann::json::parse(in);
 }
 
-// Relative tolerances. The tables have two digits of errors, and mostly three digits of times.
+// Relative tolerances. The tables show errors with two digits, and times with mostly three digits.
 constexpr double of_errors = 0.05, of_times = 0.015;
 
 void check_number(const std::string& written, double recorded, double noise) {

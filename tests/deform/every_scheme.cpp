@@ -16,7 +16,7 @@ mesh::Surface cage_of_a_part() {
   return tube(9, 7, 0.4, 2.2);
 }
 
-// Returns the largest difference between the engines, in diagonals of the cage (the larger of rest and pose).
+// Returns the largest difference between the engines, in diagonals of the larger cage: at rest or posed.
 double difference(Frames& f, const Pose& pose) {
   f.fused.deform(pose, sym3::Method::fast);
   const double unit = std::max(f.staged.cage->diagonal, mesh::bounds(pose.positions).diagonal());

@@ -342,9 +342,9 @@ Vector mean(const std::vector<mesh::Point>& points, const std::vector<Quad>& wei
   return sum;
 }
 
-// The affine map is B * K^-1, with B = sum v * (p' - m') * (p - m)^T and K = sum v * (p - m) * (p - m)^T. v
-// are the positive weights; m and m' are the means of p and p'. Each point p stands for a cloud of points,
-// which moves by the map of the patch at p. The rotation is B * (B^T * B)^-1/2; B must not mirror.
+// The affine map is B * K^-1, with B = sum v * (p' - m') * (p - m)^T and K = sum v * (p - m) * (p - m)^T. The
+// factors v are the positive weights; m and m' are the means of p and p'. Each point p stands for a cloud of
+// points, which moves by the map of the patch at p. The rotation is B * (B^T * B)^-1/2; B must not mirror.
 Vector by_least_squares(const Vector& x, const mesh::Surface& cage, const IndependentPose& pose,
                         const std::vector<Quad>& weights, deform::Blend blend) {
   const Vector from = mean(cage.positions, weights), to = mean(pose.positions, weights);
@@ -390,7 +390,7 @@ std::vector<Quad> weights_at(const Vector& x, const mesh::Surface& cage, const d
   return inverse_distance(squares);
 }
 
-// If the weights sum to less than 1, the identity about x gets the rest.
+// If the weights sum to less than 1, the identity about x gets the remaining weight.
 Vector by_elements(const Vector& x, std::vector<Element> elements, std::vector<Quad> weights,
                    deform::Blend blend) {
   elements.push_back({x, x});

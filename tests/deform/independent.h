@@ -28,7 +28,7 @@ struct IndependentFrame {
 /// Moves points by a posed cage, with the formulas of the papers:
 ///   - The map of a triangle maps two sides and the vector N / sqrt|N|. N is the cross product of the sides.
 ///   - Weights are d^-2, (1 - d / r)^2, or mean value coordinates by spherical triangles (Ju, Schaefer,
-///     Warren, SIGGRAPH 2005, figure 4). If the weights sum to less than 1, the identity gets the rest.
+///     Warren, SIGGRAPH 2005, figure 4). The identity gets the remaining weight.
 ///   - Blends are exp(Y) * exp(X) * (x - sum w * c) + sum w * c', the sum of maps, or moving least squares.
 ///   - Each log is the branch nearest to a neighbour's log. This is unique if largest_step < a quarter turn.
 /// The cage must be one closed part. Its triangles must have area at rest and posed. No point may be on the

@@ -81,7 +81,7 @@ mesh::Surface rows_around(std::uint32_t rows, std::uint32_t sides, double from, 
   return mesh::from_triangles(p, t);
 }
 
-// Returns a head of three parts, 0.4 % of its diagonal apart, and two eyes with gaps of `gap` diagonals.
+// Returns a head of three parts and two eyes. Gaps in diagonals: 0.004 between parts, `gap` around eyes.
 mesh::Surface head(double gap, double eye) {
   const Vec3 half{0.85, 0.75, 1};
   const double diagonal = 2 * norm(half), seam = 0.002 * diagonal, socket = eye + gap * diagonal;

@@ -130,7 +130,7 @@ TEST_CASE("falloffs_begin_at_one_never_rise_and_end_at_the_radius") {
   }
   CHECK(weight_at(Falloff::endless, 1) == 0.5);
   for (const auto& falloff : all_falloffs())
-    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // distance / radius, if the radius is almost 0
+    CHECK(weight_at(falloff.value, HUGE_VAL) == 0);  // distance / radius, for a radius of almost 0
   CHECK(weight_at(Falloff::smooth, 0.5) == 0.5);
 }
 

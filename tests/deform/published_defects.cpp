@@ -1,4 +1,4 @@
-// Numbered defects of published cage deformers, each with a test that finds it:
+// Defects of published cage deformers. Each line has a number, a defect, and the test or file that finds it.
 //
 //  2 Translations blended about the world's origin: rotating_model_cage_and_pose_rotates_the_result
 //  3 Distances depend on units: weights_are_the_same_at_every_length_scale_and_finite_everywhere

@@ -85,7 +85,7 @@ double energy_of_maps(const mesh::Surface& rest, std::span<const mesh::Point> po
   return sum;
 }
 
-// Returns q = x^T * K * x, where K includes the pins. At the minimum, the energy plus q is constant.
+// Returns q = x^T * K * x, where K includes the pins. At the minimum, the energy is a constant minus q.
 double held_quadratic(const mesh::Surface& rest, const Stitching& stitching, std::span<const Vec3> x) {
   const SparseMatrix k = stiffness_matrix(rest.positions, rest.triangles);
   double sum = 0;

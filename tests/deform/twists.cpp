@@ -7,7 +7,7 @@ using namespace viete::test;
 
 namespace {
 
-constexpr double tear = 1.5;  // limit of the model's largest edge stretch, relative to the cage's
+constexpr double tear = 1.5;  // limit of the ratio: largest edge stretch of the model / of the cage
 
 }  // namespace
 

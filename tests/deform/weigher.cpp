@@ -45,7 +45,7 @@ const Weighting weightings[] = {faces,
                                 {Elements::face, Weights::cut_off, 0.6},
                                 {Elements::point, Weights::cut_off, 0.1}};
 
-// Weighs eight points at a time. For each point, calls use(number, weights, share, true if weights failed).
+// Weighs eight points at a time. For each point, calls use(index, weights, share, failed).
 template <class Use>
 void for_points(const Weigher& weigher, std::span<const viete::mesh::Point> points, const Use& use) {
   std::vector<double> scratch(weigher.scratch_size()), weights(weigher.handles());

@@ -39,9 +39,9 @@ FactorReport told(base::Progress* progress, double from, double to);
 
 /// Factors a symmetric matrix by the multifrontal method (I. S. Duff and J. K. Reid, ACM Trans. Math. Softw.
 /// 9, 1983), in the given order or in elimination_order(). Reads only the lower triangle. Does not pivot: if
-/// the matrix is not positive definite in double precision, a pivot is NaN, zero or negative. Calls report at
-/// least once per few million operations. The number of threads does not change a bit of the result. Throws
-/// std::bad_alloc and the exceptions that report throws.
+/// the matrix is not positive definite in double precision, a pivot is NaN, zero or negative. Calls `report`
+/// at least once per few million operations. The result does not depend on the number of threads. Throws
+/// std::bad_alloc and the exceptions that `report` throws.
 SparseFactor factor(const SparseMatrix& matrix, base::WorkerPool& pool, const FactorReport& report = {});
 SparseFactor factor(const SparseMatrix& matrix, const mesh::Adjacency& neighbours,
                     std::vector<std::uint32_t> order, base::WorkerPool& pool, const FactorReport& report = {},

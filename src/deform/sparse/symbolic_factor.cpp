@@ -32,7 +32,7 @@ public:
   }
 
 private:
-  // In row r of L, entries are at the neighbours of r, and at all ancestors of these neighbours before r.
+  // Row r of L has entries in these columns before r: the neighbours of r, and the neighbours' ancestors.
   void grow_tree(const FactorReport& report) {
     parents_.assign(size(), no_parent), counts_.assign(size(), 0);
     std::vector<std::uint32_t> seen(size());
