@@ -27,8 +27,8 @@ struct GltfRewritten {
 
 /// Copies the file with new values for positions that differ from `rest`, and for the normals and tangents
 /// that depend on these positions. Replaces values in place. If values are shared or are not floats, adds new
-/// accessors instead. Appends `motion` to the file's targets and animations. motion and progress may be null.
-/// Can throw base::Error and base::Cancelled.
+/// accessors instead. Appends `motion` to the file's targets and animations. `motion` and `progress` may be
+/// null. Can throw base::Error and base::Cancelled.
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
                              std::span<const mesh::Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);

@@ -117,8 +117,8 @@ private:
     return rows;
   }
 
-  // Selects these properties: each row's values will be stored in to[0], to[1], ... If a property is missing,
-  // returns false. colors: multiply values by part_of_largest().
+  // Selects these properties: the values of each row will be stored in to[0], to[1], ... If a property is
+  // missing, returns false. If `colors`, values will be multiplied by part_of_largest().
   bool find(const PlyElement& element, std::initializer_list<std::string> names, double* to,
             bool colors = false) {
     std::vector<std::size_t> found;

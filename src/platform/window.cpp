@@ -23,7 +23,7 @@ std::string last_glfw_error() {
   return reason;
 }
 
-// GLFW's codes are those of a US keyboard. If the user's key has a letter, returns the letter's code.
+// GLFW's codes assume a US keyboard. If the user's keyboard has a letter on this key, returns its code.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);
