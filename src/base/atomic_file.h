@@ -32,7 +32,7 @@ using ByteSink = std::function<void(std::string_view)>;
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability = Durability::power_cut);
 
-/// Replaces several files together. put() writes a new file; replace() renames all new files. Without
+/// Replaces several files together. put() writes a new file; replace() renames all new files. Before
 /// replace(), no existing file changes. If the system crashes during replace(), only some files are replaced.
 class FilesTogether {
 public:

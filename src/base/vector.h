@@ -18,7 +18,7 @@ template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// This is a template so that a list in braces always calls the constructor above, with three numbers.
+  /// This is a template, so that three numbers in braces always call the constructor above.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };

@@ -26,7 +26,7 @@ std::vector<double> morph_differences(const GltfAccessors& accessors, const Gltf
                                       int GltfTarget::*of, std::span<const double> weights);
 
 /// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
-/// ignores animations of nodes. If vertices were merged, takes the position of the first. Throws base::Error.
+/// ignores animations of nodes. Merged vertices get the position of the first. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 

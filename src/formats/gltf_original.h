@@ -14,8 +14,8 @@ namespace viete::formats {
 
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a
 /// separate mesh. Writes the external buffers of out.gltf to out.bin, out-2.bin, ..., and never overwrites
-/// unrelated files. External images stay in place. If no position changed, there are no external files and
-/// source.owner is set, writing copies the bytes of `source`.
+/// unrelated files. External images stay in place. If no position changed, writing copies the bytes of
+/// `source`. This requires source.owner and no external files.
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
 
 /// The rewritten file before conversion to JSON or GLB.

@@ -14,7 +14,7 @@ constexpr std::size_t place_count = 24000;
 constexpr int cells_per_size = 96, most_cells = 252;        // most_cells: a multiple of GroundShadow::square
 constexpr int near_radius = 1, far_radius = 4, passes = 3;  // blur radii in cells, and the number of passes
 constexpr int margin = passes * far_radius + 1;             // the largest distance of a blur, in cells
-// Heights above the ground and depth below it, relative to the model's size, at which darkness falls to 37 %.
+// Heights above and depth below the ground where darkness falls to 37 %, in units of the model's size.
 constexpr float near_height = 0.03F, far_height = 0.32F, depth = 0.02F;
 constexpr float near_darkness = 0.8F, far_darkness = 0.75F;
 
