@@ -93,7 +93,7 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Sets the window's size, limited to the screen. Also sets the minimum size, for which the panels have room.
+// Sets the window's size, limited to the screen. Also sets the minimum size, so that the panels have room.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;
