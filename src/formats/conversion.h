@@ -22,7 +22,7 @@ Attributes deformed_attributes(const mesh::Surface& rest, std::span<const mesh::
 /// deformation can then change each copy separately.
 struct SpreadNormals {
   std::vector<mesh::Vec3> normals;   ///< all copies of original normal 0, then all copies of normal 1, ...
-  std::vector<std::uint32_t> first;  ///< index of each original normal's first copy; at the end, normals.size()
+  std::vector<std::uint32_t> first;  ///< index of each original normal's first copy; last: normals.size()
   std::vector<std::uint32_t> of_corner;  ///< for each corner an index into normals, or mesh::none
 
   /// `attributes` must have normals and corner indices.
