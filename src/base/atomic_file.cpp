@@ -71,8 +71,8 @@ constexpr mode_t kept_mode = 0777;
 
 }  // namespace
 
-// process_runs() is false for a process in another container or on another computer. The part files of that
-// process are locked, and remove_if_left() keeps locked files.
+// process_runs() cannot find processes in other containers or on other computers. Their part files stay
+// nevertheless, because they are locked and remove_if_left() keeps locked files.
 void remove_stale_parts(const fs::path& folder, const std::string& target) {
   std::vector<fs::path> stale;
   std::error_code code;  // set if the folder cannot be read; the folder then counts as empty

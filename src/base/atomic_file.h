@@ -32,7 +32,7 @@ using ByteSink = std::function<void(std::string_view)>;
 void replace_file(const std::filesystem::path& path, const std::function<void(const ByteSink&)>& produce,
                   Durability durability = Durability::power_cut);
 
-/// Replaces several files together. put() writes a new file; replace() renames all new files. Without
+/// Replaces several files together. put() writes a new file; replace() renames all new files. Before
 /// replace(), no existing file changes. If the system crashes during replace(), only some files are replaced.
 class FilesTogether {
 public:
@@ -57,12 +57,12 @@ private:
 void check_replaceable(const std::filesystem::path& path);
 
 /// Returns the path if no file has this name. Otherwise, returns a free name such as "viete-2.png". A broken
-/// symbolic link counts as a file. A regular file for which fits(file) is true counts as free.
+/// symbolic link counts as a file. The name of a regular file for which fits(file) is true counts as free.
 std::filesystem::path unused_name(
     const std::filesystem::path& path,
     const std::function<bool(const std::filesystem::path&)>& fits = [](const auto&) { return false; });
 
-/// Calls remove_stale_parts() for the folder of this file. If `path` is a symbolic link, for its target.
+/// Calls remove_stale_parts() for the folder of this file. If it is a symbolic link, for that of its target.
 void remove_leftovers_beside(const std::filesystem::path& path);
 
 /// Removes `.part` files that killed programs left in a folder. If `file` is not empty, removes only `.part`

@@ -98,7 +98,7 @@ public:
   BackgroundJob(const BackgroundJob&) = delete;
   BackgroundJob& operator=(const BackgroundJob&) = delete;
 
-  /// Cancels the running job and starts `work`. For state(), `name` is the name of the first step.
+  /// Cancels the running job and starts `work`. `name` is the name of the first step in state().
   void start(std::function<Value(StepProgress&)> work, std::string name = "") {
     cancel();
     progress_ = std::make_shared<StepProgress>(std::move(name));
@@ -113,7 +113,7 @@ public:
     value_ = {};
   }
 
-  /// Asks the job to stop. poll() then returns `stopped`, or the complete result if the job ended before.
+  /// Asks the job to stop. poll() later returns `stopped`; or the result, if the job ends before it notices.
   void stop() {
     if (running()) progress_->cancel();
   }
@@ -123,7 +123,7 @@ public:
   WorkState state() const { return running() ? progress_->state() : WorkState{}; }
   bool has_result() const { return is_ready(value_); }
 
-  /// If the job has ended, returns its result and forgets it, otherwise nullopt. If `wait`, first waits.
+  /// If the job has ended, returns its result once; otherwise nullopt. If `wait`, first waits for the end.
   std::optional<Result> poll(bool wait = false) {
     if (!running() || (!wait && !has_result())) return std::nullopt;
     try {

@@ -1,4 +1,4 @@
-// A vertex of a frame. Files for different processors include this file, so it must not contain functions.
+// A vertex of a frame. Kernels for several instruction sets include this file: it must not have functions.
 #pragma once
 
 #include <array>

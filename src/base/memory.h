@@ -24,7 +24,7 @@ struct CacheLineAllocator {
   template <class U>
   CacheLineAllocator(const CacheLineAllocator<U>&) {}
 
-  // Leaves numbers uninitialised. Otherwise, one thread would fill an array before many threads compute it.
+  // Leaves numbers uninitialised: filling a large array before computing its values would waste time.
   template <class U>
   void construct(U* p) {
     ::new (static_cast<void*>(p)) U;

@@ -31,7 +31,7 @@ public:
   /// Returns the file with a number. As in printf, the file of `a_####` with the number -7 is `a_-007`.
   std::filesystem::path file(std::int64_t number) const;
 
-  /// Returns the number in a file name, or nullopt for a name outside the sequence, as `a_1` for `a_##`.
+  /// Returns the number in a file name, or nullopt for a name that does not fit the pattern.
   std::optional<std::int64_t> number(const std::string& name) const;
 
   /// Returns all existing files, sorted by number. If the folder is missing, returns no files. If the folder

@@ -25,13 +25,13 @@ public:
   ForkDelay& operator=(const ForkDelay&) = delete;
 };
 
-/// A child process. Its standard input is empty, its standard output is discarded, and its standard error is
-/// the text of errors. Ctrl+C in a terminal does not end the child. Not thread-safe.
+/// A child process. Its standard input is empty. Its standard output is discarded, and its standard error is
+/// kept. Ctrl+C in a terminal does not end the child. Not thread-safe.
 class ChildProgram {
 public:
-  /// Starts the program words[0], found by PATH, with the other words as arguments. Adds `variables`
-  /// ("NAME=value") to the environment. If the program is not installed or cannot be run, throws Error,
-  /// usually with `advice`.
+  /// Searches PATH for the program words[0] and starts it, with the other words as arguments. Adds
+  /// `variables` ("NAME=value") to the environment. If the program is not installed or cannot be run, throws
+  /// Error, usually with `advice`.
   ChildProgram(const std::vector<std::string>& words, const std::string& advice,
                const std::vector<std::string>& variables = {});
   /// Kills the program and its children.

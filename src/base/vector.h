@@ -12,13 +12,13 @@
 
 namespace viete::base {
 
-/// A vector. Unlike std::array, a separate type lets argument-dependent lookup find the operators below.
-/// Other code can use a Vector as an array.
+/// A vector. The type is in this namespace, so that argument-dependent lookup finds the operators below. A
+/// Vector can be used as a std::array.
 template <class T>
 struct Vector : std::array<T, 3> {
   Vector() = default;
   constexpr Vector(T x, T y, T z) : std::array<T, 3>{x, y, z} {}
-  /// This is a template so that a list in braces always calls the constructor above, with three numbers.
+  /// This is a template, so that three numbers in braces always call the constructor above.
   template <std::same_as<std::array<T, 3>> Array>
   constexpr Vector(const Array& a) : std::array<T, 3>(a) {}
 };
@@ -55,8 +55,8 @@ T squared_norm(const Vector<T>& a) {
   return dot(a, a);
 }
 
-/// Returns the length. The square of the length must be in the range of T. In double, the length must be from
-/// 1e-150 to 1e150, in float from 1e-18 to 1e18.
+/// Returns the length. The square of the length must be in the range of T. The length must be from 1e-150 to
+/// 1e150 for double, and from 1e-18 to 1e18 for float.
 template <class T = double>
 T norm(const Vector<T>& a) {
   return std::sqrt(squared_norm(a));

@@ -33,10 +33,10 @@ public:
 
   int threads() const;
 
-  /// The processor time of all loops until now, in seconds.
+  /// The processor times of all loops until now, in seconds.
   struct Cost {
     double caller = 0;   ///< the time of the thread that called for_blocks()
-    double longest = 0;  ///< for each loop, the time of its slowest thread; usually close to wall time
+    double longest = 0;  ///< the sum over all loops of the slowest thread's time; usually close to wall time
   };
   Cost cost() const;
 

@@ -31,8 +31,8 @@ ReadResult read_ply(const Source& source);
 bool looks_like_ply(const Source& source);
 /// Returns true if the file begins with a complete header.
 bool is_certainly_ply(const Beginning& file);
-/// Writes binary little-endian PLY with positions in double, normals, colours and texture points. If any
-/// vertex has several normals, writes no normals.
+/// Writes binary little-endian PLY with double positions, normals, colours and texture points. If any vertex
+/// has several normals, writes no normals.
 void write_ply(const Content& content, TextWriter& out);
 
 /// Specification: Geomview manual, "OFF Files". Reads OFF and the variants with colours, normals or texture
@@ -41,7 +41,7 @@ void write_ply(const Content& content, TextWriter& out);
 ReadResult read_off(const Source& source);
 /// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// Returns true if the file has only numbers after the optional keyword. A whole file needs enough numbers.
+/// Returns true if all words after the optional keyword are numbers. A whole file must have enough numbers.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 
@@ -60,20 +60,20 @@ void write_stl(const Content& content, TextWriter& out);
 /// with the transforms of their nodes. Morph targets have their default weights, unless source.played is
 /// true. Skins and animations are not applied. Coincident vertices of a node become one vertex, even if their
 /// normals or texture points differ. Points and lines become vertices without polygons. External buffers must
-/// be in the folder of the file or below. The limit of vertices + corners is bytes of buffers + 4 million.
+/// be in the folder of the file or below. The limit is: vertices + corners <= bytes of buffers + 4 million.
 ReadResult read_gltf(const Source& source);
 /// Returns true for a GLB file, or for JSON that contains the key "asset".
 bool looks_like_gltf(const Source& source);
 /// Returns true for a GLB file of version 2, or for JSON with an asset of version 2.
 bool is_certainly_gltf(const Beginning& file);
-/// Writes one node with one mesh and one primitive: positions in float, texture points, normals, colours.
+/// Writes one node with one mesh and one primitive: float positions, texture points, normals, colours.
 /// Computes missing normals. A surface that is_flat() and has no normals stays without normals, because
 /// viewers then use flat shading. Polygons become triangles. If the GLB exceeds 4 GB, throws base::Error.
 void write_glb(const Content& content, TextWriter& out);
 /// Works like write_glb(), but writes JSON with embedded buffers.
 void write_gltf(const Content& content, TextWriter& out);
 /// If `binary`, works like write_glb(), otherwise like write_gltf(). Adds an animation. `motion` must pass
-/// check_motion() or have no targets. progress may be null. Can also throw base::Cancelled.
+/// check_motion() or have no targets. `progress` may be null. Can also throw base::Cancelled.
 void write_gltf_animated(const Content& content, const MorphMotion& motion, bool binary, TextWriter& out,
                          base::Progress* progress);
 

@@ -22,29 +22,29 @@ Attributes deformed_attributes(const mesh::Surface& rest, std::span<const mesh::
 /// deformation can then change each copy separately.
 struct SpreadNormals {
   std::vector<mesh::Vec3> normals;   ///< all copies of original normal 0, then all copies of normal 1, ...
-  std::vector<std::uint32_t> first;  ///< index of the first copy of each original normal; then normals.size()
+  std::vector<std::uint32_t> first;  ///< index of each original normal's first copy; last: normals.size()
   std::vector<std::uint32_t> of_corner;  ///< for each corner an index into normals, or mesh::none
 
   /// `attributes` must have normals and corner indices.
   SpreadNormals(const mesh::Surface& surface, const Attributes& attributes);
 };
 
-/// of_corner: for each corner an index, or mesh::none. If all indices at each vertex are equal, returns one
-/// index for each vertex, or mesh::none for a vertex without an index. Otherwise returns nullopt.
+/// `of_corner` has an index or mesh::none for each corner. If no vertex has two different indices, returns
+/// the index of each vertex, or mesh::none for a vertex without an index. Otherwise, returns nullopt.
 std::optional<std::vector<std::uint32_t>> one_a_vertex(const mesh::Surface& surface,
                                                        const std::vector<std::uint32_t>& of_corner);
 
 /// Returns true if there are groups and all groups have flat shading.
 bool is_flat(const Attributes& attributes);
 
-/// If any component exceeds 1, divides the colours by 255, except white (1, 1, 1, 1) and an opacity of 1.
+/// If any component exceeds 1, divides all by 255, except opacities of 1 and the colour (1, 1, 1, 1).
 void to_unit_range(std::span<Color> colors);
 
 /// Converts a value in [0, 1] to an integer from 0 to 255. Values outside are clamped.
 std::uint8_t color_byte(float value);
 
 /// Returns messages about content that this format cannot store, one line each: "2 faces of more than three
-/// corners became triangles". deformed: the result of deformed_attributes(). original may be null.
+/// corners became triangles". `deformed` is the result of deformed_attributes(). `original` may be null.
 std::vector<std::string> left_out(const Format& format, const Content& content, const Attributes& deformed,
                                   const Original* original);
 

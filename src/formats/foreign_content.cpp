@@ -21,7 +21,7 @@ constexpr auto unpack = "unpack it first"sv, utf8 = "save it as UTF-8 or ASCII"s
                export_it = "export it as OBJ, PLY, OFF, STL or glTF from a program that opens it"sv,
                download = "download the model file, not the web page about it"sv;
 
-// The file starts with Signature::begins, in upper or lower case.
+// File types that start with Signature::begins, in upper or lower case.
 constexpr Signature signatures[] = {
     {"version https://git-lfs.github.com/spec/"sv, "a Git LFS pointer, not the file itself"sv,
      "fetch the file itself with `git lfs pull`"sv},
@@ -75,7 +75,7 @@ constexpr Signature signatures[] = {
     {"GIF8"sv, "a picture (GIF)"sv, "open the model instead"sv},
 };
 
-// Root elements of XML files. The first 4096 bytes contain Signature::begins.
+// XML file types that have the root element Signature::begins in their first 4096 bytes.
 constexpr Signature elements[] = {{"<COLLADA"sv, "a COLLADA file"sv, export_it},
                                   {"<X3D"sv, "an X3D file"sv, export_it},
                                   {"<VTKFile"sv, "a VTK file"sv, export_it},

@@ -8,7 +8,7 @@
 namespace viete::formats {
 
 /// If the file is empty or of a known kind that cannot be read (a compressed file, a web page, a Blender
-/// file, ...), throws base::Error with advice. bytes: the beginning of the file.
+/// file, ...), throws base::Error with advice. `bytes` is the beginning of the file.
 void refuse_foreign(const std::string& name, std::string_view bytes);
 
 /// Returns true if the first 4096 bytes contain control characters that do not occur in text.

@@ -56,7 +56,7 @@ const Format* find_format(const std::filesystem::path& file);
 /// Returns the format for a surface file's extension. For other extensions, throws base::Error.
 const Format& surface_format(const std::filesystem::path& file);
 
-/// Returns true if `original` can be rewritten to a file with this extension. original may be null.
+/// Returns true if `original` can be rewritten to a file with this extension. `original` may be null.
 bool writes_itself(const Original* original, const std::filesystem::path& file);
 
 /// Detects the format only by content: by Format::is_certain, or as a point cache. Returns null if unknown.

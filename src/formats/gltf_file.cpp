@@ -179,7 +179,7 @@ private:
     });
   }
 
-  // data: an accessor, or the member `indices` or `values` of a sparse accessor.
+  // `data` is an accessor, or the member `indices` or `values` of a sparse accessor.
   void check_data(const std::string& at, const GltfJson& data) const {
     whole(at, data, {"bufferView", "byteOffset", "componentType", "count"});
     const auto view = count_of(data, "bufferView");

@@ -82,7 +82,7 @@ inline const GltfJson& element_of(const GltfJson& document, const char* list, in
 }
 
 struct GltfBuffer {
-  /// chunk: the binary chunk of a GLB. text: base64 in the JSON. beside: an external file.
+  /// The place of the bytes: the binary chunk of a GLB, base64 in the JSON, or an external file.
   enum class Home { chunk, text, beside };
   Home home = Home::chunk;
   std::filesystem::path path;  ///< path of an external file; otherwise empty
@@ -108,8 +108,8 @@ struct GltfFile {
 /// not opened. If data of the surface is missing, compressed or invalid, throws base::Error.
 GltfFile take_apart(const Source& source);
 
-/// Writes a GLB. bytes: the binary chunk; if empty, the file has no binary chunk. others: further chunks with
-/// their headers. If the file exceeds 4 GB, throws base::Error.
+/// Writes a GLB. `bytes` is the binary chunk; if empty, the file has no binary chunk. `others` are further
+/// chunks with their headers. If the file exceeds 4 GB, throws base::Error.
 void write_glb_chunks(std::string_view json, std::string_view bytes, std::string_view others,
                       TextWriter& out);
 

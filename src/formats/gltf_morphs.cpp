@@ -304,7 +304,7 @@ std::size_t GltfMorphs::add_deltas(std::span<const float> base, std::span<const 
 }
 
 // Adds an accessor and returns its index. If a sparse accessor is smaller, stores only the nonzero elements.
-// If all elements are zero, stores the last, because a sparse accessor must have an element.
+// If all elements are zero, stores the last one, because a sparse accessor must have an element.
 std::size_t GltfMorphs::add_floats(std::span<const float> values, std::size_t parts) {
   const std::size_t count = values.size() / parts;
   std::vector<float> some;
@@ -363,7 +363,7 @@ std::vector<GltfMorphs::Output> GltfMorphs::weights_of(std::size_t node) const {
   return found;
 }
 
-// Appends `added` zeros to each key's weights, in a copy of the sampler: several nodes can have one sampler.
+// Appends `added` zeros to each key's weights, in a copy of the sampler, because nodes can share samplers.
 void GltfMorphs::widen(const Output& output, std::span<const double> numbers, std::size_t before,
                        std::size_t added) {
   if (before == 0 || numbers.size() % before != 0) return;

@@ -20,13 +20,13 @@ namespace viete::formats {
 std::vector<double> default_weights(const GltfJson& document, const GltfPlacement& placement,
                                     std::size_t count);
 
-/// Returns the sum of weight * offset over all targets, with three numbers per vertex. of: the positions,
-/// normals or tangents of the targets. If all weights are 0, the result is empty. Can throw base::Error.
+/// Returns the sum of weight * offset over all targets, with three numbers per vertex. `of` selects
+/// positions, normals or tangents. If all weights are 0, the result is empty. Can throw base::Error.
 std::vector<double> morph_differences(const GltfAccessors& accessors, const GltfPiece& piece,
                                       int GltfTarget::*of, std::span<const double> weights);
 
 /// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
-/// ignores animations of nodes. If vertices were merged, takes the position of the first. Throws base::Error.
+/// ignores animations of nodes. Merged vertices get the position of the first. Throws base::Error.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 
@@ -46,16 +46,16 @@ struct MorphedVertices {
 
 class GltfMorphs {
 public:
-  /// Keeps references to the arguments. bytes: the document's first buffer.
+  /// Keeps references to the arguments. `bytes` is the first buffer of the document.
   GltfMorphs(GltfJson& document, std::string& bytes) : document_(document), bytes_(bytes) {}
 
-  /// Adds a target to the primitives. The arguments are the values at full weight, three numbers per vertex.
-  /// Empty normals or tangents are not animated.
+  /// Adds a target to the primitives. The spans have the values at full weight, three numbers per vertex. If
+  /// `normals` or `tangents` is empty, does not animate it.
   void add_target(const MorphedVertices& vertices, std::span<const double> positions,
                   std::span<const double> normals, std::span<const double> tangents);
 
   /// Appends the motion's targets and its animation to the meshes of these nodes. In existing animations, the
-  /// new targets have the weight 0. progress may be null. The other arguments are:
+  /// new targets have the weight 0. `progress` may be null. The other arguments are:
   /// - floats: the number of floats that one target adds
   /// - add_target(positions): must call GltfMorphs::add_target() for the moved vertices of these meshes
   /// - numbers_of(accessor): must return the numbers of an accessor

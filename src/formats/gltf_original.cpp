@@ -133,8 +133,8 @@ private:
                      file_.other_chunks, out);
   }
 
-  // For a GLB, embeds all buffers except the first, the binary chunk. For a .gltf, embeds the buffers that
-  // were embedded, and writes all others to external files.
+  // For a GLB, embeds all buffers except the first, which is the binary chunk. For a .gltf, embeds the
+  // buffers that were embedded, and writes all others to external files.
   void put_buffers(const fs::path& path, bool binary, GltfRewritten& result,
                    base::FilesTogether& files) const {
     std::set<fs::path> beside;
@@ -172,7 +172,7 @@ private:
                              " in the folder of the old file: keep both folders together");
   }
 
-  // Returns the first name of "out.bin", "out-2.bin", ... that is free or is_of_older_result().
+  // Returns the first name of "out.bin", "out-2.bin", ... that is free or a buffer of the older result.
   fs::path name_beside(const fs::path& path, const std::set<fs::path>& taken) const {
     for (int i = 1;; ++i) {
       const std::string number = i == 1 ? "" : "-" + std::to_string(i);

@@ -14,8 +14,8 @@ namespace viete::formats {
 
 /// Returns an original that writes .gltf and .glb. If several nodes use a moved mesh, each node gets a
 /// separate mesh. Writes the external buffers of out.gltf to out.bin, out-2.bin, ..., and never overwrites
-/// unrelated files. External images stay in place. If no position changed, there are no external files and
-/// source.owner is set, writing copies the bytes of `source`.
+/// unrelated files. External images stay in place. If no position changed, writing copies the bytes of
+/// `source`. This requires source.owner and no external files.
 std::shared_ptr<const Original> gltf_original(const Source& source, GltfFile file, GltfMap map);
 
 /// The rewritten file before conversion to JSON or GLB.
@@ -27,8 +27,8 @@ struct GltfRewritten {
 
 /// Copies the file with new values for positions that differ from `rest`, and for the normals and tangents
 /// that depend on these positions. Replaces values in place. If values are shared or are not floats, adds new
-/// accessors instead. Appends `motion` to the file's targets and animations. motion and progress may be null.
-/// Can throw base::Error and base::Cancelled.
+/// accessors instead. Appends `motion` to the file's targets and animations. `motion` and `progress` may be
+/// null. Can throw base::Error and base::Cancelled.
 GltfRewritten rewritten_gltf(const GltfFile& file, const GltfMap& map, const mesh::Surface& rest,
                              std::span<const mesh::Point> positions, const MorphMotion* motion = nullptr,
                              base::Progress* progress = nullptr);

@@ -188,7 +188,7 @@ private:
     return *inverse;
   }
 
-  // If several nodes use a mesh, gives each moved node a copy. The last user keeps the original mesh.
+  // If several nodes use a mesh, gives each moved node a copy. The last node that uses the original keeps it.
   void part_instances() {
     std::map<int, std::size_t> users;
     for (const Json& node : list_of(document_, "nodes")) ++users[index_of(node, "mesh")];
@@ -309,7 +309,7 @@ private:
     MorphedVertices vertices;
   };
 
-  // If several pieces differ only in texture points, returns one of them: all have the same primitives.
+  // If several pieces differ only in texture points, returns only one, because their primitives are the same.
   std::vector<MorphedPiece> morphed_pieces(bool with_normals) {
     std::vector<MorphedPiece> found;
     std::set<std::array<int, 4>> seen;

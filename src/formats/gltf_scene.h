@@ -40,8 +40,8 @@ struct GltfPlacement {
   AffineMap map;  ///< from mesh coordinates to scene coordinates
 };
 
-/// Returns the placements in the default scene or, if missing, in the first scene. If there is no scene, uses
-/// all nodes. Parents come first. If the nodes do not form trees or an index is invalid, throws base::Error.
+/// Returns the placements in the default scene; without a default, in the first scene; without scenes, of all
+/// nodes. Parents come first. If the nodes do not form trees or an index is invalid, throws base::Error.
 std::vector<GltfPlacement> placements_of(const GltfFile& file);
 
 /// The accessors of a morph target's offsets. -1 means missing.

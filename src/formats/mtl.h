@@ -17,11 +17,11 @@ struct MtlMaterial {
   std::vector<std::filesystem::path> maps;  ///< files of all maps, including `image`
 };
 
-/// Reads a material library and skips unreadable lines. source.folder: the folder of the library.
+/// Reads a material library and skips unreadable lines. source.folder must be the folder of the library.
 std::vector<MtlMaterial> read_mtl(const Source& source);
 
-/// Sets colours and images of the model's materials by name. libraries: for each `mtllib` line, the text
-/// after the keyword. The text is one file name, perhaps with blanks, or several file names. Files are
+/// Sets colours and images of the model's materials by name. `libraries` has the text after the keyword of
+/// each `mtllib` line. The text is one file name, perhaps with blanks, or several file names. Files are
 /// relative to source.folder; if source.folder is empty, does nothing. If there are materials and a library
 /// is unreadable, adds a warning. Returns the paths of all libraries and images.
 std::vector<std::filesystem::path> read_materials(const Source& source,

@@ -57,7 +57,7 @@ public:
     found_.normals.push_back(values);
   }
 
-  // Call this before adding the corner to the builder. behind_vertex: the text after the vertex index.
+  // Call this before adding the corner to the builder. `behind_vertex` is the text after the vertex index.
   void corner(std::size_t corner, std::string_view behind_vertex) {
     const ObjIndices indices = obj_indices(behind_vertex);
     bad_indices_ += !indices.readable;

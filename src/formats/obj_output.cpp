@@ -28,7 +28,7 @@ std::string words_of(const mesh::Vec3& normal, const Printed& printed) {
 // gives these vertices different normals, new lines are added after the block of `vn` lines.
 class ObjNormals {
 public:
-  // blocks: see obj_original(). attributes must have normals.
+  // For `blocks`, see obj_original(). `attributes` must have normals.
   ObjNormals(const mesh::Surface& rest, const Attributes& attributes, std::span<const std::uint32_t> blocks,
              std::span<const mesh::Point> positions, const Printed& printed) {
     const SpreadNormals spread(rest, attributes);
@@ -65,7 +65,7 @@ public:
   }
   bool adds_lines() const { return values_.size() + 1 > first_.size(); }
 
-  // These functions return indices of `vn` lines in the new file, from 0.
+  // These functions return indices of `vn` lines in the new file, counted from 0.
   std::uint32_t index_of_line(std::size_t line) const { return index_[line]; }
   std::uint32_t index_of_corner(std::size_t corner) const { return corner_index_[corner]; }
 

@@ -52,8 +52,8 @@ ObjIndices obj_indices(std::string_view behind_vertex);
 /// Returns an original that writes the file again with other positions. Moved coordinates get as many
 /// decimals as in the file, but at least six significant digits relative to the model's diagonal. If the
 /// corners of a `vn` line need different normals, writing adds `vn` lines after the block and renumbers the
-/// indices of faces. attributes may be null. normal_blocks: for each block of `vn` lines, the number of `vn`
-/// lines from the start of the file to the end of the block. files: material libraries and images.
+/// indices of faces. `attributes` may be null. `normal_blocks` has the number of `vn` lines from the start of
+/// the file to the end of each block. `files` are material libraries and images.
 std::shared_ptr<const Original> obj_original(const Source& source,
                                              std::shared_ptr<const Attributes> attributes,
                                              std::vector<std::uint32_t> normal_blocks,

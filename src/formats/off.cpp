@@ -123,7 +123,7 @@ private:
                "the file seems to be truncated: export or copy it again");
   }
 
-  // Returns true if colours come before normals: if an integer above 1 comes before the first fraction.
+  // Returns true if an integer above 1 comes before the first fraction: it must be a colour, not a normal.
   bool colors_come_first(std::size_t vertices) const {
     TextCursor ahead = text_;
     for (std::size_t v = 0; v < vertices && ahead.next_filled_line(); ++v, ahead.next_line()) {

@@ -26,7 +26,7 @@ struct Companions {
 /// A file that was read. Each format has a subclass. Immutable and thread-safe.
 class Original {
 public:
-  /// format: Format::name. Keeps source.owner, so that the bytes stay valid. Reading must have succeeded.
+  /// `format` is Format::name. Keeps source.owner, so that the bytes stay valid. Reading must have succeeded.
   Original(std::string_view format, const Source& source)
       : name_(source.name),
         bytes_(source.owner ? source.bytes : std::string_view()),
@@ -46,13 +46,13 @@ public:
   virtual std::vector<std::filesystem::path> files_beside() const { return companions().files; }
 
   /// Writes the whole file with new values for positions that differ from `rest`, and for the normals and
-  /// tangents that depend on these positions. rest: the surface read from the file. Returns messages for the
-  /// user, one line each. Can throw base::Error and base::Cancelled.
+  /// tangents that depend on these positions. `rest` is the surface read from the file. Returns messages for
+  /// the user, one line each. Can throw base::Error and base::Cancelled.
   virtual std::vector<std::string> write(const mesh::Surface& rest, std::span<const mesh::Point> positions,
                                          TextWriter& out) const = 0;
 
   /// Works like write(), and replaces an existing file atomically. Also writes external buffers, and copies
-  /// companions that are missing in the new folder. progress may be null.
+  /// companions that are missing in the new folder. `progress` may be null.
   virtual std::vector<std::string> write_file(const std::filesystem::path& path, const mesh::Surface& rest,
                                               std::span<const mesh::Point> positions, Digits digits,
                                               base::Progress* progress) const;

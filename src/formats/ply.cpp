@@ -79,7 +79,7 @@ private:
   using RowOfCorner = std::vector<std::uint32_t>;
 
   // Adds FileVectors for three properties. If a property is missing or source_.owner is null, returns null.
-  // Computes the places in binary rows without lists. In other rows, rows() records the places.
+  // If rows are binary and have no lists, computes the places. Otherwise, rows() records the places.
   FileVectors* record(const PlyElement& element, FileVectors::Kind kind,
                       const std::array<const char*, 3>& names) {
     std::array<std::size_t, 3> at;
@@ -107,7 +107,7 @@ private:
     return &vectors;
   }
 
-  // Returns a list that lists() fills with the face row of each corner. Without face normals, returns null.
+  // Returns an empty list, to be filled with the face row of each corner. Without face normals, returns null.
   std::shared_ptr<RowOfCorner> record_face_normals(const PlyElement& element) {
     FileVectors* const vectors = record(element, FileVectors::Kind::normals, {"nx", "ny", "nz"});
     if (!vectors) return nullptr;
@@ -117,8 +117,8 @@ private:
     return rows;
   }
 
-  // Selects these properties: each row's values will be stored in to[0], to[1], ... If a property is missing,
-  // returns false. colors: multiply values by part_of_largest().
+  // Selects these properties: the values of each row will be stored in to[0], to[1], ... If a property is
+  // missing, returns false. If `colors`, values will be multiplied by part_of_largest().
   bool find(const PlyElement& element, std::initializer_list<std::string> names, double* to,
             bool colors = false) {
     std::vector<std::size_t> found;

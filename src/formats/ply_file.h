@@ -52,10 +52,10 @@ struct PlyHeader {
 PlyHeader read_ply_header(TextCursor& text, const Source& source, SurfaceBuilder& builder);
 
 /// Reads the values of the body one after the other. In text, a value is a word and a row is a line. Errors
-/// in text contain the line; errors in binary contain the element and its number.
+/// in text files contain the line; errors in binary files contain the element and its index.
 class PlyValues {
 public:
-  /// text: must be at the start of the body.
+  /// `text` must be at the start of the body.
   PlyValues(const Source& source, const PlyHeader& header, const TextCursor& text)
       : source_(source),
         text_(text),

@@ -21,7 +21,7 @@ constexpr auto powers_of_ten = [] {
   return powers;
 }();
 
-// Integers up to this limit are exact in double.
+// A double represents every integer up to this limit exactly.
 constexpr double largest_whole = 9007199254740992.0;
 
 // Prints `value` with fixed decimals, from the integer value * 10^decimals. This is ten times as fast as

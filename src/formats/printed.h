@@ -24,8 +24,8 @@ public:
   void keep(int significant, double size);
 
   /// Prints as many decimals as the learned number with the most decimals. If all learned numbers have an
-  /// exponent, prints an exponent. If learned numbers differ in decimals, removes zeros at the end.
-  /// room: a buffer of at least 400 bytes.
+  /// exponent, prints an exponent. If learned numbers differ in decimals, removes zeros at the end. `room`
+  /// must have at least 400 bytes.
   std::string_view print(double value, std::span<char> room) const;
 
   /// Returns true if a and b are printed as equal text.
@@ -36,8 +36,8 @@ private:
   int decimals() const;
 
   Digits digits_;
-  int most_ = 0, least_ = 400;  // largest and smallest number of decimals without exponent
-  int most_mantissa_ = 0;       // largest number of decimals with exponent
+  int most_ = 0, least_ = 400;  // the most and fewest decimals of numbers without exponent
+  int most_mantissa_ = 0;       // the most decimals of numbers with exponent
   int needed_ = 0, needed_mantissa_ = 0;
   std::size_t plain_ = 0, with_exponent_ = 0;  // counts of learned numbers without and with exponent
   bool capital_ = false;                       // true if the file uses E instead of e
@@ -54,7 +54,7 @@ inline bool is_place(const mesh::Point& p, double largest = mesh::largest_coordi
 }
 
 /// Throws base::Error if a coordinate is NaN or exceeds `largest`, the limit of the file's number type.
-/// place: the file and frame for the message.
+/// `place` is the file and frame for the message.
 void check_written(const std::string& place, std::size_t vertex, const mesh::Point& p,
                    double largest = mesh::largest_coordinate);
 /// Checks all vertices. Also throws base::Error if there are no vertices.

@@ -13,8 +13,8 @@ namespace viete::formats {
 /// Detects the format by content, then by extension. Throws base::Error with file, place and advice, or
 /// base::Cancelled. Compares declared sizes with the file size before it allocates memory. Rejects
 /// coordinates above 1e100, so that volumes stay finite. If a file has no faces, the result has only points
-/// and a warning. progress may be null. played: if true, morph targets are not applied, because the caller
-/// plays the targets. If false, morph targets have their default weights, and there is a warning.
+/// and a warning. `progress` may be null. If `played`, does not apply morph targets, because the caller plays
+/// the targets. Otherwise, morph targets have their default weights, and there is a warning.
 ReadResult read(const std::filesystem::path& path, base::Progress* progress = nullptr, bool played = false);
 
 /// Reads from memory.

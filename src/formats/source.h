@@ -24,7 +24,7 @@ struct Source {
   std::filesystem::path folder = {};  ///< folder of external files; an empty path: no external files
   bool played = false;  ///< true if the caller plays morph targets: readers do not apply targets
 
-  /// done: the reader's progress, 0 to 1. (FileBytes reports the first fifth.) Throws base::Cancelled.
+  /// `done` is the reader's progress, 0 to 1. (FileBytes reports the first fifth.) Throws base::Cancelled.
   void report(double done) const {
     if (progress) progress->report(0.2 + 0.8 * done);
   }
@@ -60,7 +60,7 @@ public:
   std::string_view bytes() const { return bytes_; }
   std::uint64_t file_size() const { return file_size_; }
   bool is_whole_file() const { return bytes_.size() == file_size_; }
-  /// Returns the lines without a truncated last line.
+  /// Returns all lines, except a last line that is truncated.
   Source whole_lines() const;
 
 private:

@@ -62,7 +62,7 @@ struct Layout {
   }
 };
 
-// If triangles have attribute bytes and the file contains all bytes, sets the offsets and returns true.
+// If triangles have attribute bytes and the file is long enough, sets the offsets and returns true.
 bool follow_attributes(std::string_view bytes, Layout& layout) {
   std::vector<std::size_t> starts;
   std::size_t at = head_bytes;

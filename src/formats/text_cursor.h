@@ -41,7 +41,7 @@ public:
   /// Moves to the next word, which may be in a later line. At the end of the text, returns false.
   bool next_filled_line();
 
-  /// Works like next_filled_line(), but at the end of the text throws base::Error. what: the missing word.
+  /// Like next_filled_line(), but throws base::Error at the end of the text. `what` is the missing word.
   void need_word(std::string_view what);
 
   /// Reads the next word of this line. If the line has no more words, returns an empty text.
@@ -56,7 +56,7 @@ public:
   /// Reads numbers of this line until `to` is full or a word is not a number. Returns the count of numbers.
   std::size_t numbers(std::span<double> to);
 
-  /// Reads the next word as an integer. what: the name of the integer in messages, "face index".
+  /// Reads the next word as an integer. `what` is its name in messages, such as "face index".
   std::int64_t integer(std::string_view what);
 
   /// Reads the integer at the start of the next word and leaves the rest of the word.
@@ -102,7 +102,7 @@ private:
 /// Returns the word as a number, or nullopt if the word is not a finite number.
 std::optional<double> number_in(std::string_view word);
 
-/// Returns the word in quotes for messages, cut after 32 bytes, with '?' for all but printable ASCII.
+/// Returns the word in quotes, cut after 32 bytes. '?' replaces bytes that are not printable ASCII.
 std::string in_quotes(std::string_view word);
 
 /// Returns the comment without blanks and '#' at the start, cut to at most 200 bytes.

@@ -85,7 +85,7 @@ public:
     return text;
   }
 
-  /// Call this after each element. `count` of `of` elements are written. Can throw base::Cancelled.
+  /// Call this after each element, with the counts of written and of all elements. Throws base::Cancelled.
   void element_done(std::size_t count, std::size_t of) {
     constexpr std::size_t portion = 1 << 18;
     if (out_.size() < portion) return;

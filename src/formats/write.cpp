@@ -27,7 +27,7 @@ void write_as(const std::filesystem::path& path, Digits digits, base::Progress* 
   });
 }
 
-// Returns the attributes after deformation. Sets notes about content that the format cannot store.
+// Returns the attributes after deformation. `notes` gets messages about content that the format cannot store.
 Attributes converted(const Format& format, const Content& content, const Original* original,
                      std::vector<std::string>& notes) {
   Attributes now;

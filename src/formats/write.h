@@ -21,16 +21,16 @@ namespace viete::formats {
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            const std::vector<std::string>& comments = {});
 
-/// Writes `positions`, one per vertex, instead of surface.positions. progress may be null. If cancelled,
+/// Writes `positions`, one per vertex, instead of surface.positions. `progress` may be null. If cancelled,
 /// throws base::Cancelled, and an existing file stays.
 void write(const std::filesystem::path& path, const mesh::Surface& surface,
            std::span<const mesh::Point> positions, const std::vector<std::string>& comments = {},
            base::Progress* progress = nullptr);
 
-/// If writes_itself(original, path), rewrites the original with all content, and copies material libraries
-/// and images to a new folder. If writing fails, deletes these copies. Otherwise writes the normals, texture
-/// points and colours that the format supports, but no groups or materials. Returns messages for the user,
-/// one line each.
+/// If writes_itself(original, path), rewrites the original with all content, and copies its material
+/// libraries and images to the folder of `path`. If writing fails, deletes these copies. If writes_itself()
+/// is false, writes the normals, texture points and colours that the format supports, but no groups or
+/// materials. Returns messages for the user, one line each.
 std::vector<std::string> write(const std::filesystem::path& path, const Content& content,
                                const Original* original, Digits digits, base::Progress* progress = nullptr);
 

@@ -23,7 +23,7 @@ std::string last_glfw_error() {
   return reason;
 }
 
-// GLFW's codes are those of a US keyboard. If the user's key has a letter, returns the letter's code.
+// GLFW's codes assume a US keyboard. If the user's keyboard has a letter on this key, returns its code.
 int labelled(int key, int scancode) {
   if (key < GLFW_KEY_A || key > GLFW_KEY_Z) return key;
   const char* name = glfwGetKeyName(key, scancode);
@@ -93,7 +93,7 @@ glm::ivec2 room_for(GLFWwindow* window, glm::ivec2 otherwise) {
   return room.x > 0 && room.y > 0 ? room : otherwise;
 }
 
-// Sets the window's size, limited to the screen. Also sets the minimum size, for which the panels have room.
+// Sets the window's size, limited to the screen. Also sets the minimum size, so that the panels have room.
 void fit(GLFWwindow* window, glm::ivec2 size, float scale) {
   glm::ivec2 units;
   int pixels = 0;

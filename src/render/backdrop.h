@@ -31,7 +31,7 @@ struct GridStyle {
 };
 
 /// Draws fine lines of constant width on the ground. Lines fade with the distance and at flat viewing angles.
-/// Draw the grid after the surface, which hides it. The grid does not write depth.
+/// Draw the surface first, so that it can hide the grid. The grid does not write depth.
 class Grid {
 public:
   explicit Grid(const Gl& gl);

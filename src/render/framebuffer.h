@@ -20,7 +20,7 @@ public:
   void begin(glm::ivec2 size, int samples);
   /// Averages the samples of each pixel into the resolved picture. Binds this picture for further drawing.
   void resolve();
-  /// Binds this target without multisampling. Copies the resolved picture of `picture`, stretched to `size`.
+  /// Binds this target without multisampling. Fills it with the picture of `picture`, stretched to `size`.
   void begin_with(const Framebuffer& picture, glm::ivec2 size);
   /// Copies the resolved picture to the window, and leaves the window's framebuffer bound.
   void blit_to_window(glm::ivec2 window_size);

@@ -48,7 +48,7 @@ struct Gl {
   std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
-  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE; the limit of 3 * triangles and of 2 * vertices
+  int max_texels = 65536;  ///< GL_MAX_TEXTURE_BUFFER_SIZE: the largest number of texels in a BufferTexture
   /// True for a CPU rasteriser (llvmpipe, softpipe, swrast), which is too slow for multisampling in a window.
   bool software = false;
 };

@@ -14,7 +14,7 @@ constexpr std::size_t place_count = 24000;
 constexpr int cells_per_size = 96, most_cells = 252;        // most_cells: a multiple of GroundShadow::square
 constexpr int near_radius = 1, far_radius = 4, passes = 3;  // blur radii in cells, and the number of passes
 constexpr int margin = passes * far_radius + 1;             // the largest distance of a blur, in cells
-// Heights above the ground and depth below it, relative to the model's size, at which darkness falls to 37 %.
+// Heights above and depth below the ground where darkness falls to 37 %, in units of the model's size.
 constexpr float near_height = 0.03F, far_height = 0.32F, depth = 0.02F;
 constexpr float near_darkness = 0.8F, far_darkness = 0.75F;
 
@@ -50,7 +50,7 @@ public:
   }
 
 private:
-  // Replaces each value of a row or column by the mean of the values within `radius`. Outside, values are 0.
+  // Replaces each value in a row or column by the mean within `radius`. Values outside the grid count as 0.
   void average(float* line, int count, int stride, int radius) {
     line_.assign(static_cast<std::size_t>(count + 2 * radius + 1), 0);
     for (int i = 0; i < count; ++i) line_[i + radius] = line[static_cast<std::ptrdiff_t>(i) * stride];
@@ -91,7 +91,7 @@ int whole_squares(float cells) {
   return (static_cast<int>(cells) + side - 1) / side * side;
 }
 
-// Finds the squares with shadow. Also checks the cells around each square: filtering spreads their darkness.
+// Finds the squares that have shadow inside or in an adjacent cell, because filtering spreads darkness.
 void find_squares(GroundShadow& shadow) {
   constexpr int side = GroundShadow::square, least = 2;
   const auto is_dark = [&](int column, int row) {

@@ -43,7 +43,7 @@ struct SurfaceStyle {
   /// Skips back faces, for a closed surface that is oriented outward. Software rasterisers then need less
   /// than half the time. If a deformation turns a part inside out, this part looks transparent.
   bool closed = false;
-  bool coarse = false;    ///< draws the coarse triangles, if set; ignored for paints file, checker, normals
+  bool coarse = false;    ///< draws the coarse triangles, if set; not for Paint::file, checker and normals
   float wireframe = 0;    ///< the opacity of triangle edges; fainter on tiny triangles; 0 draws no edges
   float occlusion = 1;    ///< the strength of the baked darkening, from 0 to 1
   bool scalars = false;   ///< uses the colours of set_scalars() and set_palette() instead of theme.model

@@ -10,7 +10,7 @@
 
 namespace viete::render {
 
-/// Returns the first finite point, or (0, 0, 0): the origin for positions that are stored in float.
+/// Returns the first finite point, or (0, 0, 0): the origin for positions that are stored as floats.
 Point origin_of(std::span<const Point> points);
 
 /// Returns point - origin as float. If the point is not finite, returns 0.
@@ -25,7 +25,7 @@ void require_count(const char* what, std::size_t count, std::size_t expected);
 /// If a buffer texture cannot store this number of texels, throws base::Error with the place `what`.
 void require_texels(const Gl& gl, const char* what, std::size_t texels);
 
-/// Throws base::Error with the place `what` and the element if a vertex index is not less than vertex_count.
+/// If a vertex index is vertex_count or more, throws base::Error with the place `what` and the element.
 template <std::size_t n>
 void require_indices(const char* what, std::span<const std::array<std::uint32_t, n>> elements,
                      std::size_t vertex_count);

@@ -8,8 +8,8 @@ glm::mat4 eye_matrix(const View& view, const Point& origin) {
   return glm::mat4(glm::translate(view.view, glm::dvec3(origin[0], origin[1], origin[2])));
 }
 
-// In perspective, the ray (x, y, -1) meets the pixel with 2 * pixel.x / size.x - 1 = p[0][0] * x - p[2][0].
-// Solves this equation for x, and the equation with p[1][1] and p[2][1] for y.
+// In perspective, a pixel's ray (x, y, -1) satisfies 2 * pixel.x / size.x - 1 = p[0][0] * x - p[2][0]. This
+// gives x. The same equation with p[1][1] and p[2][1] gives y.
 glm::vec4 eye_ray(const View& view) {
   const glm::dmat4& p = view.projection;
   if (p[3][3] != 0) return glm::vec4(0);

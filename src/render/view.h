@@ -11,7 +11,7 @@
 //   lines.draw(view, line_style);                  // cage edges
 //   discs.draw(view, disc_style);                  // cage vertices
 //   framebuffer.resolve();
-//   whole.begin_with(framebuffer, size);           // a second target: `framebuffer` is kept without panels
+//   whole.begin_with(framebuffer, size);           // copies the picture to a second target, `whole`
 //   imgui_renderer.draw(*ImGui::GetDrawData());    // panels
 //   whole.blit_to_window(window_size);             // or: Image image = whole.read();
 //
@@ -32,7 +32,7 @@ namespace viete::render {
 using Point = base::Vec3;
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// The matrices and size of a view. The matrices are in double to avoid jitter far from the origin.
+/// The matrices and size of a view. The matrices are doubles, to avoid jitter far from the origin.
 struct View {
   glm::dmat4 view{1};        ///< from world to eye space, right-handed, looking along -z
   glm::dmat4 projection{1};  ///< from eye to clip space (depth -1 to 1), like glm::perspective

@@ -56,7 +56,7 @@ TEST_CASE("glb_and_gltf_read_the_same_and_seams_are_welded") {
     REQUIRE(r.attributes);
     const Attributes& a = *r.attributes;
     CHECK(a.texture_points[a.corner_texture[1]] == Vec2{1, 0});  // v increases upward
-    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex beyond the seam
+    CHECK(a.texture_points[a.corner_texture[6]] == Vec2{0, 0});  // the same vertex, other side of the seam
     CHECK(a.normals[a.corner_normal[0]] == Vec3{0, 0, 1});
     REQUIRE(a.groups.size() == 1);
     CHECK(a.groups[0].object == "only");

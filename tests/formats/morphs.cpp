@@ -103,7 +103,7 @@ void check_near(const std::vector<Point>& found, const std::vector<Point>& expec
   for (std::size_t i = 0; i < found.size(); ++i) CHECK(norm(found[i] - expected[i]) < near);
 }
 
-// p: one position per surface vertex of test::patch(). Returns one position for each vertex in the file.
+// Returns the positions of all vertices in the file. `p` has the positions of the vertices of the surface.
 std::vector<Point> of_patch(const std::vector<Point>& p) {
   return {p[0], p[1], p[2], p[3], p[1], p[4], p[3], p[5]};
 }
@@ -189,7 +189,7 @@ TEST_CASE("a_deformed_model_is_right_at_the_default_weights_of_its_targets") {
   check_near(read(folder / "b.glb").surface.positions, posed, 1e-5);
   CHECK(judge.model.nodes[1].weights == before.model.nodes[1].weights);
   const std::vector<Point> first(posed.begin(), posed.begin() + 6);
-  GltfParts plain = test::patch();  // the shape of the first node without targets
+  GltfParts plain = test::patch();  // will have the shape of node 0, but no targets
   const auto shown = before.shown(0, "POSITION");
   const auto leaning = before.shown(0, "NORMAL");
   plain.json["meshes"][0]["primitives"][0]["attributes"]["POSITION"] =

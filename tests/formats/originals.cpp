@@ -1,4 +1,4 @@
-// Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only dependent values.
+// Rewritten PLY, STL and OFF files are identical at rest. A deformation changes only the values it affects.
 #include <doctest/doctest.h>
 
 #include <bit>
@@ -47,7 +47,7 @@ public:
   }
 
   std::string bytes;
-  std::vector<char> may;  // one per byte of a binary file or per word of a text body
+  std::vector<char> may;  // one per byte (binary file) or word (text body): may it change?
   std::size_t body = 0;
   Form form() const { return form_; }
 

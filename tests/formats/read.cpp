@@ -39,7 +39,7 @@ TEST_CASE("content_decides_the_format_and_not_the_extension") {
                                                        {"STL ascii", test::bytes_by("stl", s)}};
   for (const auto& [format, bytes] : files) {
     for (const char* extension : {"obj", "ply", "off", "stl", "", "txt"}) {
-      if (format == "OBJ" && std::string(extension) == "stl") continue;  // .stl means binary STL here
+      if (format == "OBJ" && std::string(extension) == "stl") continue;  // OBJ has no signature: STL is tried
       const ReadResult r = test::read_text(bytes, extension);
       CHECK(r.format == format);
       CHECK(r.surface.triangles.size() == s.triangles.size());

@@ -128,7 +128,7 @@ void viete::fuzz::check_reader(Reader* reader, std::size_t placed, const std::ui
   try {
     const ReadResult read = reader(source);
     check_attributes(read);
-    if (!read.format.starts_with("glTF")) {  // glTF rewrites its JSON
+    if (!read.format.starts_with("glTF")) {  // the glTF writer may change the JSON
       require(written_again(read, read.surface.positions) == bytes);
       check_moved(read, reader);
     }

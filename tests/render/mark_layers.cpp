@@ -18,7 +18,7 @@ int brightest(const render::Image& image, glm::ivec2 from, glm::ivec2 step, int 
   return most;
 }
 
-/// A black wall at x >= 0 and z = 1. Only lines and discs are visible.
+/// A black wall at x >= 0 and z = 1. It hides what is behind it, and is itself as black as the background.
 struct Wall {
   explicit Wall(const render::Gl& gl) : surface(gl) {
     const std::vector<Point> corners{{0, -9, 1}, {15, -9, 1}, {15, 9, 1}, {0, 9, 1}};

@@ -12,7 +12,7 @@ using render::GroundShadow;
 
 namespace {
 
-// Returns a square of side 0.4 at a height. (x, y) is its center.
+// Returns points of a horizontal square with the side 0.4. Its center is (x, y, height).
 std::vector<glm::vec3> square(float x, float y, float height) {
   std::vector<glm::vec3> points;
   for (int i = 0; i < 81 * 81; ++i)

@@ -9,7 +9,7 @@
 
 namespace viete::test {
 
-/// Returns the cage rotated about z and moved along x. `pull` moves one vertex: no pose is a rigid motion.
+/// Returns the cage rotated about z and moved along x. `pull` moves one vertex, so that no pose is rigid.
 inline deform::Pose turned_cage(const deform::Cage& cage, double degrees, double along = 0,
                                 double pull = 0.5) {
   const double a = degrees / 180 * 3.14159265358979323846;

@@ -25,7 +25,7 @@ struct CubeFiles : TemporaryFolder {
     put_file(broken, "v 0 0 0\nf 1 2 3\n");
   }
 
-  // Returns a cube with an additional vertex in each triangle. The cage has fewer vertices.
+  // Returns a cube with an additional vertex in each triangle, so that it has more vertices than the cage.
   static mesh::Surface subdivided_cube() {
     mesh::Surface surface = cube(1);
     std::vector<mesh::Triangle> triangles;

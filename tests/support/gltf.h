@@ -30,7 +30,7 @@ struct GltfParts {
   template <class T>
   std::size_t accessor(const std::vector<T>& values, int component_type, const char* type,
                        std::size_t components) {
-    const std::size_t bytes_of_it = view(values);  // must come first: changes the JSON
+    const std::size_t bytes_of_it = view(values);  // adds a buffer view to the JSON
     json["accessors"].push_back({{"bufferView", bytes_of_it},
                                  {"componentType", component_type},
                                  {"count", values.size() / components},

@@ -1,5 +1,5 @@
-// Settings of sanitizers. This dlclose() keeps libraries loaded, so that reports contain their names. Reports
-// ignore the memory that graphics drivers do not free.
+// Settings of sanitizers. This dlclose() keeps libraries loaded, so that reports can name their functions.
+// Reports ignore the memory that graphics drivers do not free.
 extern "C" int dlclose(void*) {
   return 0;
 }

@@ -52,7 +52,7 @@ inline Surface cube() {
   return s;
 }
 
-/// The unit sphere: subdivides each triangle into 4^levels triangles. All points must be on the sphere.
+/// The unit sphere: subdivides each triangle into 4^levels triangles. `points` must be on the sphere.
 inline Surface sphere_from(std::vector<Point> points, std::vector<Triangle> triangles, int levels) {
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;

@@ -1,4 +1,4 @@
-// Limits the number of new threads while an object exists.
+// While a ThreadsLeft exists, the program can create at most `count` new threads.
 #pragma once
 
 namespace viete::test {

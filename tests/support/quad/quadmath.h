@@ -1,4 +1,4 @@
-// Replaces libquadmath on arm64. GCC has no such library there, but long double has 113 bits.
+// Replaces libquadmath on arm64, where GCC does not have this library and long double has 113 bits.
 #pragma once
 
 #include <cfloat>
