@@ -399,7 +399,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // True if the first corner outside the plane is above it, from corner i in steps of `step`.
+  // Goes from corner i in steps of `step` to the first corner outside the plane. True if it is above.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);

@@ -21,11 +21,12 @@ struct ShapeTerm {
 };
 
 /// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
-/// space, with the translations in `held`. A vertex that is at rest in all terms stays exactly at rest.
+/// space, and applies deform::hold(). A vertex that is at rest in all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If x is equal at all rest vertices and no term changes x, keeps x exactly. The same for y and z.
+/// If all rest vertices have the same x, and no term changes x, sets x of all positions to exactly this
+/// value. Does the same for y and z.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 

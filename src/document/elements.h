@@ -62,9 +62,9 @@ void select_set(Document& document, std::size_t set, SelectMode mode);
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. `origins`
-/// has the old vertices of each new vertex. If all old vertices are hidden, the new vertex is hidden. If all
-/// old vertices are in a set, the new vertex is in the set. Removes empty sets.
+/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. origins[v]
+/// has the old vertices of the new vertex v. If all of them are hidden, v is hidden. If all of them are in a
+/// set, v is in the set. Removes empty sets.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
 /// Returns the names of the removed sets, such as "Arm", "Leg". If no set was removed, returns an empty text.

@@ -19,8 +19,9 @@ struct EditStep {
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
 
-/// The undo and redo lists. An undo entry has the complete state of the document before the edit. Above 256
-/// MB and 16 entries, drops the oldest change of the selection or, if there is none, the oldest edit.
+/// The undo and redo lists. An undo entry has the complete state of the document before the edit. If there
+/// are more than 16 entries and they need more than 256 MB, drops the oldest change of the selection. If
+/// there is no such change, drops the oldest edit.
 class History {
 public:
   /// Adds an edit. `before` is the state before the edit.

@@ -23,7 +23,7 @@ void set_pulls(Document& document, bool pulls);
 // set_locked() and mirror_probes().
 
 void remove_probes(Document& document);
-/// Resets the probes to rest. Their motion with the cage stays.
+/// Resets the probes' own poses to rest. The probes still follow the cage.
 void rest_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);

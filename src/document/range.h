@@ -16,7 +16,7 @@ using mesh::largest_coordinate;
 /// Drags and camera targets stay within this distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
-/// True if each entry of the log of a probe's stretch is at most 16. e^16 is about nine million.
+/// `x` is the log of a probe's stretch. True if |entry| <= 16 for each entry. e^16 is about nine million.
 inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
     if (!(std::abs(entry) <= 16)) return false;

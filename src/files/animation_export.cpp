@@ -109,7 +109,7 @@ struct Sample {
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // frame - jump is another float
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // not lost by rounding to float
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;

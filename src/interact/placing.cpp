@@ -77,7 +77,7 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   return of_part;
 }
 
-// Returns the angle of a rotation about an axis of length 1, in radians in [-pi, pi].
+// `rotation` is a rotation vector. Returns its angle about `axis`, in radians in [-pi, pi].
 double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
   const double half = mesh::norm(rotation) / 2;
   return half == 0 ? 0
