@@ -269,8 +269,8 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles that are connected across edges with exactly two triangles. Patches are compared in the order of
-// removal: patches with `keep` are last, open patches before closed patches, small before large patches.
+// Triangles that are connected across edges with exactly two triangles. Removed in ascending order: open
+// patches, then closed patches, each by area. Patches with `keep` stay.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;

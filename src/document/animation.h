@@ -111,7 +111,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate: most_drawn, or more if a key has more
+  double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

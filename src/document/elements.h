@@ -56,7 +56,7 @@ void show_all(Document& document);
 
 /// Saves the selection as "Set 1", or with the next free number. Requires selected cage elements.
 void save_set(Document& document);
-/// Replaces the selection by a set, adds a set, or removes a set. The set determines the selection's kind.
+/// Selects a set, adds it to the selection, or deselects it. The new selection has the set's kind.
 void select_set(Document& document, std::size_t set, SelectMode mode);
 /// Renames a set. If the name is empty or in use, does nothing.
 void rename_set(Document& document, std::size_t set, const std::string& name);

@@ -27,7 +27,7 @@ public:
   /// Adds an edit. `before` is the state before the edit.
   void record(std::string label, DocumentState before, EditStep step = {});
 
-  /// Adds a change of the selection. The revision stays, because a selection need not be saved.
+  /// Adds a change of the selection. Keeps the revision, because a selection need not be saved.
   void record_selection(DocumentState before);
   /// Replaces the selection in the state that the next undo restores. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }

@@ -25,7 +25,7 @@ void move_pins_to_shape(Document& document);
 /// Sets all weights to 0 and keeps the current pose.
 void end_mix(Document& document);
 
-/// Returns the pose without the mix. If all weights are 0, or the pose was edited later, returns null.
+/// Returns the pose without the mix. If all weights are 0, or the pose was edited after mixing, returns null.
 SharedPose unmixed_pose(const Document& document);
 
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.

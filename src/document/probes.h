@@ -19,8 +19,8 @@ bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The functions from here to set_radius() act on the selected probes. They ignore locked probes, except
-// set_locked() and mirror_probes().
+// The functions from here to set_radius() act on the selected probes. Only set_locked() and mirror_probes()
+// also act on locked probes.
 
 void remove_probes(Document& document);
 /// Resets the probes' own poses to rest. The probes still follow the cage.

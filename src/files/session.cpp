@@ -62,8 +62,8 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 
 }  // namespace
 
-// Templates find the functions code() by argument-dependent lookup, so these are not in the unnamed
-// namespace. Lengths and coordinates are in the model's unit. Rotations are rotation vectors in radians.
+// The functions code() are not in the unnamed namespace, because templates find them by argument-dependent
+// lookup. Lengths and coordinates are in the model's unit. Rotations are rotation vectors in radians.
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);

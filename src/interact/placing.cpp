@@ -91,8 +91,8 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
   return state.report().turns;
 }
 
-// Returns the number of whole turns about the axis in `turn`. If `turn` has whole turns about another axis,
-// returns nullopt. `least` is `turn` without its whole turns.
+// `turn` is a rotation vector with whole turns; `least` is the same rotation without whole turns. If the
+// whole turns are about `axis`, returns their number. Otherwise returns nullopt.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);
