@@ -59,7 +59,7 @@ struct Document : DocumentState {
   OpenedSurface model;
   std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
   std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;  ///< per probe, from the last drawn picture; a missing entry means at rest
+  std::vector<Carried> carried;  ///< one per probe, for the last drawn picture; missing probes are at rest
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;

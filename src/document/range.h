@@ -30,7 +30,7 @@ inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 /// The limits of the distance between the camera and its target, in view units.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
-/// The size of a window, in logical pixels. The largest area limits the memory that pictures need.
+/// The limits of a window's size, in logical pixels. The largest area limits the memory that pictures need.
 inline constexpr double least_window_side = 16, most_window_side = 8192, most_window_area = 4096 * 4096;
 
 inline bool is_window(double width, double height) {

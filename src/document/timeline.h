@@ -57,7 +57,7 @@ struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;  ///< from this key to the next key
-  std::vector<MixedPose> mix{};    ///< the named poses in the mix, except poses that changed later
+  std::vector<MixedPose> mix{};    ///< the named poses in the pose, except those edited later
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };

@@ -156,7 +156,7 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Frames at which linear pieces begin or end. A frame has a morph target, unless the model is at rest.
+// Frames at which linear pieces begin or end. Each frame has a morph target, except if the model rests in it.
 struct MorphPlan {
   std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`

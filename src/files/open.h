@@ -78,7 +78,7 @@ struct Opened {
 /// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
 /// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is
-/// the file that encloses the other file. If no file or each file encloses the other, the cage is the file
+/// the file that encloses the other file. If neither or both enclose the other file, the cage is the file
 /// with fewer vertices. More than two files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);

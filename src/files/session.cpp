@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The file has [share, count, ...]. The next `count` vertices have the mask value share / mask_steps.
+// The file has pairs [share, count, ...]: the next `count` vertices have the mask value share / mask_steps.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;

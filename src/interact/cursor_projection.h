@@ -50,8 +50,8 @@ public:
   /// 0. Limits the distance, because it would be infinite at the axis's vanishing point on screen.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// Returns the angle of the cursor about the axis, in (-pi, pi] radians, from a fixed direction. If a ring
-  /// around the axis is seen edge-on, returns nullopt.
+  /// Returns the angle of the cursor about the axis, measured from a fixed direction, in (-pi, pi] radians.
+  /// If the plane perpendicular to the axis is seen edge-on, returns nullopt.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
   /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. For rings that are
