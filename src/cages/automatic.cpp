@@ -119,8 +119,8 @@ private:
     return topology.parts > 1 + wish_.triangles / 40 || topology.handles > wish_.triangles / 30;
   }
 
-  // Returns a sound cage for this gap, or nullopt. A preview, and a gap larger than requested, use a coarse
-  // grid and begin with a quick cage. If the quick cage is not sound, returns nullopt.
+  // Returns a sound cage for this gap, or nullopt. For a preview or a gap larger than requested, uses a
+  // coarse grid and makes a quick cage first. If the quick cage is not sound, returns nullopt.
   std::optional<Shell> try_with(double gap) {
     const bool coarse = is_preview() || gap > wish_.gap;
     stages_.begin(coarse && !is_preview() ? 0.3 : 1);
@@ -220,8 +220,8 @@ private:
     return cage.shell();
   }
 
-  // Splits the edges that reduce the volume most. Then collapses the edges that increase the volume least.
-  // Repeats both steps, and returns the cage with the smallest volume.
+  // Repeats two steps: splits the edges whose split reduces the volume most, and collapses the edges whose
+  // collapse increases the volume least. Returns the cage with the smallest volume.
   Shell exchanged(WorkingCage& cage) {
     constexpr int cycles = 2;
     Shell best = cage.shell();
@@ -261,9 +261,9 @@ private:
     }
   }
 
-  // Prepares another attempt with the same gap, if the cage missed further components of the model. Otherwise
-  // returns false. The first attempts add balls around the missed components; the last attempt increases the
-  // margin. After the last attempt, returns false.
+  // If the last cage left further components of the model outside, prepares another attempt with this gap.
+  // All attempts add balls around these components. The last attempt also increases the margin. If there are
+  // no further components, or after the last attempt, returns false.
   bool keeps_farther_from_passed_over() {
     constexpr int rounds = 3;
     const std::size_t known = std::exchange(known_passed_over_, passed_over_.size());
@@ -324,7 +324,7 @@ private:
   Made made_;
   std::size_t target_;
   std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
-  // The distance that another attempt adds, in grid steps, to enclose components smaller than a step.
+  // In grid steps: the radius of balls around components outside the cage, and the last attempt's margin.
   static constexpr double parts_margin_steps = 1.25;
   static constexpr std::size_t few_triangles = 150;  // up to this number, uses a slower, more careful method
   static constexpr double coarser = 0.62;            // the relative resolution of the coarse grid

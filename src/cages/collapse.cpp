@@ -55,7 +55,7 @@ constexpr std::array<Shape, 3> shapes = {{{0.05, -0.8, 13}, {0.03, -0.85, 14}, {
 struct Candidate {
   double cost;
   int edge;
-  std::uint32_t stamps;  // stamps_of() the edge; if it has changed since, the cost is outdated
+  std::uint32_t stamps;  // the cost is outdated if stamps_of() the edge now returns another value
   bool placed;           // true if the cost belongs to a position that fits
   Point place{};
 

@@ -22,7 +22,7 @@ bool collapse_to(WorkingCage& cage, std::size_t triangles, Accuracy accuracy, ba
 /// sound. Throws base::Cancelled.
 void tighten(WorkingCage& cage, int rounds, base::Progress* progress);
 
-/// Splits the edges that reduce the volume most, up to `triangles` triangles. Throws base::Cancelled.
+/// Splits the edges whose split reduces the volume most, up to `triangles` triangles. Throws base::Cancelled.
 void refine_to(WorkingCage& cage, std::size_t triangles, base::Progress* progress);
 
 /// Moves each neighbour of the vertex inward.

@@ -269,8 +269,8 @@ Edited remove_polygons(const Surface& surface, std::span<const std::uint32_t> po
 
 namespace {
 
-// Triangles that are connected across edges with exactly two triangles. Patches are compared in the order of
-// removal: patches with `keep` are last, open patches before closed patches, small before large patches.
+// Triangles that are connected across edges with exactly two triangles. Removed in ascending order: open
+// patches, then closed patches, each by area. Patches with `keep` stay.
 struct Patch {
   bool keep = true, closed = true;
   double area = 0;
@@ -399,7 +399,7 @@ Edited mirrored(const Surface& surface, const Plane& plane) {
   }
   const auto above = [&](std::uint32_t v) { return height(v) > 0.5 * near; };
   const auto below = [&](std::uint32_t v) { return height(v) < -0.5 * near; };
-  // True if the first corner outside the plane is above it, from corner i in steps of `step`.
+  // Goes from corner i in steps of `step` to the first corner outside the plane. True if it is above.
   const auto comes_out_above = [&](const Polygon& p, std::size_t i, std::size_t step) {
     while (!above(p[i]) && !below(p[i])) i = (i + step) % p.size();
     return above(p[i]);

@@ -45,8 +45,8 @@ constexpr std::array<std::array<int, 4>, 6> faces = {
 using Next = std::array<std::int8_t, 12>;  // per edge: the next edge of its loop; -1 if the edge is not cut
 
 // Returns the loops of the isosurface in a cell, as cycles of cut edges. Bit c of `above` is set if corner c
-// is above the level. On a face, a loop connects the cut edges before and after consecutive corners above
-// the level.
+// is above the level. Around a face, each run of corners above the level begins and ends at a cut edge. A
+// loop connects these two edges.
 constexpr Next loops_of(unsigned above) {
   Next next{};
   next.fill(-1);

@@ -19,8 +19,8 @@ struct Shell {
 
 /// Extracts the isosurface at `level` by marching cubes (Lorensen and Cline 1987). If a cell face can be cut
 /// in two ways, the cut connects the nodes below the level. The result is an oriented manifold,
-/// counter-clockwise as seen from the side of larger clearance. The result is closed. In a mirrored grid, it
-/// is one half, with its boundary in the plane x = 0.
+/// counter-clockwise as seen from the side of larger clearance. In a grid that is not mirrored, the result is
+/// closed. In a mirrored grid, the result is one half, with its boundary in the plane x = 0.
 Shell extract(const Clearance& clearance, double level);
 
 using TrianglePair = std::array<std::uint32_t, 2>;

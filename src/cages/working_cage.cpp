@@ -286,7 +286,7 @@ bool WorkingCage::crosses(std::span<const Candidate> now, std::span<const FaceId
 }
 
 // True if an enclosed point is between the triangles in now_ and the replaced triangles. Together, these
-// triangles form a closed surface. Half its solid angle is 2 pi or -2 pi from inside, and 0 from outside.
+// triangles form a closed surface. Half of its solid angle is +-2 pi from inside, and 0 from outside.
 bool WorkingCage::passes_over_a_point(std::span<const FaceId> replaced) const {
   if (enclosed_.empty()) return false;
   mesh::Bounds box = mesh::bounds(now_.front().corners);

@@ -107,8 +107,8 @@ bool in_range(const WholePose& pose, double farthest) {
          });
 }
 
-// A missing turn counts as 0, but its computed value can be up to half a turn. Therefore differences up to
-// half a turn are ignored. Poses with different whole turns differ by at least a full turn.
+// A missing turn counts as 0. When the pose is drawn, the turn gets a value of up to half a turn. Therefore
+// differences up to half a turn are ignored. Different whole turns differ by at least a full turn.
 bool same_pose(const deform::Pose& a, const deform::Pose& b) {
   if (a.positions != b.positions) return false;
   const auto turn = [](const deform::Pose& pose, std::size_t part) {

@@ -21,11 +21,12 @@ struct ShapeTerm {
 };
 
 /// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
-/// space, with the translations in `held`. A vertex that is at rest in all terms stays exactly at rest.
+/// space, and applies deform::hold(). A vertex that is at rest in all terms stays exactly at rest.
 SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
-/// If x is equal at all rest vertices and no term changes x, keeps x exactly. The same for y and z.
+/// If all rest vertices have the same x, and no term changes x, sets x of all positions to exactly this
+/// value. Does the same for y and z.
 void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
@@ -110,7 +111,7 @@ private:
   void take_farthest(std::span<const mesh::Point> positions);
 
   Timeline timeline_;
-  double farthest_ = most_drawn;  // the largest allowed coordinate: most_drawn, or more if a key has more
+  double farthest_ = most_drawn;  // largest allowed coordinate: max(most_drawn, all keys' coordinates)
   std::shared_ptr<const deform::PoseSpace> space_;
   std::vector<std::shared_ptr<const deform::LogVector>> vectors_;  // one per key; null without a cage
   std::vector<deform::Held> held_;                                 // one per interval between keys

@@ -8,8 +8,8 @@ namespace viete::document {
 /// The margin that fit_cage() leaves around the model's box, relative to the model's diagonal.
 inline constexpr double fit_margin = 0.01;
 
-/// Begin and end cage editing. At the end, the cage returns to its pose. If a rest position has changed, the
-/// vertex has moved by the same displacement in the pose. Undoable. Both functions require a cage.
+/// Begin and end cage editing. At the end, the cage returns to its pose. If editing moved the rest position
+/// of a vertex, the vertex has moved equally in the pose. Undoable. Both functions require a cage.
 void begin_cage_editing(Document& document);
 void end_cage_editing(Document& document);
 

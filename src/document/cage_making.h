@@ -16,7 +16,7 @@ using CageKind = cages::Kind;
 using CageSymmetry = cages::Symmetry;
 using CageWish = cages::Wish;
 
-/// While the panel is open, the document's cage follows the settings.
+/// The state of the panel that generates cages. While the panel is open, the document's cage follows `wish`.
 struct CageMaking {
   bool open = false;
   bool closing = false;  ///< true after confirmation, until the cage of full quality is ready

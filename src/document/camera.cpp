@@ -48,7 +48,7 @@ CameraPose mix(const CameraPose& a, const CameraPose& b, float t) {
           b.up};
 }
 
-// Converts a direction from Y up to the file's up axis.
+// Converts a direction from coordinates with Y up to coordinates with the file's up axis `up`.
 glm::vec3 in_file(const glm::vec3& v, UpAxis up) {
   return up == UpAxis::y ? v : glm::vec3(v.x, -v.z, v.y);
 }

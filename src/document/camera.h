@@ -33,7 +33,7 @@ struct CameraPose {
   float distance = 4;
   float yaw = 0.65f;          ///< about the up axis; at 0, looks along -Z or, if Z is up, along Y
   float pitch = 0.32f;        ///< above the horizon, in [-pi/2, pi/2]
-  bool orthographic = false;  ///< if true, the target has the same size as in perspective
+  bool orthographic = false;  ///< if true, no perspective; sizes at the target stay the same
   UpAxis up = UpAxis::y;
 
   friend bool operator==(const CameraPose&, const CameraPose&) = default;

@@ -68,8 +68,8 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
 std::vector<std::string> pose_notes(const deform::LogReport& report, const deform::Cage& cage,
                                     const deform::Pose& pose);
 
-/// Returns the ends of the edges between the first `most` pairs of triangles in `report.torn`. The triangles
-/// of a torn pair are neighbours that rotate strongly relative to each other, see deform::LogReport.
+/// `report.torn` lists pairs of neighbouring triangles that rotate strongly relative to each other. For the
+/// first `most` pairs, returns the common edge of the two triangles, as a pair of vertices.
 std::vector<std::array<std::uint32_t, 2>> torn_edges(const deform::LogReport& report,
                                                      const deform::Cage& cage, std::size_t most);
 

@@ -93,8 +93,8 @@ mesh::Point centroid(const mesh::Surface& surface) {
   return sum.area > 0 ? (1 / sum.area) * sum.moment : sum.moment;
 }
 
-// Returns the fraction of the bounding box, seen from above, that the model's lowest points cover. If the
-// model would fall over, returns 0.
+// Returns the relative size of the base on which the model stands if `axis` is up: area of the box around the
+// lowest points / area of the model's box, both seen from above. If the model would fall over, returns 0.
 double standing(const mesh::Surface& surface, const mesh::Bounds& box, const mesh::Point& middle,
                 std::size_t axis) {
   const double lowest = box.low[axis] + 0.02 * (box.high[axis] - box.low[axis]);

@@ -43,7 +43,7 @@ struct Revisions {
   Revision cage = 0;      ///< changes when an edit replaces the cage
   Revision weights = 0;   ///< changes with the weights and their radius
   Revision pose = 0;      ///< changes with the cage's pose, the probes and the model's shape
-  Revision method = 0;    ///< changes with the blend, its settings and the method for exp
+  Revision method = 0;    ///< changes with the blend, its settings and Document::method
   Revision whole = 0;     ///< changes when the timeline, the pose list or undo sets a complete pose
 
   friend bool operator==(const Revisions&, const Revisions&) = default;
@@ -59,7 +59,7 @@ struct Document : DocumentState {
   OpenedSurface model;
   std::filesystem::path cage_beside;  ///< a possible cage; see cage_beside() in document/cage_making.h
   std::vector<FileInUse> also_read;   ///< files of poses, keys and replaced cages
-  std::vector<Carried> carried;  ///< per probe, from the last drawn picture; a missing entry means at rest
+  std::vector<Carried> carried;  ///< one per probe, for the last drawn picture; missing probes are at rest
   History history;
   sym3::Method method = sym3::Method::fast;
   Space space;
@@ -98,7 +98,7 @@ Document document_of(OpenedSurface model);
 /// Throws base::Error if GPUs cannot draw the model, the cage or a pose with float numbers: if a size or a
 /// coordinate is above 1e32, or a size is below 1e-32.
 void check_drawable(const Document& document);
-/// Throws base::Error if a size is above 1e60 or below 1e-60, because deforming in double would fail.
+/// Throws base::Error if a size is above 1e60 or below 1e-60: the deformation would overflow or underflow.
 void check_deformable(const Document& document);
 /// Sets the cage at rest and clears the history. Throws base::Error or deform::FinError for invalid cages.
 void set_cage(Document& document, OpenedSurface cage);
@@ -141,8 +141,8 @@ mesh::Point pinned_vertex(const Document& document, std::size_t probe);
 std::string binding_plan(const Document& document, const deform::Weighting& weighting);
 
 /// Returns the up axis of the file's format: Y for glTF, Z for STL (common for CAD and 3D printing). For
-/// other formats, returns Z if the model stands upright along Z, and along Y would fall over or stand on a
-/// much smaller base. Otherwise returns Y.
+/// other formats, compares the bases on which the model stands with Y up and with Z up. Returns Z if the base
+/// with Z up is much larger. Otherwise returns Y.
 UpAxis guessed_up(const OpenedSurface& model);
 
 }  // namespace viete::document

@@ -32,7 +32,6 @@ Selection within(const deform::Cage& cage, ElementKind kind, const Marks& marks)
   return elements_with(cage, kind, marks, std::ranges::all_of);
 }
 
-// Marks the vertices of the selection. If vertices are selected, also marks their neighbours.
 Marks touched_by(const deform::Cage& cage, const Selection& selection) {
   const Marks own = marks_of(cage, selection);
   Marks touched = own;

@@ -56,15 +56,15 @@ void show_all(Document& document);
 
 /// Saves the selection as "Set 1", or with the next free number. Requires selected cage elements.
 void save_set(Document& document);
-/// Replaces the selection by a set, adds a set, or removes a set. The set determines the selection's kind.
+/// Selects a set, adds it to the selection, or deselects it. The new selection has the set's kind.
 void select_set(Document& document, std::size_t set, SelectMode mode);
 /// Renames a set. If the name is empty or in use, does nothing.
 void rename_set(Document& document, std::size_t set, const std::string& name);
 void remove_set(Document& document, std::size_t set);
 
-/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. `origins`
-/// has the old vertices of each new vertex. If all old vertices are hidden, the new vertex is hidden. If all
-/// old vertices are in a set, the new vertex is in the set. Removes empty sets.
+/// Transfers hidden vertices and sets to an edited cage. `vertices` is the old number of vertices. origins[v]
+/// has the old vertices of the new vertex v. If all of them are hidden, v is hidden. If all of them are in a
+/// set, v is in the set. Removes empty sets.
 CageGroups carried(const CageGroups& groups, std::size_t vertices,
                    const std::vector<std::span<const std::uint32_t>>& origins);
 /// Returns the names of the removed sets, such as "Arm", "Leg". If no set was removed, returns an empty text.

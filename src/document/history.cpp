@@ -23,7 +23,7 @@ void History::record_selection(DocumentState before) {
 void History::push(std::string label, DocumentState before, EditStep step) {
   constexpr std::size_t bytes_of_cage_vertex = 1000;  // the memory of a cage per vertex, estimated
   const bool other_cage = before.cage && (undo_.empty() || undo_.back().state.cage != before.cage);
-  // States with different cages do not share poses and keys. Therefore their memory is added.
+  // States with different cages do not share poses and keys. In this case, adds the memory of poses and keys.
   const std::size_t poses =
       before.library.poses.size() + before.timeline.keys.size() + before.timeline.unkeyed.size();
   const std::size_t bytes_of_vertex = bytes_of_cage_vertex + poses * sizeof(mesh::Point);

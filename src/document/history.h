@@ -19,14 +19,15 @@ struct EditStep {
   friend bool operator==(const EditStep&, const EditStep&) = default;
 };
 
-/// The undo and redo lists. An undo entry has the complete state of the document before the edit. Above 256
-/// MB and 16 entries, drops the oldest change of the selection or, if there is none, the oldest edit.
+/// The undo and redo lists. An undo entry has the complete state of the document before the edit. If there
+/// are more than 16 entries and they need more than 256 MB, drops the oldest change of the selection. If
+/// there is no such change, drops the oldest edit.
 class History {
 public:
   /// Adds an edit. `before` is the state before the edit.
   void record(std::string label, DocumentState before, EditStep step = {});
 
-  /// Adds a change of the selection. The revision stays, because a selection need not be saved.
+  /// Adds a change of the selection. Keeps the revision, because a selection need not be saved.
   void record_selection(DocumentState before);
   /// Replaces the selection in the state that the next undo restores. Requires can_undo().
   void began_with(const Selection& selection) { undo_.back().state.selection = selection; }

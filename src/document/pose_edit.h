@@ -25,7 +25,7 @@ void move_pins_to_shape(Document& document);
 /// Sets all weights to 0 and keeps the current pose.
 void end_mix(Document& document);
 
-/// Returns the pose without the mix. If all weights are 0, or the pose was edited later, returns null.
+/// Returns the pose without the mix. If all weights are 0, or the pose was edited after mixing, returns null.
 SharedPose unmixed_pose(const Document& document);
 
 /// Returns the requested name, cut to PoseLibrary::longest_name. If a pose has this name, adds a number.
@@ -63,7 +63,7 @@ SharedPose mixed_by(const Document& document, VectorCache& vectors, bool straigh
 
 // The next four functions do not record an edit.
 
-/// After a cage edit: ends the mix, and replaces the cage's pose by carried(pose) in named poses and keys.
+/// After a cage edit: ends the mix. In named poses and keys, replaces each cage pose p by carried(p).
 void carry_poses(Document& document, const std::function<deform::Pose(const deform::Pose&)>& carried);
 /// Ends the mix. Adapts named poses and keys to the new cage `by`: removes poses without a shape; in other
 /// poses, puts the cage at rest. Returns the number of removed poses, such as "3 poses and 2 keys", or "".

@@ -52,7 +52,6 @@ void select(Document& document, std::size_t first, std::size_t end) {
   document.selection = Selection(ElementKind::probe, added);
 }
 
-// Returns the vertex whose displayed position is nearest to the point.
 std::uint32_t nearest_vertex(const Document& document, const PosedModel& posed, const mesh::Point& at) {
   const mesh::Surface& model = *document.model.surface;
   double least = std::numeric_limits<double>::infinity();

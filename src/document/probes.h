@@ -19,11 +19,11 @@ bool has_pins(const Document& document);
 /// Sets Pin::pulls of the selected pins.
 void set_pulls(Document& document, bool pulls);
 
-// The functions from here to set_radius() act on the selected probes. They ignore locked probes, except
-// set_locked() and mirror_probes().
+// The functions from here to set_radius() act on the selected probes. Only set_locked() and mirror_probes()
+// also act on locked probes.
 
 void remove_probes(Document& document);
-/// Resets the probes to rest. Their motion with the cage stays.
+/// Resets the probes' own poses to rest. The probes still follow the cage.
 void rest_probes(Document& document);
 /// True if an unlocked probe is selected.
 bool has_free_probes(const Document& document);

@@ -16,7 +16,7 @@ using mesh::largest_coordinate;
 /// Drags and camera targets stay within this distance from the model's center, in view units.
 inline constexpr double farthest_place = 1e6;
 
-/// True if each entry of the log of a probe's stretch is at most 16. e^16 is about nine million.
+/// `x` is the log of a probe's stretch. True if |entry| <= 16 for each entry. e^16 is about nine million.
 inline bool is_probe_stretch(const sym3::Sym3<double>& x) {
   for (const double entry : {x.xx, x.xy, x.xz, x.yy, x.yz, x.zz}) {
     if (!(std::abs(entry) <= 16)) return false;
@@ -30,7 +30,7 @@ inline constexpr double least_drawn = 1e-32, most_drawn = 1e32;
 /// The limits of the distance between the camera and its target, in view units.
 inline constexpr float nearest_camera = 1e-3f, farthest_camera = 1e3f;
 
-/// The size of a window, in logical pixels. The largest area limits the memory that pictures need.
+/// The limits of a window's size, in logical pixels. The largest area limits the memory that pictures need.
 inline constexpr double least_window_side = 16, most_window_side = 8192, most_window_area = 4096 * 4096;
 
 inline bool is_window(double width, double height) {

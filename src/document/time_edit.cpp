@@ -24,7 +24,6 @@ bool among(std::span<const int> frames, int frame) {
   return std::ranges::find(frames, frame) != frames.end();
 }
 
-// Returns the key at the frame. If there is no such key, adds it.
 template <class Key>
 Key& key_for(std::vector<Key>& keys, int frame) {
   const auto place = std::ranges::lower_bound(keys, frame, {}, &Key::frame);

@@ -39,13 +39,13 @@ std::optional<Piece> piece_before(const Track& track, std::size_t key) {
   return track.closed ? piece_after(track, track.count - 2) : std::nullopt;
 }
 
-// Adds `factor` * the mean slope of an interval, in units per frame.
+// Adds to `shares`: factor * mean slope of the interval `piece`, per frame.
 void add_secant(std::vector<KeyShare>& shares, const Piece& piece, double factor) {
   shares.push_back({piece.to, factor / piece.length});
   shares.push_back({piece.from, -factor / piece.length});
 }
 
-// Adds `factor` * the slope of the spline at a key.
+// Adds to `shares`: factor * slope of the spline at the key `key`, per frame.
 void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t key, double factor) {
   const auto before = piece_before(track, key), after = piece_after(track, key);
   if (!before || !after) return;

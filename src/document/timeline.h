@@ -57,7 +57,7 @@ struct PoseKey {
   int frame;
   SharedPose pose{};
   Easing easing = Easing::smooth;  ///< from this key to the next key
-  std::vector<MixedPose> mix{};    ///< the named poses in the mix, except poses that changed later
+  std::vector<MixedPose> mix{};    ///< the named poses in the pose, except those edited later
 
   friend bool operator==(const PoseKey&, const PoseKey&) = default;
 };
@@ -121,7 +121,8 @@ Moment moment_at(const Timeline& timeline, double frame);
 std::optional<double> played(const Timeline& timeline, double frame, double seconds, bool& backward);
 
 /// Returns the smoothly interpolated camera; nullopt without camera keys. At the first and the last key, the
-/// speed is 0, unless both keys have equal cameras, and the camera makes whole turns or the timeline loops.
+/// speed is 0 unless the motion is closed: both cameras are equal except for whole turns of the yaw, and the
+/// timeline loops or there is at least one whole turn.
 std::optional<CameraPose> camera_at(const Timeline& timeline, double frame);
 
 }  // namespace viete::document

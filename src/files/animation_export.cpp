@@ -109,7 +109,7 @@ struct Sample {
 std::vector<Sample> samples_of(const AnimationExport& what) {
   std::map<double, bool> samples{{double(what.first), true}, {double(what.last), true}};
   for (const int frame : what.frames()) samples.emplace(frame, false);
-  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // frame - jump is another float
+  const double jump = std::max(1e-3, (what.last - what.first) * 0x1p-21);  // not lost by rounding to float
   const auto& keys = what.timeline.keys;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const double frame = keys[i].frame;
@@ -156,7 +156,7 @@ private:
   std::vector<mesh::Point> from_, flattest_, steepest_;
 };
 
-// Frames at which linear pieces begin or end. A frame has a morph target, unless the model is at rest.
+// Frames at which linear pieces begin or end. Each frame has a morph target, except if the model rests in it.
 struct MorphPlan {
   std::vector<double> frames;        // in ascending order
   std::vector<std::size_t> targets;  // for each target, an index into `frames`

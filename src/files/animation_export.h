@@ -59,7 +59,7 @@ AnimationReport write_animation(const AnimationExport& what, base::Progress* pro
 inline constexpr double fast_frame_error = 2e-6;  ///< maximum error of float / diagonal of the cage
 
 /// If files of the sequence exist for frames outside `frames`, returns one message, otherwise an empty list.
-/// A longer earlier export leaves such files. `frames` must be sorted. Throws base::Error.
+/// Such files can remain from an earlier, longer export. `frames` must be sorted. Throws base::Error.
 std::vector<std::string> other_files_note(const base::NumberedName& name, std::span<const int> frames);
 
 }  // namespace viete::files

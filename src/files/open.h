@@ -43,7 +43,7 @@ struct OpenRequest {
   /// Settings of the new document. Missing settings come from the session or the open document.
   document::RequestedSettings settings{};
   LocatedFiles located{};     ///< replacements for the files of a session
-  bool without_fins = false;  ///< for What::model and What::cage: removes the fins of the cage
+  bool without_fins = false;  ///< What::model, What::cage: applies cages::without_fins()
 };
 
 struct Opened {
@@ -74,11 +74,11 @@ struct Opened {
 /// - a session
 /// - a point cache: shapes if the number of points matches the model but not the cage, otherwise keys
 /// - a pose, if the file has the number of vertices and the faces of the open cage
-/// - a shape, if the file is not the open model's file but has its number of vertices and its faces
+/// - a shape, if the file has the vertex count and the faces of the open model, but is not the model's file
 /// - a cage, if no cage is open, and the file has fewer vertices than the open model and encloses the model
 /// - a model
 /// Two files are shapes if both match the open model. Otherwise they are a model and its cage. The cage is
-/// the file that encloses the other file. If no file or each file encloses the other, the cage is the file
+/// the file that encloses the other file. If neither or both enclose the other file, the cage is the file
 /// with fewer vertices. More than two files are shapes.
 Opened open_files(const OpenRequest& request, const document::Document& current,
                   base::Progress* progress = nullptr);

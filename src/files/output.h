@@ -55,12 +55,12 @@ void check_frames_are_new(const base::NumberedName& name, std::span<const int> f
 /// Returns `file` if it does not exist and is not in use. Otherwise returns a free name in its folder.
 std::filesystem::path proposed_name(const std::filesystem::path& file, const document::FilesInUse& files);
 
-/// Adds a surface's file and the files that the surface uses, such as images. `what`: "the model".
+/// Adds a surface's file and the files that the surface uses, such as images. `what` describes the surface.
 void add_surface(document::FilesInUse& files, const std::filesystem::path& file,
                  const formats::Original* original, const formats::Attributes* attributes,
                  std::string_view what);
 
-/// Adds all files from which a document was read, except the file with the name `own`, such as "the cage".
+/// Adds all files from which a document was read, except files described as `own`, such as "the cage".
 void add_document(document::FilesInUse& files, const document::Document& document,
                   std::string_view own = document::no_own);
 

@@ -62,8 +62,8 @@ void code_named(const JsonField& f, T& value, const Table& table) {
 
 }  // namespace
 
-// Templates find the functions code() by argument-dependent lookup, so these are not in the unnamed
-// namespace. Lengths and coordinates are in the model's unit. Rotations are rotation vectors in radians.
+// The functions code() are not in the unnamed namespace, because templates find them by argument-dependent
+// lookup. Lengths and coordinates are in the model's unit. Rotations are rotation vectors in radians.
 
 static void code(const JsonField& f, sym3::Method& method) {
   code_word(f, method, sym3::name(method), sym3::method_from_name);
@@ -195,7 +195,7 @@ static void code(const JsonField& f, deform::Probes& probes) {
   f.needed("all", probes.all, document::most_probes);
 }
 
-// The file has [share, count, ...]. The next `count` vertices have the mask value share / mask_steps.
+// The file has pairs [share, count, ...]: the next `count` vertices have the mask value share / mask_steps.
 static void code(const JsonField& f, deform::Mask& mask) {
   if (!f.reads()) {
     std::uint32_t share = 0, count = 0;

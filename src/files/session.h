@@ -40,7 +40,7 @@ std::string session_text(const Session& session, const std::filesystem::path& fi
 Session read_session(const std::filesystem::path& file);
 
 /// Poses, selection and hidden vertices must fit the cage. Shapes, pins and mask must fit the model.
-/// Otherwise throws base::Error with `file` and the key. document: has model, cage and the session's state.
+/// Otherwise throws base::Error with `file` and the key. The document must have the session's state.
 void check_fits(const document::Document& document, const Session& session,
                 const std::filesystem::path& file);
 /// Works like check_fits(), but checks only named poses and keys.

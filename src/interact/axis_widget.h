@@ -26,7 +26,7 @@ struct AxisWidget {
   std::array<AxisBall, 6> balls;  ///< sorted from far to near
 
   bool contains(const glm::vec2& cursor) const { return glm::distance(cursor, center) <= axes_radius; }
-  /// Returns the nearest ball under the cursor, or null if there is no ball.
+  /// Returns the front ball under the cursor. If there is no ball under the cursor, returns null.
   const AxisBall* ball(const glm::vec2& cursor) const;
 };
 

@@ -62,8 +62,8 @@ CursorProjection::CursorProjection(const glm::dvec3& point, const document::Came
   at_ = glm::dvec2(v.middle()) + glm::dvec2(side.x, -side.y) / per_pixel_;
 }
 
-// The point is at depth z. A motion by t * d has the components t * side (right, up) and t * n (forward). The
-// point appears at (slope * z + t * side) / (z + t * n). The derivative at t = 0 is (side - slope * n) / z.
+// The point is at depth z. A motion by t * d moves it by t * side (right, up) and t * n (forward). It then
+// appears at (slope * z + t * side) / (z + t * n). The derivative at t = 0 is (side - slope * n) / z.
 glm::dvec2 CursorProjection::motion(const glm::dvec3& d) const {
   const glm::dvec2 side(glm::dot(d, right_), glm::dot(d, up_));
   const glm::dvec2 moved = side - glm::dot(d, forward_) * slope_;

@@ -47,11 +47,11 @@ public:
   glm::dvec2 motion(const glm::dvec3& direction) const;
 
   /// Returns the distance along the axis from the point to the cursor. If the axis points at the eye, returns
-  /// 0. Limits the distance: near the axis's vanishing point on screen, it would become infinite.
+  /// 0. Limits the distance, because it would be infinite at the axis's vanishing point on screen.
   double along(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
-  /// Returns the angle of the cursor about the axis, in (-pi, pi] radians, from a fixed direction. If a ring
-  /// around the axis is seen edge-on, returns nullopt.
+  /// Returns the angle of the cursor about the axis, measured from a fixed direction, in (-pi, pi] radians.
+  /// If the plane perpendicular to the axis is seen edge-on, returns nullopt.
   std::optional<double> angle(const glm::dvec3& axis, const glm::dvec2& cursor) const;
 
   /// Returns the rotation, in radians, that moves the near side of a ring by `pixels`. For rings that are
@@ -64,7 +64,7 @@ public:
 
 private:
   glm::dvec3 point_, right_, up_, forward_, to_eye_;
-  glm::dvec2 at_, slope_;  // slope_: the ray to the point, right and up per unit forward; orthographic: 0
+  glm::dvec2 at_, slope_;  // slope_: of the ray to the point, (right, up) / forward; 0 if orthographic
   double depth_, per_pixel_;
   bool orthographic_, in_front_;
 };

@@ -18,10 +18,10 @@ inline constexpr float gizmo_head = 14;    ///< the length of an arrow head
 inline constexpr float gizmo_view_ring = 102;  ///< the radius of the ring that rotates in the view plane
 inline constexpr float gizmo_center = 9;       ///< the radius of the handle in the middle
 inline constexpr float gizmo_tolerance = 7;    ///< the largest distance from the cursor to a handle
-inline constexpr float gizmo_reach = 14;       ///< the tolerance if no small element is under the cursor
+inline constexpr float gizmo_reach = 14;       ///< the tolerance if no vertex or probe is under the cursor
 
-/// The handles, in logical pixels. If an arm or a plane is seen end-on or edge-on, it fades and cannot be
-/// hit.
+/// The handles, in logical pixels. If an arm is seen end-on, or a plane is seen edge-on, it is transparent
+/// and cannot be hit.
 struct Gizmo {
   struct Arm {
     glm::vec2 base, tip, end;  ///< the shaft is from base to tip, the head from tip to end
@@ -51,8 +51,8 @@ std::optional<Gizmo> make_gizmo(Tool tool, const glm::dvec3& center, const glm::
 
 float distance_to_segment(const glm::vec2& p, const glm::vec2& a, const glm::vec2& b);
 
-/// Returns the handle under the cursor. If `reach`, uses the larger tolerance, and also hits the far sides of
-/// rings. Set `reach` if no small element is under the cursor.
+/// Returns the handle under the cursor. If `reach` is true, uses the tolerance gizmo_reach, and also hits the
+/// far sides of rings. Set `reach` if no vertex or probe is under the cursor.
 std::optional<Constraint> pick_handle(const Gizmo& gizmo, const glm::vec2& cursor, bool reach = false);
 
 std::string handle_name(Tool tool, const Constraint& handle);

@@ -208,7 +208,7 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
   return all;
 }
 
-// Moves a point on one side. A point on the plane moves by the mean of the motion and the mirrored motion.
+// Moves p by the motion of its side. On Side::plane, this is the mean of the motions of the other two sides.
 template <class Motion>
 mesh::Point moved(const Motion& motion, Side side, const cages::Plane& plane, const mesh::Point& p) {
   if (side == Side::own) return motion(p);

@@ -45,7 +45,7 @@ double soft_share(document::SoftCurve curve, double distance);
 
 /// A vertex that a drag moves.
 struct Gripped {
-  /// The dragged side of the mirror, the other side, or the mirror plane. Vertices on the plane stay on it.
+  /// `own`: the dragged side. `other`: its mirror image. `plane`: the mirror plane, on which vertices stay.
   enum class Side { own, other, plane };
 
   std::uint32_t vertex;

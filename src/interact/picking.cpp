@@ -51,7 +51,7 @@ void Sight::hide_behind(const glm::vec3& a, const glm::vec3& b, const glm::vec3&
   }
 }
 
-// Compares with the farthest of the 3 x 3 samples around the point. One sample would hide steep faces.
+// Compares with the farthest of 3 x 3 samples around the point. Therefore, points on steep faces are visible.
 bool Sight::sees(const glm::vec3& at) const {
   const glm::vec2 place = glm::floor(glm::vec2(at) / cell);
   if (!(std::abs(place.x) <= static_cast<float>(columns_) && std::abs(place.y) <= static_cast<float>(rows_)))

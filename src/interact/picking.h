@@ -15,8 +15,8 @@
 
 namespace viete::interact {
 
-/// A coarse depth buffer with one sample per 2 x 2 logical pixels. A point up to 0.5 % of the model's
-/// diagonal behind the nearest surface is visible. Without this tolerance, the cage would hide its own
+/// A coarse depth buffer with one sample per 2 x 2 logical pixels. A point is visible if it is at most 0.5 %
+/// of the model's diagonal behind the front surface. Without this tolerance, the cage would hide its own
 /// elements.
 class Sight {
 public:

@@ -77,7 +77,7 @@ std::vector<mesh::Vec3> axes_of_parts(const deform::Cage& cage, const Grip& grip
   return of_part;
 }
 
-// Returns the angle of a rotation about an axis of length 1, in radians in [-pi, pi].
+// `rotation` is a rotation vector. Returns its angle about `axis`, in radians in [-pi, pi].
 double twist(const mesh::Vec3& rotation, const mesh::Vec3& axis) {
   const double half = mesh::norm(rotation) / 2;
   return half == 0 ? 0
@@ -91,8 +91,8 @@ std::vector<mesh::Vec3> least_turns(const document::Document& document,
   return state.report().turns;
 }
 
-// Returns the number of whole turns about the axis in `turn`. If `turn` has whole turns about another axis,
-// returns nullopt. `least` is `turn` without its whole turns.
+// `turn` is a rotation vector with whole turns; `least` is the same rotation without whole turns. If the
+// whole turns are about `axis`, returns their number. Otherwise returns nullopt.
 std::optional<double> turns_about(const mesh::Vec3& axis, const mesh::Vec3& turn, const mesh::Vec3& least) {
   constexpr double same_axis = 1e-6;
   const double count = deform::whole_turns(turn, least), along = mesh::dot(turn, axis);

@@ -227,8 +227,8 @@ double TransformDrag::turn_by_mouse(const DragInput& input, const CursorProjecti
   return turned_ - turn_lag_;
 }
 
-// Along an axis, the factor grows in the axis direction on screen. In a plane, it grows away from the pivot.
-// A uniform factor grows to the right and up.
+// The mouse direction that increases the factor is: for an axis, the axis on screen; for a plane, away from
+// the pivot; for a uniform scale, to the right and up.
 glm::dvec3 TransformDrag::scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const {
   if (constraint_.kind == Kind::free) {
     const glm::dvec2 moved = cursor - press_;

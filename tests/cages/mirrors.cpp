@@ -110,6 +110,6 @@ TEST_CASE("cages_with_quads_are_mostly_quads") {
   for (const auto& model : {stool(), sphere(3)}) {
     const auto made = cages::make(model, {.triangles = 200, .quads = true}, pool);
     const std::size_t quads = made.surface.triangles.size() - made.surface.polygon_count();
-    CHECK(4 * quads > made.surface.triangles.size());  // at least half of the triangles
+    CHECK(4 * quads > made.surface.triangles.size());  // more than half of the triangles are in quads
   }
 }

@@ -103,7 +103,7 @@ TEST_CASE("numbered_frames_are_the_model_as_each_pose_deforms_it_to_the_bit") {
 TEST_CASE("point_caches_agree_with_double_to_the_precision_of_floats") {
   test::AnimatedCube cube;
   for (const char* name : {"a.pc2", "a.mdd"}) {
-    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // exported in float, in double
+    for (const auto method : {sym3::Method::fast, sym3::Method::diag}) {  // exported in float, then in double
       CAPTURE(name);
       cube.document.method = method;
       const AnimationExport what = animation_export_of(cube.document, cube / name);
