@@ -75,7 +75,7 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
     if (!has_area(a, b, c)) continue;
     const Point u = b - a, v = c - a;
     const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
-    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // height / longest
+    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // divided by `longest`
     if (height < ratio) thin.push_back(t);
   }
   return thin;

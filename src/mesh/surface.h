@@ -89,8 +89,8 @@ Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> s
 /// Returns the box of the vertices that polygons use or, if there are no polygons, of all vertices.
 Bounds used_bounds(const Surface& surface);
 
-/// Returns twice the largest distance from the surface's centroid to a used vertex; for example, the diagonal
-/// of a box. Without area, the mean of the used vertices is the centroid. Rotations do not change the size.
+/// Returns twice the largest distance from the surface's centroid to a used vertex. For a box, this is the
+/// diagonal. Rotations do not change the size. Without area, the mean of used vertices replaces the centroid.
 double used_size(const Surface& surface);
 
 /// Returns a base::Checksum of positions and triangles in their order. Depends on the processor's byte order.

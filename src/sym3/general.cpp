@@ -18,11 +18,11 @@ namespace {
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
 // The smallest stretch relative to the largest stretch. This value replaces smaller stretches.
 constexpr double flattest = 1e-12;
-// bounded_log() is log M up to |log M| = kept_up_to * (|X| + |Y|), and X + Y from left_from * (|X| + |Y|) on.
+// Limits of |log M| / (|X| + |Y|): bounded_log() is log M up to kept_up_to, and X + Y from left_from on.
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
-// If the norm of L is larger, exp_general() tries eigenvalues first, because squarings lose digits.
+// If |L| is above this value, exp_general() tries eigenvalues first, because squarings lose digits.
 constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
@@ -35,7 +35,7 @@ void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }
 
-// M = (base + above) I + D. D has trace zero, so D^3 = p D + q I (Cayley-Hamilton).
+// M = (base + above) I + D. D has trace zero, and D^3 = p D + q I (Cayley-Hamilton).
 struct Deviator {
   double base, above;
   Mat3<double> d;
@@ -196,8 +196,8 @@ struct Pair {
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// The value f(T) of a function: `single` for eigenvalue t[0], mean + slope * (B - middle) for the 2x2 block
-// B. `difference` is single - mean.
+// The value f(T) of a function f. `single` is f(t[0]). f(B) = mean + slope * (B - middle) for the 2x2 block B
+// of T. `difference` is single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
