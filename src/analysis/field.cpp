@@ -18,7 +18,6 @@ double log2_of(double ratio) {
   return std::max(std::log2(ratio), least_log2);
 }
 
-// Returns the distances between corresponding points, divided by the diagonal.
 std::vector<double> distances(std::span<const mesh::Point> a, std::span<const mesh::Point> b,
                               double diagonal) {
   std::vector<double> values;

@@ -82,8 +82,9 @@ struct FieldStats {
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0 if the field is not computed
   double least = 0, median = 0, most = 0;    ///< extremes and median; NaN counts as 0
-  std::uint32_t worst = 0;                   ///< vertex of the largest value or, if symmetric, absolute value
-  bool is_nan = false;                       ///< true if a value is NaN
+  /// The vertex of the largest value. If FieldEntry::symmetric is true, of the largest absolute value.
+  std::uint32_t worst = 0;
+  bool is_nan = false;  ///< true if a value is NaN
   /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most
   /// 0.5 % are above `high`.
   double low = 0, high = 1;

@@ -31,7 +31,7 @@ struct Surface {
   std::vector<std::uint32_t> polygon_starts;  ///< the first corner of each polygon, then corners.size()
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> triangle_polygon;  ///< the polygon of each triangle
-  /// Triangles of the polygons that are not triangulated as a fan, as indices into `corners`.
+  /// The triangles of polygons that are not triangulated as a fan. Entries are indices into `corners`.
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }

@@ -113,7 +113,7 @@ bool close_together(const Deviator& v) {
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// Computes log M by a series about a power of two: M minus a power of two has no rounding errors.
+// Computes log M by a series about a power of two, because subtracting it from M has no rounding errors.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;

@@ -156,8 +156,8 @@ Quad rounded(Quad x, Quad unit) {
 }
 
 /// Returns the minimax polynomial with the first coefficients `kept`. All other coefficients are rounded to
-/// numbers of type T times `unit`. Coefficients before index `one_by_one` are rounded one by one; after each
-/// rounding, later coefficients are fitted again. Coefficients from this index on are rounded together.
+/// x * unit, where x has the type T. Coefficients before index `one_by_one` are rounded one by one; after
+/// each rounding, later coefficients are fitted again. Coefficients from this index on are rounded together.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {
