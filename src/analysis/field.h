@@ -82,7 +82,7 @@ struct FieldStats {
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0 if the field is not computed
   double least = 0, median = 0, most = 0;    ///< extremes and median; NaN counts as 0
-  /// The vertex of the largest value. If FieldEntry::symmetric is true, of the largest absolute value.
+  /// The vertex of the largest value. If FieldEntry::symmetric, the largest absolute value counts.
   std::uint32_t worst = 0;
   bool is_nan = false;  ///< true if a value is NaN
   /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most

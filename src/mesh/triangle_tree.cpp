@@ -12,7 +12,7 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
-// If a node is farther than this number of its radii, a dipole replaces the node (Barill 2018, 3.3).
+// If the distance to a node is more than 2 * its radius, a dipole replaces the node (Barill 2018, 3.3).
 constexpr double far_away = 2;
 
 double squared_distance(const Point& p, const Bounds& box) {

@@ -14,8 +14,8 @@ namespace viete::mesh {
 
 namespace {
 
-// Smaller relative areas can be rounding errors and count as 0. For a polygon, this is 2 * area / extent^2.
-// For a triangle of the fan, it is 2 * area / side^2, where `side` is the longer side at the fan's corner.
+// Smaller areas can be rounding errors and count as 0. Areas are doubled and divided by length^2. The length
+// is the extent of the polygon or, for a triangle of the fan, its longer side at the fan's corner.
 constexpr double flat_fan = 1e-12;
 
 // The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.

@@ -80,8 +80,8 @@ double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. Each pair of axes adds its slope
-/// times its component of E.
+/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. The entry is a sum over all pairs of
+/// axes. The terms contain slope * component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];

@@ -242,7 +242,7 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   const Six<V> a = times(m.a, halvings.scale), c = adjugate(a);
   const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int, const V&) {});
   Six<V> e = combine(times(z, hn::Set(d, C::lead)), a, c);
-  // Squares the matrix, not the coefficients z: their rounding errors would grow with the squared spread.
+  // Squares the matrix, because rounding errors of the coefficients z would grow with the squared spread.
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;
