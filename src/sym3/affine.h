@@ -72,8 +72,8 @@ Affine interpolate(const Affine& a, const Affine& b, double t);
 /// may have more than one turn.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights is sum * 2^shift; the shift avoids overflow and underflow. If the sum of weights is 0
-/// up to rounding, `sum` is exactly 0.
+/// The sum of all weights, as `sum` * 2^shift, which avoids overflow and underflow. If the sum of all weights
+/// is 0 up to rounding, `sum` is exactly 0.
 struct WeightSum {
   int shift;
   double sum;

@@ -91,7 +91,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// Returns the position of the largest absolute value in each run of equal signs; at most `count` positions.
+/// Returns for each run of equal signs the position of the largest absolute value. At most `count` positions.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
