@@ -81,7 +81,7 @@ double relative_slope(double distance) {
 }
 
 /// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. The entry is a sum over all pairs of
-/// axes. The terms contain slope * component of E.
+/// axes. Each term has the factor slope * component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];

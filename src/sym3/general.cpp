@@ -378,9 +378,9 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// With v = angle * n and |n| = 1, the branch is (angle + 2 pi k) * n. k is the integer nearest to
-// (dot(n, reference) - angle) / (2 pi), where the distance from the reference is smallest. If v is nearly 0,
-// rounding errors decide its direction; then the axis of a long reference replaces n.
+// With v = angle * n and |n| = 1, the branches are (angle + 2 pi k) * n. The branch nearest to the reference
+// has k = round((dot(n, reference) - angle) / (2 pi)). If v is nearly 0, rounding errors decide n. In this
+// case, if the reference is longer than pi, its axis replaces n.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
   // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;
