@@ -18,7 +18,6 @@ double log2_of(double ratio) {
   return std::max(std::log2(ratio), least_log2);
 }
 
-// Returns the distances between corresponding points, divided by the diagonal.
 std::vector<double> distances(std::span<const mesh::Point> a, std::span<const mesh::Point> b,
                               double diagonal) {
   std::vector<double> values;
@@ -44,7 +43,7 @@ double smaller_log(const Stretches& s) {
 double shear_log(const Stretches& s) {
   return s.larger > 0 ? std::min(std::log2(s.larger / s.smaller), -least_log2) : 0;
 }
-// Returns the symmetric Dirichlet energy minus 4, the energy at rest.
+// Returns the symmetric Dirichlet energy minus its value at rest, which is 4.
 double energy_of(const Stretches& s) {
   const double a = std::max(s.larger, 1e-6), b = std::max(s.smaller, 1e-6);
   return a * a + b * b + 1 / (a * a) + 1 / (b * b) - 4;
@@ -88,7 +87,7 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-// Returns the offsets from the first view along its normals, in diagonals.
+// Returns the offsets from the first view along its normals, divided by the diagonal.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();

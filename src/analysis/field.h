@@ -71,7 +71,7 @@ struct FieldEntry {
   bool symmetric = false;       ///< true if 0 is the value at rest and has the middle colour
   double least_range = 1;       ///< smallest range of the colours
   double floor = 0;             ///< smallest value before logarithms are taken
-  bool worst_is_least = false;  ///< true if FieldStats::worst is the vertex of the smallest value
+  bool worst_is_least = false;  ///< true if the smallest value is the worst, see FieldStats::worst
   std::vector<double> (*compute)(const FieldInput&) = nullptr;
 };
 const FieldEntry& entry(Field field);
@@ -81,9 +81,10 @@ struct FieldStats {
   Field field = Field::none;
   sym3::Method method = sym3::Method::fast;  ///< the method of Field::exp_error
   std::size_t vertices = 0;                  ///< 0 if the field is not computed
-  double least = 0, median = 0, most = 0;    ///< of all finite values
-  std::uint32_t worst = 0;                   ///< vertex of the largest (symmetric fields: absolute) value
-  bool is_nan = false;                       ///< true if a value is NaN
+  double least = 0, median = 0, most = 0;    ///< extremes and median; NaN counts as 0
+  /// The vertex of the largest value. If FieldEntry::symmetric, the largest absolute value counts.
+  std::uint32_t worst = 0;
+  bool is_nan = false;  ///< true if a value is NaN
   /// The values of the first and the last colour. At most 0.5 % of the values are below `low`, and at most
   /// 0.5 % are above `high`.
   double low = 0, high = 1;

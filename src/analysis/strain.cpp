@@ -29,7 +29,7 @@ PlaneMap plane_map(const FlatFace& face, std::span<const Point> positions) {
   return {x, (1 / face.across) * (positions[c] - positions[a] - face.along * x)};
 }
 
-// The larger stretch is the root of the larger eigenvalue of (x, y)^T (x, y). The area is larger * smaller.
+// `larger` is the square root of the larger eigenvalue of (x, y)^T (x, y). larger * smaller is the area.
 Stretches stretches(const PlaneMap& map) {
   const double xx = mesh::squared_norm(map.x), yy = mesh::squared_norm(map.y);
   const double larger = std::sqrt((xx + yy + std::hypot(xx - yy, 2 * mesh::dot(map.x, map.y))) / 2);

@@ -11,8 +11,8 @@
 
 namespace viete::analysis {
 
-/// A triangle with an area at rest, in the plane of the triangle. The side from corner 0 to corner 1 is the
-/// vector (length, 0). The side from corner 0 to corner 2 is (along, across).
+/// The shape at rest of a triangle that has area, in coordinates of its plane. The side from corner 0 to
+/// corner 1 is the vector (length, 0). The side from corner 0 to corner 2 is the vector (along, across).
 struct FlatFace {
   mesh::Triangle corners;
   double length, along, across;
@@ -29,16 +29,16 @@ struct PlaneMap {
 };
 PlaneMap plane_map(const FlatFace& face, std::span<const mesh::Point> positions);
 
-/// The singular values of a triangle's map: `larger` in the most stretched direction, `smaller` in the least.
+/// The singular values of a triangle's map: the largest and the smallest ratio of posed to rest length.
 struct Stretches {
   double larger, smaller;
 };
 Stretches stretches(const PlaneMap& map);
 
 /// Compares deformed surfaces with a surface at rest. The value at a vertex is the mean over the adjacent
-/// triangles, weighted by area at rest. Triangles without area are ignored; without any other triangle, the
-/// value is 0. A measurement takes one to two milliseconds for 100,000 triangles. The number of threads does
-/// not change the results. Thread-safe.
+/// triangles that have area at rest, weighted by this area. If a vertex has no such triangle, its value is 0.
+/// A measurement takes one to two milliseconds for 100,000 triangles. The number of threads does not change
+/// the results. Thread-safe.
 class Strain {
 public:
   explicit Strain(const mesh::Surface& rest);

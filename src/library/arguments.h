@@ -18,8 +18,8 @@ namespace viete::library {
 std::vector<mesh::Point> inside(std::span<const Point3> points);
 std::vector<Point3> outside(std::span<const mesh::Point> points);
 
-/// Throws base::Error if an index is invalid, a face has fewer than three corners, or a coordinate is not
-/// finite or above largest_coordinate. The error message begins with `what`, for example "the model".
+/// Throws base::Error if an index is invalid, a face has fewer than three corners, or a coordinate is above
+/// largest_coordinate or not finite. The error message begins with `what`, for example "the model".
 mesh::Surface surface_of(const Mesh& mesh, const char* what);
 /// Points with larger coordinates cannot be deformed.
 inline constexpr double most_deformable = 1e60;

@@ -38,7 +38,7 @@ Adjacency make_adjacency(std::size_t count, const ForEach& for_each) {
 }
 
 /// Works like make_adjacency(), but uses all processors, and sorts each list. Calls for_each(t, add) twice
-/// for each t from 0 to elements - 1. This call must add the items of element t.
+/// for each t from 0 to elements - 1. Each of these calls must add the items of element t.
 template <class ForEach>
 Adjacency sorted_adjacency(std::size_t count, std::size_t elements, const ForEach& for_each) {
   Adjacency lists;

@@ -47,7 +47,7 @@ std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface) {
   std::vector<std::uint8_t> pinched(surface.positions.size(), 0);
   base::for_blocks(pinched.size(), [&](std::size_t begin, std::size_t end) {
     UnionFind joined;                                  // triangles at one vertex, joined by common edges
-    std::vector<std::array<std::uint32_t, 2>> spokes;  // {a corner beside v, its triangle in `joined`}
+    std::vector<std::array<std::uint32_t, 2>> spokes;  // {another corner, its triangle in `joined`}
     for (std::size_t v = begin; v < end; ++v) {
       spokes.clear();
       std::uint32_t count = 0;
@@ -75,7 +75,7 @@ std::vector<std::uint32_t> thin_triangles(const Surface& surface, double ratio) 
     if (!has_area(a, b, c)) continue;
     const Point u = b - a, v = c - a;
     const double longest = std::max({stable_norm(u), stable_norm(v), stable_norm(v - u)});
-    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // height / longest
+    const double height = norm(cross((1 / longest) * u, (1 / longest) * v));  // divided by `longest`
     if (height < ratio) thin.push_back(t);
   }
   return thin;

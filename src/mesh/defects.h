@@ -12,7 +12,7 @@ namespace viete::mesh {
 /// Returns each used vertex at exactly the same position as a used vertex of lower index. Sorted. O(n).
 std::vector<std::uint32_t> duplicate_vertices(const Surface& surface);
 
-/// Returns the vertices at which several fans of triangles meet without a common edge. A manifold has no such
+/// Returns the vertices with several fans of triangles that have no common edge. A manifold has no such
 /// vertex. Sorted. Nearly linear time.
 std::vector<std::uint32_t> nonmanifold_vertices(const Surface& surface);
 

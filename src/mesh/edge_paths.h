@@ -14,7 +14,7 @@ class EdgePaths {
 public:
   explicit EdgePaths(const Surface& surface);
 
-  /// Returns the number of the vertex's component. Vertices that edges connect are in the same component.
+  /// Returns the index of the vertex's component. Vertices that edges connect are in the same component.
   std::uint32_t part(std::uint32_t vertex) const { return parts_[vertex]; }
   std::span<const std::uint32_t> parts() const { return parts_; }
   /// True if there is a path along edges from a to b that is not longer than `longest`.

@@ -9,13 +9,13 @@ namespace viete::mesh {
 
 namespace {
 
-// A side of a face. It is stored in a list for its lower vertex; `high` is its other vertex.
+// A side of a face. Sides are listed by the lower of their two vertex indices; `high` is the higher index.
 struct Side {
   std::uint32_t high, face;
   bool forward;
 };
 
-// Calls visit(low, sides) for each edge. Sorts the sides by lower vertex, higher vertex and face.
+// Calls visit(low, sides) for each edge. Sorts the sides by lower index, higher index and face.
 // for_each(add) must call add(from, to, face) for each side, in ascending order of the faces.
 template <class ForEach, class Visit>
 void visit_edges(std::size_t vertices, const ForEach& for_each, const Visit& visit) {

@@ -16,7 +16,7 @@ using Edge = std::array<std::uint32_t, 2>;  ///< two different vertices; the low
 /// A side of a triangle.
 struct HalfEdge {
   std::uint32_t triangle;
-  bool forward;  ///< true if the side goes from the lower vertex to the higher vertex
+  bool forward;  ///< true if the side goes from the lower to the higher vertex index
 };
 
 /// The edges of triangles. An edge can have any number of triangles, in any orientation.

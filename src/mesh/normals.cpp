@@ -77,8 +77,8 @@ Vec3 turned_along(const Vec3& n, const Vec3& from, const Vec3& to) {
   return cosine * n + cross(axis, n) + (dot(axis, n) / (1 + cosine)) * axis;
 }
 
-// Rotates normals of vertices without a triangle that has area. They rotate with the nearest triangle that
-// has area. If the model has no such triangle, they rotate with triangles between the nearest vertices.
+// Rotates the normals of vertices whose triangles have no area. They rotate with the nearest triangle that
+// has area. If no triangle has area, they rotate with triangles between the nearest vertices.
 class NearbyTurns {
 public:
   NearbyTurns(const Surface& rest, std::span<const Point> posed) : rest_(rest.positions), posed_(posed) {

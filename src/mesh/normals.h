@@ -24,11 +24,11 @@ void vertex_normals(std::span<const Point> positions, std::span<const Triangle> 
 /// Returns unit normals after the vertices moved from rest.positions to `positions`.
 ///   corner_normal: for each entry of rest.corners, an index into `normals`, or `none`.
 ///   vertex_of_normal: the vertex of each normal; needed only for normals that no corner has.
-/// The affine map of each triangle transforms the normals at its corners. A normal of several corners becomes
-/// their mean, weighted by deformed area. A normal that is not finite is replaced by the triangle's normal.
-/// If no triangle at a normal moved, the normal does not change. If no triangle at a normal has area, the
-/// normal rotates with the nearest triangle that has area. If the model has no triangle with area, the normal
-/// rotates with triangles between its vertex and the six nearest points.
+/// The affine map of each triangle transforms the normals at its corners. If corners of several triangles
+/// have the same normal, the results are averaged by deformed area. The triangle's normal replaces a normal
+/// that is not finite. If no triangle at a normal moved, the normal does not change. If no triangle at a
+/// normal has area, the normal rotates with the nearest triangle that has area. If the model has no triangle
+/// with area, the normal rotates with triangles between its vertex and the six nearest points.
 std::vector<Vec3> deformed_normals(const Surface& rest, std::span<const Point> positions,
                                    std::span<const Vec3> normals,
                                    std::span<const std::uint32_t> corner_normal,
@@ -53,8 +53,8 @@ inline bool changed(const Vec3& before, const Vec3& now) {
   return before != now && is_direction(now);
 }
 
-/// now: unit vectors. Scales each changed vector to the length that it has in `before`. Lengths from 0.99 to
-/// 1.01 count as 1.
+/// Scales each changed vector of `now` to its length in `before`. Lengths from 0.99 to 1.01 count as 1. `now`
+/// must have unit vectors.
 void keep_lengths(std::span<const Vec3> before, std::span<Vec3> now);
 
 }  // namespace viete::mesh

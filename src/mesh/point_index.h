@@ -24,7 +24,7 @@ private:
   std::size_t used_ = 0;
 };
 
-/// Returns one index per vertex: the lowest vertex at exactly the same position.
+/// Returns for each vertex the lowest index of the vertices at exactly the same position.
 std::vector<std::uint32_t> lowest_in_place(std::span<const Point> positions);
 
 }  // namespace viete::mesh

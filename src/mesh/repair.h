@@ -8,7 +8,7 @@
 
 namespace viete::mesh {
 
-/// Replaces each corner by the lowest vertex at the same position. Keeps all vertices and their numbers.
+/// Replaces each corner by the vertex of lowest index at the same position. Keeps all vertices and indices.
 Surface welded(const Surface& surface);
 
 /// Returns the triangles, flipped so that neighbours have equal orientation. A component gets the orientation

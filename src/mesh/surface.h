@@ -31,7 +31,7 @@ struct Surface {
   std::vector<std::uint32_t> polygon_starts;  ///< the first corner of each polygon, then corners.size()
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> triangle_polygon;  ///< the polygon of each triangle
-  /// Triangles of the polygons that are not triangulated as a fan, as indices into `corners`.
+  /// The triangles of polygons that are not triangulated as a fan. Entries are indices into `corners`.
   std::vector<Triangle> clipped;
 
   std::size_t polygon_count() const { return polygon_starts.empty() ? 0 : polygon_starts.size() - 1; }
@@ -89,8 +89,8 @@ Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> s
 /// Returns the box of the vertices that polygons use or, if there are no polygons, of all vertices.
 Bounds used_bounds(const Surface& surface);
 
-/// Returns twice the largest distance from the surface's centroid to a used vertex; for example, the diagonal
-/// of a box. Without area, the mean of the used vertices is the centroid. Rotations do not change the size.
+/// Returns twice the largest distance from the surface's centroid to a used vertex. For a box, this is the
+/// diagonal. Rotations do not change the size. Without area, the mean of used vertices replaces the centroid.
 double used_size(const Surface& surface);
 
 /// Returns a base::Checksum of positions and triangles in their order. Depends on the processor's byte order.

@@ -200,7 +200,7 @@ bool same_side(int a, int b, int c) {
   return (a >= 0 && b >= 0 && c >= 0) || (a <= 0 && b <= 0 && c <= 0);
 }
 
-// True if an edge of s passes through t. sides: for each corner of s, its side of the plane of t (-1, 0, 1).
+// True if an edge of s passes through t. `sides` has, for each corner of s, its side of t's plane (-1, 0, 1).
 bool edge_crosses(const Corners& s, const Corners& t, const std::array<int, 3>& sides) {
   for (int i = 0; i < 3; ++i) {
     const int j = (i + 1) % 3;

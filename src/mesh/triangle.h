@@ -30,7 +30,7 @@ struct Closest {
 /// a point. Lengths: 1e-75 to 1e75. Source: C. Ericson, Real-Time Collision Detection (2005), 5.1.5.
 Closest closest_on_triangle(const Point& p, const Point& a, const Point& b, const Point& c);
 
-/// Returns half the solid angle of the triangle, seen from 0 0 0 (van Oosterom and Strackee 1983, eq. 8).
+/// Returns half the solid angle of the triangle at the origin (van Oosterom and Strackee 1983, eq. 8).
 double half_solid_angle(const Point& a, const Point& b, const Point& c);
 
 using Point2 = std::array<double, 2>;

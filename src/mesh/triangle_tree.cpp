@@ -12,7 +12,8 @@ namespace viete::mesh {
 namespace {
 
 constexpr std::uint32_t triangles_per_leaf = 4;
-constexpr double far_away = 2;  // in radii of a node; a dipole replaces a farther node (Barill 2018, 3.3)
+// If the distance to a node is more than 2 * its radius, a dipole replaces the node (Barill 2018, 3.3).
+constexpr double far_away = 2;
 
 double squared_distance(const Point& p, const Bounds& box) {
   double sum = 0;

@@ -14,8 +14,8 @@ namespace viete::mesh {
 
 namespace {
 
-// Smaller relative areas count as 0, because they can be rounding errors. The relative area of a triangle of
-// the fan is 2 * area / (longest side at the fan's corner)^2; of a polygon, it is 2 * area / extent^2.
+// Smaller areas can be rounding errors and count as 0. Areas are doubled and divided by length^2. The length
+// is the extent of the polygon or, for a triangle of the fan, its longer side at the fan's corner.
 constexpr double flat_fan = 1e-12;
 
 // The triangles around the first corner of a polygon. Lengths are relative to the extent of the polygon.
@@ -176,10 +176,9 @@ public:
   }
 
 private:
-  // A corner and its neighbours in the ring. Ears are clipped by ascending length; for equal lengths, by
-  // `way`.
+  // A corner and its neighbours in the ring. Ears are clipped in the order of `length`, then `way`.
   struct Ear {
-    long length;                                // of the cut, see length_of_cut()
+    long length;                                // see length_of_cut()
     std::uint32_t way, corner, previous, next;  // way: the number of corners to the polygon's first corner
     auto operator<=>(const Ear&) const = default;
   };

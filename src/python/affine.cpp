@@ -21,7 +21,7 @@ using Axes = std::vector<py::ssize_t>;
 class Arguments {
 public:
   Axes shape;
-  py::ssize_t rows, count = 1;  // number of rows of a matrix (3 or 4), and number of maps for each result
+  py::ssize_t rows, count = 1;  // `rows`: rows of a matrix, 3 or 4; `count`: number of maps for each result
 
   Arguments(const char* function, const py::object& maps, bool several = false) : function_(function) {
     const py::array array = as_array(function, maps);

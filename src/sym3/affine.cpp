@@ -124,7 +124,8 @@ WeightSum sum_of(std::span<const double> weights) {
 
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights) {
   constexpr int most_steps = 200;
-  constexpr double near_the_end = 1e-6;  // steps below this size that do not decrease are rounding errors
+  // If the linear part of a step is below this value, a step that does not decrease is a rounding error.
+  constexpr double near_the_end = 1e-6;
   const auto [shift, total] = sum_of(weights);
   const auto [least, most] = std::ranges::minmax_element(weights);
   AffineMean m{maps[(total < 0 ? least : most) - weights.begin()], false};

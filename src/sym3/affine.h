@@ -72,8 +72,8 @@ Affine interpolate(const Affine& a, const Affine& b, double t);
 /// may have more than one turn.
 Affine interpolate(const Affine& a, const Affine& b, double t, const Vec3<double>& near);
 
-/// The sum of weights is sum * 2^shift; the shift avoids overflow and underflow. If the sum of weights is 0
-/// up to rounding, `sum` is exactly 0.
+/// The sum of all weights, as `sum` * 2^shift, which avoids overflow and underflow. If the sum of all weights
+/// is 0 up to rounding, `sum` is exactly 0.
 struct WeightSum {
   int shift;
   double sum;
@@ -87,8 +87,8 @@ struct AffineMean {
 
 /// Returns the bi-invariant mean m (V. Arsigny, X. Pennec, N. Ayache, Bi-invariant means in Lie groups,
 /// 2006): the sum of weights[i] * log(m^-1 maps[i]) is 0. Requires at least one map, and one weight for each
-/// map. Only the ratios of the weights matter. The computation starts at the map with the largest weight (the
-/// smallest, if the sum of weights is negative). The computation takes at most 200 steps.
+/// map. Only the ratios of the weights matter. The computation starts at the map with the largest weight or,
+/// if the sum of weights is negative, at the map with the smallest weight. It takes at most 200 steps.
 /// If the steps do not converge, `converged` is false and `map` is the last iterate. Possible reasons: maps
 /// half a turn apart, a map without inverse, or weights whose sum is 0 up to rounding.
 AffineMean mean(std::span<const Affine> maps, std::span<const double> weights);

@@ -63,8 +63,8 @@ static HWY_INLINE void stream(D d, const T* from, T* to, std::size_t count) {
   for (std::size_t k = 0; k < count; ++k) hn::Stream(hn::Load(d, from + k * lanes), d, to + k * lanes);
 }
 
-/// Access to a view with the layout `packed`. Loads the first and the last three entries of each matrix as
-/// two items; transpose_pairs() separates these items.
+/// Access to a view with the layout `packed`. Loads each matrix into two adjacent lanes: first its entries 0
+/// to 2, then its entries 3 to 5. transpose_pairs() separates these two groups.
 struct InPacked {
   template <class D, class T, class V>
   static HWY_INLINE void load(D d, const View<const T, 6>& v, std::size_t i, V (&e)[6]) {
@@ -230,7 +230,7 @@ static HWY_NOINLINE void scatter(D d, const T* rows, std::size_t stride, std::si
 //                                  returns true.
 
 /// Processes G registers of items, starting at item i. Reads the items before it writes results, so in == out
-/// is allowed. The slow path reads the items again: keeping them would occupy registers of the fast path.
+/// is allowed. The slow path reads the items again, because keeping them would occupy registers.
 template <int G, class From, class To, bool streaming, class F, class D, class T>
 static HWY_INLINE void map_registers(D d, const F& f, const View<const T, F::in>& in,
                                      const View<T, F::out>& out, std::size_t i) {

@@ -17,7 +17,7 @@ struct Executor {
 };
 
 enum class Stores : unsigned char {
-  automatic,  ///< streaming, if the data exceeds the caches and the output is aligned and is not the input
+  automatic,  ///< streaming, if the data exceeds the caches and the output is aligned and not the input
   ordinary,
   streaming,  ///< non-temporal stores, which bypass the caches, if layout and alignment allow
 };

@@ -14,7 +14,7 @@ namespace viete::sym3 {
 namespace {
 
 // Exponents are clamped to this size: e^2800 times any positive double is infinite, and e^-2800 times any
-// double is 0. The factor e^700 of times_exp() is in range.
+// double is 0. times_exp() multiplies four times by at most e^(2800 / 4), which does not overflow.
 constexpr double exponent_limit = 2800;
 
 // If an entry is above large_entry, the matrix is multiplied by `down`, so that nothing overflows.
@@ -75,13 +75,13 @@ Sym3<double> exp_in_double(const Sym3<double>& s) {
 /// The row (first_of) and the column (second_of) of each entry of Sym3.
 constexpr int first_of[] = {0, 0, 0, 1, 1, 2}, second_of[] = {0, 1, 2, 1, 2, 2};
 
-/// Returns (e^x - e^y) / (x - y) / max(e^x, e^y), which is at most 1. `distance` is |x - y|.
+/// Returns the slope (e^x - e^y) / (x - y) relative to max(e^x, e^y). `distance` is |x - y|.
 double relative_slope(double distance) {
   return distance > 0 ? -std::expm1(-distance) / distance : 1;
 }
 
-/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. Each pair of axes adds its slope
-/// times its component of E.
+/// Returns entry (i, j) of exp'(S)[E]. `direction` is E in the axes `v`. The entry is a sum over all pairs of
+/// axes. Each term has the factor slope * component of E.
 double slope_entry(const Exponents& e, const Axes& v, const double (&direction)[6], int i, int j) {
   const auto& values = e.eigen.values;
   double weight[6];
@@ -255,8 +255,8 @@ VIETE_FOR(double)
 
 namespace {
 
-// Jacobi's method in double has errors relative to the largest eigenvalue. If the smallest eigenvalue is
-// smaller by more than this factor, the functions repeat the method in double-double.
+// Jacobi's method in double has errors relative to the largest eigenvalue. If the largest entry is more than
+// `wide` times the smallest eigenvalue, the functions repeat the method in double-double.
 constexpr double wide = 8;
 
 struct LogOf {

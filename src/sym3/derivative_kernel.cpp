@@ -91,7 +91,7 @@ static HWY_INLINE void put_vectors(D d, const Spectrum<V>& e, Slopes<V>& s) {
   s.c = combination(hn::Neg(sine), u, cosine, v);
 }
 
-/// Returns F for sqrt: the entries 1 / (x + y). x and y are two of the eigenvalues' square roots a, b and c.
+/// a, b and c are the square roots of the eigenvalues. Returns F for sqrt: 1 / (x + y) for roots x and y.
 template <class D, class V>
 static HWY_INLINE Six<V> sqrt_slopes(D d, V a, V b, V c) {
   using T = hn::TFromD<D>;
@@ -264,7 +264,7 @@ static HWY_INLINE void one_by(const F& f, const T* s, const T* direction, T* out
   store_row(d, answer, out);
 }
 
-/// Returns true if the items need no tile: the layout is planes, and `count` items are whole registers.
+/// Returns true if the items need no tile: the layout is planes, and `count` items fill whole registers.
 template <class D, class T>
 static HWY_INLINE bool is_direct(D, const View<T, 6>& v, std::size_t count) {
   return v.layout == Layout::planes && count % hn::MaxLanes(D()) == 0;

@@ -14,7 +14,7 @@
 // sym3::exp with the kernel of that instruction set, whatever other lanes contain. For bounds and special
 // values see method `fast` in exp.h.
 //
-// Algorithm: let S = (mean + rest) I + A, where A has trace zero. For a polynomial f(x) = sum a_k x^k,
+// Algorithm: let A = S - (tr S / 3) I, which has trace zero. For a polynomial f(x) = sum a_k x^k,
 //   f(A) = z_0 I + z_1 A + z_2 adj A,   z_k = a_k + p z_{k+2} + q z_{k+3},
 // with p = |A|^2 / 2 and q = det A. This is the remainder of f(x) divided by the characteristic polynomial
 // x^3 - p x - q, at x = A. Equal eigenvalues lose no accuracy and need no special cases. If p is at most
@@ -68,7 +68,7 @@ struct Coefficients {
 };
 
 /// Computes the recurrence at the top of this file. `a` has the coefficients of f; the last coefficient must
-/// be 1. Each step waits for the result of the previous step. In this time, beside(step, z2) does other work.
+/// be 1. Each step waits for the result of the previous step. Meanwhile, beside(step, z2) does other work.
 template <class D, class T, std::size_t N, class V, class Beside>
 static HWY_INLINE Coefficients<V> recurrence(D d, const T (&a)[N], V minus_p, V q, const Beside& beside) {
   constexpr int degree = static_cast<int>(N) - 1;
@@ -242,7 +242,7 @@ static HWY_NOINLINE Six<V> exp_general(D d, const Six<V>& s) {
   const Six<V> a = times(m.a, halvings.scale), c = adjugate(a);
   const Coefficients<V> z = recurrence(d, C::matrix_exp, minus_p(c), determinant(a, c), [](int, const V&) {});
   Six<V> e = combine(times(z, hn::Set(d, C::lead)), a, c);
-  // Squares the matrix, not the coefficients z: their rounding errors would grow with the squared spread.
+  // Squares the matrix, because rounding errors of the coefficients z would grow with the squared spread.
   for (int j = 0; j < C::max_squarings; ++j) {
     const auto more = hn::Gt(halvings.count, hn::Set(d, T(j)));
     if (hn::AllFalse(d, more)) break;

@@ -36,9 +36,9 @@ struct ExpParts {
   V minus_p;
   Coefficients<V> z;
   V u0, u1, u2, u3;
-  V t0, t1;                        ///< z0 - z1 and z1 + z2; the code multiplies them by t
+  V t0, t1;                        ///< t0 = z0 - z1 and t1 = z1 + z2: the factors of t
   Six<V> w;                        ///< z2 A
-  V beside_x, beside_y, beside_z;  ///< z1 minus w.xx, w.yy, w.zz
+  V beside_x, beside_y, beside_z;  ///< z1 - w.xx, z1 - w.yy, z1 - w.zz
 };
 
 /// Computes the parts for A = `a`, times scalar.value(). Writes to a parameter, because GCC would compile the

@@ -7,7 +7,7 @@ namespace viete::sym3 {
 /// `matrix_exp` times `lead` is a minimax polynomial for e^x, for |x| <= 2 sqrt(p_limit / 3): the range of
 /// eigenvalues of A. The last coefficient of `matrix_exp` is 1. With the chosen `lead`, the value at 0 is 1
 /// up to rounding. The error is 0.45 u (float 0.51 u), relative to max(e^x, e^(-x / 2)). The norm of exp(A)
-/// is at least this maximum: if x is an eigenvalue of A, the other two eigenvalues sum to -x.
+/// is at least this maximum, because the other two eigenvalues of A sum to -x.
 /// `scalar_exp` is a minimax polynomial for e^r, for |r| <= 0.3467: a little more than ln 2 / 2. The relative
 /// error is 0.04 u (float 0.06 u).
 template <class T>

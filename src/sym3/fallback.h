@@ -9,9 +9,8 @@ namespace viete::sym3 {
 // in == out is allowed. u is 2^-53.
 
 /// Computes exp(S) for large spreads, overflow, NaN, infinities and entries near the largest double. Uses
-/// Jacobi's method in double-double and sums each entry relative to its largest term. The relative error is
-/// below 16 u for any spread. Finite input never gives NaN. Takes some microseconds, less for diagonal
-/// matrices.
+/// Jacobi's method in double-double. The relative error is below 16 u for any spread. Finite input never
+/// gives NaN. Takes some microseconds, less for diagonal matrices.
 void exp_by_jacobi(const double* in, double* out);
 void exp_by_jacobi(const float* in, float* out);
 

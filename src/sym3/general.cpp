@@ -18,11 +18,11 @@ namespace {
 constexpr double pi = std::numbers::pi, u = 0x1p-53;
 // The smallest stretch relative to the largest stretch. This value replaces smaller stretches.
 constexpr double flattest = 1e-12;
-// bounded_log() is log M up to |log M| = kept_up_to * (|X| + |Y|), and X + Y from left_from * (|X| + |Y|) on.
+// Limits of |log M| / (|X| + |Y|): bounded_log() is log M up to kept_up_to, and X + Y from left_from on.
 constexpr double kept_up_to = 2, left_from = 4;
 // If |sin| of a rotation angle is below this value, X + Y replaces log M.
 constexpr double least_clear = 1e-7;
-// If the norm of L is larger, exp_general() tries eigenvalues first, because squarings lose digits.
+// If |L| is above this value, exp_general() tries eigenvalues first, because squarings lose digits.
 constexpr double squared_to = 100;
 
 Mat3<double> nine_nan() {
@@ -35,7 +35,7 @@ void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }
 
-// M = (base + above) I + D. D has trace zero, so D^3 = p D + q I (Cayley-Hamilton).
+// M = (base + above) I + D. D has trace zero, and D^3 = p D + q I (Cayley-Hamilton).
 struct Deviator {
   double base, above;
   Mat3<double> d;
@@ -113,7 +113,7 @@ bool close_together(const Deviator& v) {
   return m > 0 && std::abs(v.p) <= 0.01 * m * m && std::abs(v.q) <= 0.001 * m * m * m;
 }
 
-// Computes log M by a series about a power of two: M minus a power of two has no rounding errors.
+// Computes log M by a series about a power of two, because subtracting it from M has no rounding errors.
 Mat3<double> log_of_close(const Mat3<double>& m, double mean) {
   int exponent;
   if (std::frexp(mean, &exponent) < std::numbers::sqrt2 / 2) --exponent;
@@ -196,8 +196,8 @@ struct Pair {
   bool clear() const { return -disc >= least_clear * least_clear * det; }
 };
 
-// The value f(T) of a function: `single` for eigenvalue t[0], mean + slope * (B - middle) for the 2x2 block
-// B. `difference` is single - mean.
+// The value f(T) of a function f. `single` is f(t[0]). f(B) = mean + slope * (B - middle) for the 2x2 block B
+// of T. `difference` is single - mean.
 struct Values {
   double single, mean, slope, difference;
 };
@@ -378,9 +378,9 @@ bool is_sum(const Split& s) {
 
 }  // namespace
 
-// With v = angle * n and |n| = 1, the branch is (angle + 2 pi k) * n. k is the integer nearest to
-// (dot(n, reference) - angle) / (2 pi), where the distance from the reference is smallest. If v is nearly 0,
-// rounding errors decide its direction; then the axis of a long reference replaces n.
+// With v = angle * n and |n| = 1, the branches are (angle + 2 pi k) * n. The branch nearest to the reference
+// has k = round((dot(n, reference) - angle) / (2 pi)). If v is nearly 0, rounding errors decide n. In this
+// case, if the reference is longer than pi, its axis replaces n.
 Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference) {
   // If v is at most this far from the axis of the reference, the distance counts as a rounding error.
   constexpr double along_reference = 1e-13;

@@ -15,14 +15,14 @@ namespace viete::sym3 {
 /// above 1e60 in size, the result is nine NaN.
 Mat3<double> exp_general(const Mat3<double>& l);
 
-/// Returns the principal logarithm of M: the real L with exp(L) = M whose eigenvalues have imaginary parts
-/// between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the factor is 6
-/// instead of 32. If M is symmetric, L is also symmetric.
-/// In the following cases the result is X + Y of log_polar(), which is bounded:
-///   - If det M <= 0 or an eigenvalue is negative, M has no logarithm.
-///   - If a stretch is below 1e-11 of another, or an angle is 180 degrees up to 1e-7, log M is unreliable.
-/// If rotation and stretch commute, as in rotations and similarities, X + Y is log M. Otherwise has_log() is
-/// false. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
+/// Returns the principal logarithm of M: the real L with exp(L) = M. The imaginary parts of the eigenvalues
+/// of L are between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the
+/// factor is 6 instead of 32. If M is symmetric, L is also symmetric. The result is X + Y of log_polar(),
+/// which is bounded, if log M does not exist or is not reliable:
+///   - if det M <= 0 or an eigenvalue is negative;
+///   - if a stretch is below 1e-11 * another stretch, or if an angle is 180 degrees up to 1e-7.
+/// has_log() is then false. Exception: if rotation and stretch commute, as in rotations, X + Y is log M, and
+/// has_log() is true. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// Returns true if M has a logarithm, so that exp_general(log_general(M)) is M up to rounding.
@@ -45,8 +45,7 @@ struct PolarLog {
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near = {});
 
 /// Returns the logarithm of M on the branch nearest to Y = parts.turn, which may have any number of whole
-/// turns. Use bounded_log() to blend maps: if the rotations Y of the maps are coherent, the logarithms are
-/// also coherent.
+/// turns. Use bounded_log() to blend maps: each logarithm keeps the whole turns of its Y.
 /// Near matrices that rotate by 180 degrees and stretch perpendicular to the axis, log M is unbounded.
 /// Therefore the result changes from log M to X + Y while |log M| grows from two to four times |X| + |Y|
 /// (Frobenius norms). If a rotation of more than 180 degrees has no well-defined plane, the result is X + Y.

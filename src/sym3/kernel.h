@@ -21,9 +21,8 @@ struct Kernel {
 ///   not fused:  "scalar"
 std::span<const Kernel> kernels();
 
-/// Returns the active kernel: the kernel that the environment variable VIETE_KERNEL names in the first call,
-/// or else the first of kernels(). Single calls always run in this kernel, and batches by default.
-/// Thread-safe.
+/// Returns the active kernel, which runs single calls and, by default, batches. The first call sets it to the
+/// kernel named by the environment variable VIETE_KERNEL, or else to the first of kernels(). Thread-safe.
 const Kernel& kernel();
 
 std::string_view kernel_name();

@@ -17,7 +17,7 @@ using Matrix = Sym3<DoubleDouble>;
 
 constexpr int terms = 32;  // 1/32! < 2^-117
 constexpr double entry_limit = 1e6;
-constexpr double largest_exponent = 2800;  // for larger sizes, every result overflows or underflows
+constexpr double largest_exponent = 2800;  // beyond +- this number, results overflow or underflow
 
 const std::array<Real, terms>& inverse_factorials() {
   static const auto table = [] {

@@ -8,7 +8,7 @@ namespace viete::sym3 {
 /// remaining coefficients were fitted again.
 /// `cosine` and `sine` approximate cos(sqrt h) and sin(sqrt h) / (2 sqrt h) for 0 <= h <= 2.63. The error of
 /// `cosine` is 0.07 u (float 1.3 u), and the error of `sine` is 0.0021 u (float 0.07 u).
-/// `arc_even` and `arc_odd` approximate atan(sqrt x) / sqrt x = even(x^2) + x odd(x^2) for 0 <= x <= 1. The
+/// `arc_even` and `arc_odd` approximate atan(sqrt x) / sqrt x = even(x^2) + x * odd(x^2) for 0 <= x <= 1. The
 /// relative error is 0.09 u (float 0.19 u).
 template <class T>
 struct RotationTables;

@@ -50,10 +50,10 @@ static HWY_INLINE V largest_entry(const Six<V>& m) {
                  hn::Max(hn::Abs(m.xz), hn::Abs(m.yz)));
 }
 
-/// Returns 4/3 of the discriminant D of B: the sum of (x_i y_j - x_j y_i)^2 over all i < j. The vectors x and
-/// y are sqrt 2 times the coordinates of B and of C - (tr C / 3) I in an orthonormal basis of the matrices
-/// with trace zero. With this sum, the square root of D has an error of u. With the formula
-/// D = 4 p^3 - 27 q^2, the square root would have an error of sqrt(u).
+/// Returns 4/3 of the discriminant D of B: the sum of (x_i y_j - x_j y_i)^2 over all i < j. x has the
+/// coordinates of sqrt 2 * B, and y has the coordinates of sqrt 2 * (C - (tr C / 3) I). Both refer to the
+/// same orthonormal basis of the matrices with trace zero. With this sum, the square root of D has an error
+/// of u. With the formula D = 4 p^3 - 27 q^2, the square root would have an error of sqrt(u).
 template <class D, class V>
 static HWY_INLINE V squared_minors(D d, const Six<V>& b, const Six<V>& c, V minus_p) {
   using T = hn::TFromD<D>;

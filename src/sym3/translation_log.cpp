@@ -15,7 +15,7 @@ constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
 constexpr double small_angle = 0.05;
 
-// Returns a factor that keeps E bounded: 0 at 360, 720 ... degrees, 1 at a distance of pole_width or more.
+// Returns a factor that keeps E bounded: 0 at 360, 720 ... degrees, 1 if these are pole_width or more away.
 double kept(double angle) {
   if (angle < full_turn - pole_width) return 1;
   const double t = std::min(std::abs(angle - full_turn * std::round(angle / full_turn)) / pole_width, 1.0);

@@ -13,12 +13,11 @@ namespace viete::sym3 {
 // E is an even function of L. If L is a rotation by the angle theta, E is symmetric: E is 1 along the axis,
 // and (theta / 2) cot(theta / 2) perpendicular to the axis.
 //
-// Use for handles: the map of a handle moves its centre from c to c'. Let m be the origin of coordinates
-// before the motion, and m' the origin after the motion. The translation part v of the logarithm is then
-//
-//     v = a - E (m' - m) + L (m' + m) / 2,    a = E (c' - c) - L (c' + c) / 2.
-//
-// Programs blend E, L and a of the handles, and then compute v once, from the blended centres m and m'. If
+// Use for handles: if the map of a handle moves its centre from c to c', the translation part of the
+// logarithm is a = E (c' - c) - L (c' + c) / 2. If the origin of coordinates is m before the motion and m'
+// after the motion, the translation part becomes
+//     v = a - E (m' - m) + L (m' + m) / 2.
+// To blend handles, blend their a, E, L and centres. Then compute v with the blended centres as m and m'. If
 // all handles move rigidly together, v is 0.
 //
 // For rotations by 360, 720 ... degrees there is no logarithm, because cot is infinite. Within 60 degrees of

@@ -18,8 +18,8 @@ enum class Layout : unsigned char {
 /// A view of many items of N numbers of type T. T may be const. An item is a symmetric matrix in the order of
 /// Sym3 (N = 6), a general matrix by rows (N = 9) or a vector (N = 3). Data may have any alignment. Planes
 /// must not overlap each other. If the layout is `full`, functions read the entries 0 1 2 4 5 8 of a
-/// symmetric matrix and write all nine. Planes are the fastest layout, but distances between planes that are
-/// multiples of 4096 bytes are slow, see padded_stride().
+/// symmetric matrix and write all nine. Planes are the fastest layout. They are slow only if a distance
+/// between planes is a multiple of 4096 bytes, see padded_stride().
 template <class T, int N>
 struct View {
   Layout layout = Layout::packed;

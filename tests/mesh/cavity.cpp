@@ -7,7 +7,7 @@ using namespace viete;
 
 namespace {
 
-// Returns the shading of a ball. side: 1 for normals that point outward, -1 for normals that point inward.
+// Returns the shading of a ball. `side` is 1 for normals that point outward, -1 for inward.
 std::vector<float> cavity_of(const test::Surface& ball, double side) {
   std::vector<test::Point> normals;
   for (const test::Point& p : test::sphere(3).positions) normals.push_back(side * p);

@@ -91,7 +91,7 @@ inline std::vector<Quad> solved(std::vector<std::vector<Quad>> rows) {
   return x;
 }
 
-/// Returns the position of the largest absolute value in each run of equal signs; at most `count` positions.
+/// Returns for each run of equal signs the position of the largest absolute value. At most `count` positions.
 inline std::vector<std::size_t> alternating(const std::vector<Quad>& values, std::size_t count) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < values.size(); ++i) {
@@ -156,8 +156,8 @@ Quad rounded(Quad x, Quad unit) {
 }
 
 /// Returns the minimax polynomial with the first coefficients `kept`. All other coefficients are rounded to
-/// numbers of type T times `unit`. Coefficients before index `one_by_one` are rounded one by one; after each
-/// rounding, later coefficients are fitted again. Coefficients from this index on are rounded together.
+/// x * unit, where x has the type T. Coefficients before index `one_by_one` are rounded one by one; after
+/// each rounding, later coefficients are fitted again. Coefficients from this index on are rounded together.
 template <class T>
 Polynomial rounded_minimax(const Target& t, const Polynomial& kept, int count, int one_by_one,
                            Quad unit = 1) {

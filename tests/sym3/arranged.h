@@ -89,7 +89,7 @@ public:
     const auto same = [](T a, T b) { return std::memcmp(&a, &b, sizeof(T)) == 0; };
     return layout_ != sym3::Layout::full || (same(m[1], m[3]) && same(m[2], m[6]) && same(m[5], m[7]));
   }
-  /// Returns true if all numbers of the first `count` items were written, and nothing else.
+  /// Returns true if exactly the numbers of the first `count` items were written.
   bool holds(std::size_t count) const {
     const std::size_t width = layout_ == sym3::Layout::full ? 9 : N;
     return memory_.size() - std::count(memory_.begin(), memory_.end(), guard) == width * count;

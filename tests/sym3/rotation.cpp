@@ -65,7 +65,7 @@ Mat3<T> rounded_rotation(const Vec3<T>& w) {
   return rounded;
 }
 
-/// Returns the error in u. Near half a turn, also accepts w - 2 pi w / |w|: almost the same rotation as w.
+/// Returns the error in u. Near half a turn, also accepts w - 2 pi w / |w|, almost the same rotation as w.
 template <class T>
 double log_error(const Vec3<T>& computed, const Vec3<T>& w) {
   const QuadVec x = vector_to_quad(computed), y = vector_to_quad(w);

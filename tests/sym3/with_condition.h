@@ -8,8 +8,8 @@
 
 namespace viete::test {
 
-/// The middle eigenvalue is close to the smallest or to the largest eigenvalue, or between them. In half of
-/// the matrices, the smallest eigenvalue is `size`, otherwise `size` times a factor from 0.001 to 1000.
+/// The middle eigenvalue is equal or close to another eigenvalue, or is the geometric mean of the others. The
+/// smallest eigenvalue is `size` in half of the matrices, and `size` times 0.001 to 1000 in the others.
 template <class T>
 std::vector<sym3::Sym3<T>> with_condition(double condition, int count, double size = 1) {
   namespace ensembles = bench::ensembles;
