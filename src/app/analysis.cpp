@@ -62,7 +62,7 @@ bool Analysis::has_news(const workspace::Workspace& w, const LiveModel& model) c
          timer_.has_result() || timer_is_due(w, model);
 }
 
-// Discards all measurements if model, cage or deformer settings have changed, but ignores Scheme::amounts. If
+// If model, cage or a deformer setting other than Scheme::amounts has changed, discards all measurements. If
 // only the engine has changed, discards only the sampled error.
 void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();

@@ -24,7 +24,7 @@ public:
                                                              platform::OffscreenContext::create());
 
   Viewer& viewer() { return viewer_; }
-  /// Renders frames of 1/60 s until loading, binding and motion end; with panels, also measurements.
+  /// Renders frames of 1/60 s until loading, binding and motion end. Panels also wait for measurements.
   void settle();
 
 private:

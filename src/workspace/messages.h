@@ -90,7 +90,7 @@ Question ask_before_opening(const std::string& work, const std::string& why);
 Question ask_before_replacing(const std::filesystem::path& session);
 Question ask_after_failed_save(const std::string& work, Question::Kind kind, const std::string& why);
 
-/// key: "model" or "cage".
+/// `key` must be "model" or "cage".
 Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);

@@ -197,7 +197,7 @@ struct View {
   interact::Tool tool = interact::Tool::move;
   Interaction interaction;
   document::Handling handling;
-  document::MirrorCache mirror;            ///< the cage's symmetry in the plane handling.mirror
+  document::MirrorCache mirror;            ///< the cage's symmetry about the plane handling.mirror
   document::Brush brush;                   ///< used by Tool::paint
   std::optional<std::size_t> chosen_pose;  ///< index of the named pose that pose commands act on
   bool tools = true;                       ///< draw gizmo, selection, hover and handles; false in pictures
