@@ -196,7 +196,7 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// If weights of the staged engine are missing, a measurement computes them only up to this number of bytes.
+// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {

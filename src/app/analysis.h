@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The timed binding. time_methods() adds missing weights of the staged engine, up to 256 MiB.
+  /// The timed binding. If weights of the staged engine need at most 256 MiB, time_methods() adds them.
   std::shared_ptr<const deform::Binding> binding;
 };
 

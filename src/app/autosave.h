@@ -31,8 +31,7 @@ public:
   bool kept() const { return kept_; }
   /// True if a write has finished or failed since the last follow().
   bool has_news() const;
-  /// Writes the current edits and waits. Retries once after an error. Returns false on failure: see
-  /// problem().
+  /// Writes the current edits and waits. Returns false if this fails twice or takes too long: see problem().
   bool keep_now(workspace::Workspace& workspace);
   /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);

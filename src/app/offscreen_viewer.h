@@ -24,7 +24,7 @@ public:
                                                              platform::OffscreenContext::create());
 
   Viewer& viewer() { return viewer_; }
-  /// Renders frames of 1/60 s until loading, binding and motion end. Panels also wait for measurements.
+  /// Renders frames of 1/60 s until loading, binding and motion end. If panels are shown, also measures.
   void settle();
 
 private:

@@ -70,8 +70,8 @@ enum class Answer { save, cancel, proceed };
 /// A question to the user before edits or files are lost.
 struct Question {
   enum class Kind {
-    close,         ///< closing the program with edits that could not be saved for recovery
-    open,          ///< opening another document while edits could not be saved for recovery
+    close,         ///< closing the program, if unsaved edits could not be backed up
+    open,          ///< opening another document, if unsaved edits could not be backed up
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
