@@ -102,7 +102,7 @@ int write_frames(const Output& output, const files::AnimationExport& what);
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with this advice.
+/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with `advice`.
 int run_cancellable(const Output& output, const std::function<int()>& write,
                     const char* advice = "no file was changed");
 

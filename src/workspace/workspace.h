@@ -137,7 +137,7 @@ using base::WorkState;
 struct Saved {
   std::filesystem::path session{};         ///< the session's file; empty: Save asks for a name
   std::optional<std::uint64_t> content{};  ///< checksum of `session` when read or written; nullopt: unknown
-  document::DocumentState state{};         ///< the saved document and real_pose(); empty for recovered edits
+  document::DocumentState state{};         ///< its pose is the real_pose(); empty for recovered edits
   bool recovered = false;                  ///< the document contains recovered edits that are not saved yet
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
