@@ -62,7 +62,7 @@ bool Analysis::has_news(const workspace::Workspace& w, const LiveModel& model) c
          timer_.has_result() || timer_is_due(w, model);
 }
 
-// Discards all measurements if model, cage or deformer settings have changed, but ignores Scheme::amounts. If
+// If model, cage or a deformer setting other than Scheme::amounts has changed, discards all measurements. If
 // only the engine has changed, discards only the sampled error.
 void Analysis::follow_path(workspace::Workspace& w, const LiveModel& model) {
   const document::Revisions& now = w.document.revisions();
@@ -196,7 +196,7 @@ namespace {
 using analysis::compared_methods;
 
 constexpr std::size_t timed_rounds = 5;
-// If weights of the staged engine are missing, a measurement computes them only up to this number of bytes.
+// A measurement computes missing weights of the staged engine only if they need at most this many bytes.
 constexpr double most_weight_bytes = 256.0 * (1 << 20);
 
 bool lacks_small_weights(const FrameInput& timed) {

@@ -17,7 +17,7 @@ namespace viete::app {
 
 struct MethodTimings {
   workspace::MethodTimes times;
-  /// The timed binding. time_methods() adds missing weights of the staged engine, up to 256 MiB.
+  /// The timed binding. If weights of the staged engine need at most 256 MiB, time_methods() adds them.
   std::shared_ptr<const deform::Binding> binding;
 };
 
@@ -32,13 +32,13 @@ workspace::MethodStats measure_methods(std::span<const sym3::Sym3<double>> matri
 /// Measures again when the input of a measurement changes. Stores results in the workspace. Not thread-safe.
 class Analysis {
 public:
-  /// probe: if true, measures the methods. program, state: see create_and_show_report().
+  /// If `probe` is true, measures the methods. See create_and_show_report() for `program` and `state`.
   Analysis(bool probe, std::filesystem::path program, std::filesystem::path state)
       : probe_wanted_(probe), program_(std::move(program)), state_(std::move(state)) {}
 
   /// Call before each frame. Starts requested reports, and checks of new surfaces. Stores finished results.
   void follow_document(workspace::Workspace& workspace);
-  /// Call after each frame. Measures times and errors of the methods. moves: true if this frame shows motion.
+  /// Call after each frame. Measures times and errors. `moves` must be true if this frame shows motion.
   void follow_frame(workspace::Workspace& workspace, LiveModel& model, bool moves);
 
   /// If the inspected vertex or the frame has changed, updates the vertex inspector and returns true.

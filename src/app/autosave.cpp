@@ -155,7 +155,7 @@ void Autosave::close_recovered(workspace::Workspace& workspace) {
   workspace.recovery.files.insert(workspace.recovery.files.begin(), files::describe_recovery_file(file));
 }
 
-// Deletes the recovery file, if it exists, and the file `leftover`, unless this path is empty.
+// Deletes the recovery file, and the file `leftover` if this path is not empty.
 void Autosave::remove(const fs::path& leftover) {
   if (!std::exchange(has_file_, false) && leftover.empty()) return;
   queue_.add([file = file_, leftover] {

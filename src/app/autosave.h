@@ -25,13 +25,13 @@ public:
   /// An empty folder disables autosave. The queue must outlive this object.
   Autosave(std::filesystem::path folder, base::BackgroundQueue& queue);
 
-  /// Call at the end of each frame. no_drag: false during a drag, because a drag is not a finished edit.
+  /// Call at the end of each frame. `no_drag` must be false during a drag: a drag is not a finished edit.
   void follow(workspace::Workspace& workspace, bool no_drag = true);
   /// True if the current edits have been written.
   bool kept() const { return kept_; }
   /// True if a write has finished or failed since the last follow().
   bool has_news() const;
-  /// Writes the current edits, at most twice, and waits. Returns false on failure: see problem().
+  /// Writes the current edits and waits. Returns false if this fails twice or takes too long: see problem().
   bool keep_now(workspace::Workspace& workspace);
   /// Calls keep_now(), then renames the file to keep it. Call before another document is opened.
   bool set_aside(workspace::Workspace& workspace);

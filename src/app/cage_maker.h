@@ -17,7 +17,7 @@ namespace viete::app {
 /// generates the cage in full quality and binds the model. For a box, the preview is final. Not thread-safe.
 class CageMaker {
 public:
-  /// Call once per frame. If `no_drag`, puts a finished cage into the document and starts the next
+  /// Call once per frame. If `no_drag` is true, puts a finished cage into the document and starts the next
   /// generation. If the panel is closed, cancels the generation.
   void follow(workspace::Workspace& workspace, bool no_drag);
   /// Cancels the generation and shows a message. The current cage stays until the settings change.

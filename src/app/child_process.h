@@ -9,16 +9,16 @@
 
 namespace viete::app {
 
-/// Runs a program. Returns the lines of the program's output, except progress lines. words: the program and
-/// its arguments. If the program fails, throws base::Error with the program's message. If `progress` is
-/// cancelled, stops the program and throws base::Cancelled. Thread-safe.
+/// Runs the program words[0] with the arguments words[1], words[2], ... Returns the lines of its output,
+/// except progress lines. If the program fails, throws base::Error with the program's message. If `progress`
+/// is cancelled, stops the program and throws base::Cancelled. Thread-safe.
 std::vector<std::string> run_child(const std::vector<std::string>& words, base::Progress& progress);
 
 /// Opens the page in a browser and returns at once. Throws base::Error if no browser can be started.
 void open_in_browser(const std::filesystem::path& page);
 
 /// Creates a short report in a subfolder of `state` and opens the report in the browser. If `state` is empty,
-/// uses the temporary folder. program: path of `viete`. Returns a message. Throws like run_child().
+/// uses the temporary folder. `program` is the path of `viete`. Returns a message. Throws like run_child().
 std::string create_and_show_report(const std::filesystem::path& program, const std::filesystem::path& state,
                                    base::Progress& progress);
 

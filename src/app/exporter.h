@@ -46,7 +46,7 @@ public:
   void stop() { job_.stop(); }
   bool running() const { return job_.running(); }
   workspace::WorkState state() const;
-  /// If `wait`, first waits for the running export. If an export has finished, starts the next export.
+  /// If `wait` is true, waits for the running export. If an export has finished, starts the next export.
   /// Reports success or cancelling in `messages`. A failure is returned, but not reported.
   std::optional<Failure> follow(workspace::Messages& messages, bool wait = false);
 

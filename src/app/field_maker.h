@@ -19,14 +19,14 @@ struct FieldSubject {
   analysis::Field field;
   const ViewModel& model;  ///< a slow field waits for the first frame of this model
   sym3::Method method;
-  document::PosedModel posed, first;  ///< the model in this view and in the first view; empty: at rest
+  document::PosedModel posed, first;  ///< the models of: this view, the first view; empty: at rest
 };
 
 /// Computes the shown fields of all views, again after each change of the input. Not thread-safe.
 class FieldMaker {
 public:
-  /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. The values
-  /// of a slow field can belong to an earlier pose, unless `wait`. Returns true if there are new values.
+  /// Call after a frame is deformed. Stores new values in `shown` and starts the next computation. If `wait`
+  /// is false, values of a slow field can belong to an earlier pose. Returns true if there are new values.
   bool follow(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown, bool wait = false);
   /// Waits for the values of the current pose.
   void finish(std::size_t view, const FieldSubject& subject, workspace::FieldView& shown);

@@ -19,8 +19,8 @@ std::filesystem::path preferences_file(const std::filesystem::path& state);
 
 class FileDesk {
 public:
-  /// Loads the preferences into the workspace. state: the folder for preferences and backups. If `state` is
-  /// empty, nothing is stored. program: the program `viete`, which renders animations in a child process.
+  /// Loads the preferences into the workspace. `state` is the folder for preferences and backups. If it is
+  /// empty, nothing is stored. `program` is the path of `viete`, which renders animations in a child process.
   FileDesk(const std::filesystem::path& state, workspace::Workspace& workspace,
            std::filesystem::path program = "/proc/self/exe");
 

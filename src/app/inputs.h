@@ -69,7 +69,7 @@ void check_usage(const Inputs& inputs);
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
 /// Opens the inputs like open() above. Calls check_output() twice: before reading, and with all read files
-/// after reading. also: an additional input file.
+/// after reading. `also` is an additional input file.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
                    const document::FileInUse& also = {});
 
@@ -98,11 +98,11 @@ files::Export export_to(const Output& output, const files::Opened& opened);
 int write_frames(const Output& output, const files::AnimationExport& what);
 
 /// Writes the model with the shape `what.shape` and returns notes. Throws base::Error if the shape is too
-/// large to draw or not finite. name: the subject of the error message, for example "the mix".
+/// large to draw or not finite. `name` is the subject of the error message, for example "the mix".
 std::vector<std::string> write_shape(const files::Export& what, const std::string& name,
                                      base::Progress* progress);
 
-/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with this advice.
+/// Runs `write`. If Ctrl+C cancels `write`, throws base::Error with `advice`.
 int run_cancellable(const Output& output, const std::function<int()>& write,
                     const char* advice = "no file was changed");
 

@@ -22,7 +22,7 @@ struct Loaded {
 using Loader = base::BackgroundJob<Loaded>;
 
 /// Cancels a running request and starts `request`. If reading or binding fails, the open document stays
-/// unchanged. moving: see shading_of().
+/// unchanged. See shading_of() for `moving`.
 void start_loading(Loader& loader, const files::OpenRequest& request, const document::Document& current,
                    std::size_t moving = std::numeric_limits<std::size_t>::max());
 

@@ -26,9 +26,9 @@ struct ModelLooks {
   std::vector<std::string> warnings;      ///< one line for each image that cannot be shown
 };
 
-/// Converts colours, materials and images. Reads image files; skips damaged images. normals: the vertex
-/// normals at rest. A triangle gets flat shading if its group is flat in the file, or at a sharp edge. There,
-/// the file's corner normals equal the face normal, but a vertex normal differs. Thread-safe.
+/// Converts colours, materials and images. Reads image files; skips damaged images. `normals` are the vertex
+/// normals at rest. A triangle gets flat shading if its group is flat in the file, or if its corner normals
+/// in the file equal the face normal and a vertex normal does not. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
                     std::span<const mesh::Point> normals);
 

@@ -24,7 +24,7 @@ public:
                                                              platform::OffscreenContext::create());
 
   Viewer& viewer() { return viewer_; }
-  /// Renders frames of 1/60 s until loading, binding and motion end; with panels, also measurements.
+  /// Renders frames of 1/60 s until loading, binding and motion end. If panels are shown, also measures.
   void settle();
 
 private:
@@ -57,7 +57,7 @@ struct PictureRun {
   std::filesystem::path file;  ///< pattern of the file names, such as frame_####.png
   std::vector<int> frames;
   double rate = 24;                         ///< frames of the timeline per second
-  int step = 1;                             ///< the difference of successive `frames`
+  int step = 1;                             ///< difference between successive numbers in `frames`
   bool turntable = false;                   ///< true: the camera makes a full turn around the model
   files::Force force = files::Force::none;  ///< whether to replace existing pictures
 };

@@ -44,7 +44,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, const std::strin
 
 /// Adds --force, see check_output().
 void add_force_option(CLI::App& app, bool& force);
-/// Converts the value of --force. If not `given`, errors suggest --force, except in a child process.
+/// Converts the value of --force. Without --force, errors suggest this option, except in a child process.
 files::Force force_of(bool given);
 
 void add_method_option(CLI::App& app, const std::function<void(sym3::Method)>& take);

@@ -39,7 +39,7 @@ int run(const Program& program, std::vector<std::string> arguments) {
   app.set_help_flag("-h,--help", "Show this help and exit");
   app.require_subcommand(1);
 #if CLI11_VERSION_MAJOR > 2 || CLI11_VERSION_MINOR >= 6
-  // Reports invalid values before missing values, as older versions do. Subcommands inherit this setting.
+  // Reports invalid values before missing values, as older CLI11 does. Subcommands inherit this setting.
   app.option_defaults()->callback_priority(CLI::CallbackPriority::PreRequirementsCheck);
 #endif
   Action action;

@@ -33,7 +33,7 @@ private:
   std::jthread watcher_;
 };
 
-/// Text such as "37 %", "37 %, 12 s left" or "37 %, 3 min left". seconds: the elapsed time.
+/// Text such as "37 %", "37 %, 12 s left" or "37 %, 3 min left". `seconds` is the elapsed time.
 std::string progress_text(double done, double seconds);
 
 }  // namespace viete::app

@@ -24,7 +24,7 @@ namespace viete::app {
 
 namespace {
 
-// Returns the map, or only its rotation if the map is nearly singular: drags need the inverse map.
+// Returns the matrix, or only its rotation if the matrix is nearly singular, because drags invert the matrix.
 sym3::Mat3<double> away_from_flat(const sym3::Mat3<double>& map) {
   constexpr double flattest = 0.05;
   const auto [rotation, stretch] = sym3::polar(map);
@@ -196,7 +196,7 @@ void LiveModel::take_carried(document::Document& document) {
   }
 }
 
-// Maps the pin's target from the shape to the drawn model, by the map at the pinned vertex.
+// Transforms the pin's target from the shape to the drawn model, with the matrix of map_at().
 document::Carried LiveModel::carried_pin(const document::Document& document, const deform::Probe& probe) {
   const std::uint32_t v = probe.pin->vertex;
   const mesh::Surface& surface = *document.model.surface;
@@ -210,7 +210,7 @@ document::Carried LiveModel::carried_pin(const document::Document& document, con
   return carried;
 }
 
-// Returns the mean map from the shape to the drawn model, over the triangles at a vertex, weighted by area.
+// Returns the matrix from the shape to the drawn model: the mean over a vertex's triangles, weighted by area.
 sym3::Mat3<double> LiveModel::map_at(const document::Document& document, std::uint32_t v) const {
   sym3::Mat3<double> sum{};
   double area = 0;

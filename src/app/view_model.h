@@ -31,8 +31,8 @@ class DragFollower {
 public:
   using Drag = std::optional<interact::TransformDrag>;
 
-  /// Call before a frame. Returns true if a drag has ended, or if it now moves other vertices. If true, the
-  /// next frame must be computed completely.
+  /// Call before a frame. Returns true if a drag has ended, or if the drag now moves other vertices. If true,
+  /// the next frame must be computed completely.
   bool before(deform::Deformer& deformer, const Drag& drag) {
     if (!dragging_ || (drag && drag->softened() == softened_)) return false;
     deformer.end_drag();
@@ -145,8 +145,8 @@ public:
     bool document = false, cage = false;
   };
   /// Call once per frame, before deform(). Installs a finished binding. If needed, starts a new binding.
-  /// made: the binding of a generated cage. A binding to another cage is ignored. Returns the changes since
-  /// the last call.
+  /// `made` is the binding of a generated cage. If the document has another cage, ignores `made`. Returns the
+  /// changes since the last call.
   Changed follow(workspace::Workspace& workspace, Bound made = {});
   /// Waits for the needed binding.
   void finish_binding(workspace::Workspace& workspace);
@@ -163,7 +163,7 @@ public:
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
 
-  /// If `binding` is the current binding with weights added for the staged engine, later deformers use them.
+  /// If `binding` is the current binding plus weights for the staged engine, later deformers use `binding`.
   void share(const std::shared_ptr<const deform::Binding>& binding);
   /// True if the last frame computed exponentials.
   bool takes_exponentials() const { return ran() && deformer_->scheme().exponential(); }

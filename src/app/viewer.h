@@ -33,7 +33,7 @@ struct ViewerOptions {
   bool probe = true;              ///< true: measures the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
-  std::size_t moving_triangles = 2'000'000;          ///< limit of triangles in motion, for software rendering
+  std::size_t moving_triangles = 2'000'000;          ///< limit for may_be_coarse with software rendering
 };
 
 /// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.
@@ -53,7 +53,7 @@ public:
   glm::ivec2 device_size() const;
 
   /// Handles input and commands, deforms the model, and draws the view and the panels into the framebuffer.
-  /// seconds: the time since the last frame.
+  /// `seconds` is the time since the last frame.
   void frame(float seconds);
   /// True if a new frame would differ from the last frame.
   bool wants_frame() const;
@@ -156,8 +156,8 @@ private:
   bool deformed_ = false, take_screenshot_ = false, has_drawn_ = false;
   double last_change_ = 0, last_frame_ = 0;  ///< clock times in seconds: last change, last frame
   double last_motion_ = 0;                   ///< clock time in seconds of the last picture with motion
-  bool refines_ = false, moves_ = false;  ///< refines_: this frame refines the view. moves_: it shows motion
-  unsigned settle_frames_ = 3;            ///< frames still to draw, until ImGui has computed all sizes
+  bool refines_ = false, moves_ = false;     ///< this frame: refines the view, shows motion
+  unsigned settle_frames_ = 3;               ///< frames still to draw, until ImGui has computed all sizes
   std::optional<bool> theme_seen_;
   document::CameraPose camera_seen_;
   bool at_rest_ = false;  ///< true: the view shows the model at rest

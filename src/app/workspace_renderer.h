@@ -76,7 +76,7 @@ class FindingMarks {
 public:
   explicit FindingMarks(const render::Gl& gl) : faces_(gl), edges_(gl), vertices_(gl) {}
 
-  /// Call in every frame. posed: the drawn model. moved: true if positions have changed since the last frame.
+  /// Call in every frame. `posed` is the drawn model. If its positions have changed, `moved` must be true.
   /// Returns true if the highlights change.
   bool set(const workspace::Workspace& workspace, const document::PosedModel& posed, bool moved);
   /// Call last, so that the highlights are visible through other objects.
@@ -88,7 +88,7 @@ private:
   render::FaceLayer faces_;
   render::LineLayer edges_;
   render::DiscLayer vertices_;
-  std::vector<std::uint32_t> used_;  // the surface's vertex for each vertex of the layers
+  std::vector<std::uint32_t> used_;  // for each vertex of the layers, its index in the surface
   unsigned long revision_ = 0;
   bool dark_ = true;
 };
@@ -122,7 +122,7 @@ public:
     if (findings_.set(workspace, posed, moved)) ++content_;
   }
 
-  /// The drawing of the workspace with the current data of the layers. size: in device pixels.
+  /// The drawing of the workspace with the current data of the layers. `size` is in device pixels.
   ViewDrawing drawing(const workspace::Workspace& workspace, glm::ivec2 size, float scale) const;
   /// Draws into the bound framebuffer, which must have the size of the drawing.
   void draw(const ViewDrawing& drawing);
@@ -158,8 +158,8 @@ private:
   std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture. coarse: half the resolution, with the coarse triangles of large models. plain: full
-/// resolution. smooth: full resolution with more samples.
+/// Quality of a picture. `coarse`: half the resolution, with the coarse triangles of large models. `plain`:
+/// full resolution. `smooth`: full resolution with more samples.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {

@@ -43,13 +43,13 @@ struct Fonts {
 struct Palette {
   ImU32 text, faint, accent, good, warn, bad, card, card_hover, card_active, line;
   ImU32 model;                     ///< the model in small pictures
-  ImU32 axis[3], on_axis;          ///< the axes x, y and z; letters on an axis
-  ImU32 neutral, highlight, halo;  ///< gizmo handle without axis; hovered handle; outline
+  ImU32 axis[3], on_axis;          ///< colours of the three axes, and of letters on an axis
+  ImU32 neutral, highlight, halo;  ///< gizmo handle without axis, hovered handle, outline
 };
 
 Palette palette(bool dark);
 
-/// Colours for increasing values of a map. diverging: for signed values. even: for other values.
+/// Colours for increasing values of a map. Maps of signed values use `diverging`. Other maps use `even`.
 struct FieldColors {
   std::vector<ImU32> even, diverging;
 };

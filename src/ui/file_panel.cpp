@@ -196,7 +196,7 @@ std::optional<std::size_t> entry_list(const Context& ui, const std::vector<const
   return clicked;
 }
 
-// Opens a folder or file. When saving, copies the file's path to the text field; the second call confirms it.
+// Opens a folder or file. When saving, the first call for a file only copies its path to the text field.
 void take(workspace::Workspace& w, const Browser::Entry& entry) {
   const std::filesystem::path path = w.files.browser.folder / entry.name;
   if (entry.folder || !w.files.browser.saves()) return choose(w, path);

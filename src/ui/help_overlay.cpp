@@ -200,7 +200,7 @@ void key_list(const Context& ui) {
 
 float key_question(const Context& ui, float bottom) {
   workspace::Workspace& w = ui.workspace;
-  if (!w.view.options.hints) w.panels.ask_keys = false;  // the user is already working
+  if (!w.view.options.hints) w.panels.ask_keys = false;  // the user has already transformed something
   if (!w.panels.ask_keys || !w.view.options.panels || w.panels.key_list.open || w.jobs.loading.running ||
       w.files.browser.open || w.files.question || offers_next_step(w))
     return bottom;

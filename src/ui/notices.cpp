@@ -73,7 +73,7 @@ void hint_at(const files::RecoveryFile& leftover) {
   hint("Folder: " + leftover.folder.string());
 }
 
-// If the next item fits, puts the next item on the current line. width: the width of the next item.
+// Call before an item of this width. If the item fits, puts the item on the current line.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
   if (end <= ImGui::GetWindowPos().x + ImGui::GetWindowSize().x - ImGui::GetStyle().WindowPadding.x)
@@ -98,9 +98,8 @@ void recovery_text(const Context& ui) {
 }  // namespace
 
 float notice_room(const Context& ui) {
-  constexpr float tools = 64,
-                  least = 180;  // subtracts the tools on both sides, to center notices
-  return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);
+  constexpr float tools = 64, least = 180;
+  return std::max(least, ui.workspace.view.viewport.size.x - 2 * tools);  // 2, because notices are centered
 }
 
 // A row below the menu bar, above the columns and the view.

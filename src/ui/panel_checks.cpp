@@ -112,7 +112,7 @@ void fit_buttons(const Context& ui) {
   if (!at) return;
   const document::Finding& found = checks.findings[*at];
   const std::string outside = document::title(found) + ". ";
-  if (ui.workspace.document.kept_pose) {  // panel_cage() shows the other buttons
+  if (ui.workspace.document.kept_pose) {  // panel_cage() shows the buttons Enclose and Fit
     note(ui, outside + "Enclose moves the cage outward there.", ui.colors.warn);
     return command_row(ui, {"show_outside"});
   }

@@ -22,7 +22,7 @@ using document::entry;
 constexpr float chooser_label = 84;
 constexpr const char* custom = "Custom";
 
-// Describes which settings, except `chosen`, would change with `next`, and the memory for binding.
+// Lists the settings that `next` would change, except the setting `chosen`. Adds the memory for binding.
 std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
                          std::string_view chosen) {
   const document::Scheme& now = w.document.scheme;
@@ -66,7 +66,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   ImGui::EndCombo();
 }
 
-// A slider that stops at these fractions; other values can be typed, in percent.
+// A slider that stops only at the fractions in `stops`. Other values can be typed in percent.
 void number_slider(const Context& ui, const char* name, std::span<const double> stops) {
   document::Document& document = ui.workspace.document;
   document::Scheme scheme = document.scheme;

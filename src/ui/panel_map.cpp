@@ -57,7 +57,7 @@ namespace {
 
 constexpr float legend_margin = 12, thickness = 10, bars = 34;
 
-// Size of the legend. whole: one view, with a histogram. small: several views, without a histogram.
+// Size of the legend. `whole` is for one view and has a histogram. `small` is for several views and has none.
 struct Size {
   float width, height, bars;
 };

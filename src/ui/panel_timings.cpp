@@ -203,7 +203,7 @@ void stage_tooltip(const Context& ui, Link stage) {
   ImGui::EndTooltip();
 }
 
-// Shows the times of the other parts of a frame and the total, with headings above the numbers.
+// Shows the times of a frame's parts after the deformation, and the total, with headings above the numbers.
 void rest_of_frame(const Context& ui) {
   struct Column {
     const char* heading;

@@ -56,7 +56,7 @@ void weights(const Context& ui, const VertexView& view) {
               weight_text(rest_of(view)));
 }
 
-// Draws the three eigenvalues of each partial sum. The methods exponentiate the last sum.
+// Draws the three eigenvalues of each partial sum. The last sum is the matrix that the methods exponentiate.
 void partial_sums(const Context& ui, const VertexView& view) {
   constexpr float height = 84, right = 64;
   const ImVec2 at = ImGui::GetCursorScreenPos();

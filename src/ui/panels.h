@@ -12,8 +12,8 @@ class Pointer;
 
 namespace viete::ui {
 
-/// Adds the fonts to ImGui. scale: device pixels per logical pixel. If `builtin_only`, or if no font file is
-/// found, uses ImGui's bitmap font, because this font looks the same on all machines.
+/// Adds the fonts to ImGui. `scale` is in device pixels per logical pixel. If `builtin_only` is true, or
+/// if no font file is found, adds ImGui's bitmap font. This font looks the same on all machines.
 Fonts add_fonts(float scale, bool builtin_only);
 
 /// Sets sizes, spacing and colours; call when the theme changes.

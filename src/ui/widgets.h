@@ -143,7 +143,7 @@ struct SliderLook {
 /// A slider. Returns the new value if the user moved the slider or typed a number.
 std::optional<double> slider(const Context& ui, const std::string& name, double value, const SliderLook& look,
                              float width = -1);
-/// A row of a label, a slider as above, and the text `shown`.
+/// A row with a label, the slider of slider(), and the text `shown`.
 std::optional<double> slider_row(const Context& ui, const char* label, float distance,
                                  const std::string& name, double value, const std::string& shown,
                                  const SliderLook& look);
@@ -160,7 +160,7 @@ std::optional<std::size_t> recent_list(const Context& ui);
 std::string place_of(const workspace::RecentFile& recent);
 void open_recent(workspace::Workspace& workspace, std::size_t index);
 
-/// Text in the font for numbers, right aligned at x. line: the text's top edge; default: the current line.
+/// Text in the font for numbers, right aligned at x. `line` is its top edge; the default is the current line.
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
 void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line);
 

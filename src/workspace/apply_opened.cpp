@@ -25,7 +25,7 @@ void report(Workspace& w, const files::Opened& opened) {
   for (const auto& warning : opened.warnings) w.messages.warn(warning, concern);
 }
 
-// Warns that sets and poses were removed with the previous cage. in_file: the session still has them.
+// Warns that sets and poses of the previous cage were removed. If `in_file`, the session still contains them.
 void report_losses(Workspace& w, const std::string& poses, bool in_file) {
   const std::string file = w.files.saved.session.filename().string();
   const std::string where = in_file && !file.empty() ? "; " + file + " still contains them" : "";
@@ -164,8 +164,8 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
                   [&](const files::RecoveryFile& leftover) { return leftover.file == opened.file; });
   } else {
     mark_saved(w);
-    if (opened.session) saved.state.scheme = opened.session->scheme;  // requested settings are unsaved
-    if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // not in any file
+    if (opened.session) saved.state.scheme = opened.session->scheme;  // settings of the request are unsaved
+    if (!opened.session) saved.state.mask = nullptr, saved.state.probes = {};  // no file contains them
     w.preferences.add(saved.session.empty() ? RecentFile{w.document.model.path, w.document.cage_file.path}
                                             : RecentFile{saved.session, {}});
   }

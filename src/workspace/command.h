@@ -21,7 +21,7 @@ struct Condition {
   bool operator()(const Workspace& workspace) const { return holds(workspace); }
 };
 
-/// words: a command's label. brief: a shorter label for use under a heading.
+/// The label of a command. `brief` is a shorter label for use under a heading.
 struct Label {
   Label(const char* words) : words(words), brief(words) {}
   Label(std::string words, std::string under_headline)

@@ -62,7 +62,7 @@ void add_hand_commands(CommandTable& table);
 void add_time_commands(CommandTable& table);            ///< named poses and timeline
 void add_animation_file_commands(CommandTable& table);  ///< files of poses and animations
 
-/// The prefix of the names of all commands that choose a `Value`: "pivot_".
+/// The names of the commands that choose a value of this type begin with this prefix, for example "pivot_".
 template <class Value>
 constexpr const char* choice_prefix() {
   if constexpr (std::is_same_v<Value, deform::Way>) return "way_";

@@ -100,7 +100,7 @@ bool filters_by_path(const FileBrowser& browser);
 
 /// The path in the text field. A relative path is relative to the shown folder; ~ is the home folder.
 std::filesystem::path typed_path(const FileBrowser& browser);
-/// typed_path(). When saving, adds a missing extension. If each frame gets its own file, also adds "_####".
+/// Like typed_path(). When saving, adds a missing extension, and "_####" if each frame gets its own file.
 std::filesystem::path chosen_file(const FileBrowser& browser);
 /// The reason why chosen_file() cannot be opened or written; empty if no reason is known.
 std::string problem_of_name(const FileBrowser& browser);

@@ -42,7 +42,7 @@ void browse_for(Workspace& w) {
   browse_beside(w, For, file_of_cage(w.document));
 }
 
-// Proposes a name such as "cage_pose.obj", in the folder of the session or, without a session, of `from`.
+// Proposes a name such as "cage_pose.obj" in the session's folder. Without a session: beside the file `from`.
 void browse_to_save(Workspace& w, Purpose purpose, const fs::path& from, const std::string& ending) {
   const fs::path& beside = w.files.saved.session.empty() ? from : w.files.saved.session;
   show(w.files.browser, purpose, beside.parent_path(), from.stem().string() + ending,

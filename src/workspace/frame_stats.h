@@ -41,9 +41,9 @@ class FrameStats {
 public:
   void add(const FrameTimes& times);
 
-  /// Medians over the last half second, updated about four times a second. If the newest frame deformed the
-  /// model, only frames that deformed the model count; otherwise, only the other frames. Nullopt before the
-  /// first frame that deformed the model.
+  /// Medians over the last half second, updated about four times a second. If the newest frame deformed
+  /// the model, the medians are over frames that deformed the model. Otherwise, the medians are over frames
+  /// that only drew the model. Nullopt until the first frame that deforms the model.
   const std::optional<FrameTimes>& median() const { return median_; }
   const std::optional<FrameTimes>& deforming_median() const { return deforming_median_; }
   void clear() { *this = {}; }
@@ -89,9 +89,9 @@ struct VertexView {
     std::uint32_t element;
     double weight;
     mesh::Point at;                     ///< the element's center, file units
-    std::array<double, 3> eigenvalues;  ///< eigenvalues of the sum up to this term, ascending
+    std::array<double, 3> eigenvalues;  ///< eigenvalues of the sum of weight * log up to this term, ascending
   };
-  /// The result of one method for the exponential of the whole sum.
+  /// The result of one method for the exponential of the sum of all terms.
   struct Way {
     Method method;
     std::string route;  ///< the algorithm, in words
@@ -102,7 +102,7 @@ struct VertexView {
   bool appearing = false;               ///< the vertex was just picked: scroll to the inspector
   std::vector<Term> terms;              ///< by decreasing weight
   bool has_logs = false;                ///< false: terms have weights, but no logs
-  glm::dmat3 map{1};                    ///< deformation matrix of the whole sum
+  glm::dmat3 map{1};                    ///< deformation matrix of the sum of all terms
   double degrees = 0;                   ///< rotation angle of the map
   std::vector<Way> ways;
 };

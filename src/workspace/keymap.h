@@ -25,7 +25,7 @@ struct Shortcuts {
 /// "Ctrl+A, A".
 std::string text(const Shortcuts& keys);
 
-/// The keys of all commands. A key belongs to only one command, except for pairs with shares_keys().
+/// The keys of all commands. A key belongs to only one command, unless shares_keys() is true.
 class Keymap {
 public:
   using Changes = std::map<std::string, Shortcut, std::less<>>;  ///< by command name

@@ -70,8 +70,8 @@ enum class Answer { save, cancel, proceed };
 /// A question to the user before edits or files are lost.
 struct Question {
   enum class Kind {
-    close,         ///< closing the program with edits that could not be saved for recovery
-    open,          ///< opening another document while edits could not be saved for recovery
+    close,         ///< closing the program, if unsaved edits could not be backed up
+    open,          ///< opening another document, if unsaved edits could not be backed up
     replace,       ///< overwriting a session that changed on disk
     locate_model,  ///< the model of a session is missing
     locate_cage,   ///< the cage of a session is missing
@@ -90,7 +90,7 @@ Question ask_before_opening(const std::string& work, const std::string& why);
 Question ask_before_replacing(const std::filesystem::path& session);
 Question ask_after_failed_save(const std::string& work, Question::Kind kind, const std::string& why);
 
-/// key: "model" or "cage".
+/// `key` must be "model" or "cage".
 Question ask_to_locate(std::string_view key, const std::string& problem);
 Question ask_to_remove_fins(const std::string& problem);
 Question ask_before_discarding(std::size_t count);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* leave_label = "go to frame";
 
-// True if the document has this pose. Ignores locked probes and pins.
+// True if the document has this pose. Ignores pins and locked probes.
 bool is_there(const Workspace& w, const document::WholePose& pose) {
   if (w.document.has_cage() && !document::same_pose(pose.cage, real_pose(w.document))) return false;
   if (!document::same_shape(pose.shape, w.document.shape)) return false;

@@ -33,8 +33,8 @@ void apply_pose(Workspace& workspace, std::size_t pose);
 /// Stops playback and calls `change`, which changes weights. If `change` returns false, shows an error.
 void change_mix(Workspace& workspace, const std::function<bool()>& change);
 
-/// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show`, and if the
-/// document's pose equals the pose of the keys, shows the last of these poses.
+/// Adds the poses of Timeline::unkeyed to the undo history of a newly opened document. If `show` is true and
+/// the document's pose equals the pose of the keys, also shows the last pose of Timeline::unkeyed.
 void add_unkeyed_to_undo(Workspace& workspace, bool show);
 
 /// Opens the timeline and makes all keys visible.
@@ -48,8 +48,8 @@ void stop_playing(Workspace& workspace);
 /// new pose. After an edit of the pose, sets a key if auto_key is on, otherwise stops playback.
 void follow_time(Workspace& workspace, double seconds);
 
-/// The pose of the keys or weights, computed linearly if the document uses log space, and vice versa. Null if
-/// the pose does not come from keys or weights. May throw base::Error.
+/// The pose of the keys or weights, but with the blending that the document does not use: linear or in log
+/// space. Null if the pose does not come from keys or weights. May throw base::Error.
 document::SharedPose pose_by_other_blending(Workspace& workspace);
 /// True if there are keys or weights. Otherwise linear and log-space blending give the same pose.
 bool has_blended_pose(const Workspace& workspace);

@@ -18,7 +18,7 @@ document::SelectMode mode_of(const PointerInput& input) {
   return input.ctrl ? document::SelectMode::remove : document::SelectMode::replace;
 }
 
-// small: a vertex or probe is under the cursor. Then only a handle exactly under the cursor counts.
+// `small` is true if a vertex or probe is under the cursor. Then a handle must be exactly under the cursor.
 std::optional<interact::Constraint> handle_under(const Workspace& w, const glm::vec2& cursor, bool small) {
   const auto gizmo = gizmo_of(w);
   if (!gizmo) return std::nullopt;
@@ -70,7 +70,7 @@ void hide(interact::Sight& sight, const Seen& points, std::span<const mesh::Tria
       sight.hide_behind(*points[t[0]], *points[t[1]], *points[t[2]]);
 }
 
-// Elements behind the model or behind faces of the cage are hidden.
+// In the result, elements behind the model or behind faces of the cage are hidden.
 interact::Sight sight_of(const Workspace& w) {
   interact::Sight sight(w.view.camera, w.view.viewport);
   const interact::Projector project(w.document.space, w.view.camera, w.view.viewport);
@@ -443,7 +443,7 @@ bool Pointer::soften_by_wheel(Workspace& w, float steps) {
   document::SoftSelection& soft = w.view.handling.soft;
   const bool shapes = w.view.interaction.drag->grip().shaping.shape != interact::Shape::none;
   if (!soft.on || steps == 0 || shapes)
-    return false;  // bend, twist and taper depend on the original vertices
+    return false;  // bend, twist and taper cannot change their vertices during the drag
   soft.radius = std::clamp(soft.radius * std::pow(1.1, steps), document::SoftSelection::least_radius,
                            document::SoftSelection::largest_radius);
   w.view.interaction.drag->soften(w.document, soft, mirror_of(w));

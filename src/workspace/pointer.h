@@ -78,7 +78,7 @@ public:
   /// Call once per drawn picture. An armed tool has priority over these gestures:
   /// - Left click: selects. Shift adds, Ctrl removes. A double click centers the view.
   /// - Left drag from a gizmo handle: transforms. From an element: moves the selection.
-  /// - Left drag elsewhere, with Shift or Ctrl, or from an unselected face or dense element: draws a box.
+  /// - Left drag elsewhere, or with Shift or Ctrl: draws a box. Also on unselected faces or dense vertices.
   /// - Left drag with Tool::paint: paints the mask. Ctrl erases. Shift+wheel changes the radius.
   /// - Middle, right or Alt+left drag: orbits. With Shift: pans. With Ctrl: zooms. The wheel zooms too.
   /// - Right click: requests the context menu.
@@ -145,7 +145,7 @@ private:
   std::optional<interact::SelectShape> shape_;  // the armed tool at the press
   bool crowded_ = false;
   document::SelectMode mode_ = document::SelectMode::replace;
-  bool clicked_ = false, again_ = false;  // clicked_: the last press was a click. again_: a double click
+  bool clicked_ = false, again_ = false;  // the last press was: a click, a double click
   document::Selection selection_before_;
   document::Revision surfaces_ = 0;
   document::Revision cage_ = 0;

@@ -150,7 +150,7 @@ public:
         depth_(static_cast<std::size_t>(width_ * height_), -std::numeric_limits<double>::infinity()),
         tones_(depth_.size(), 0.0f) {}
 
-  // t: corners with x and y in pixels, and z towards the viewer. Small triangles cover one pixel.
+  // `t` contains the corners: x and y in pixels, z towards the viewer. Small triangles cover one pixel.
   void add(const std::array<mesh::Vec3, 3>& t, float tone) {
     const auto [low_x, high_x] = std::minmax({t[0][0], t[1][0], t[2][0]});
     const auto [low_y, high_y] = std::minmax({t[0][1], t[1][1], t[2][1]});

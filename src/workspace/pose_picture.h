@@ -18,7 +18,7 @@ struct PictureShape {
   bool outlined = true;
   std::vector<glm::vec2> points{};  ///< logical pixels, y down
   float tone = 1;                   ///< brightness
-  /// Triangles of point indices. If empty, a fan about the last point gives the triangles.
+  /// Triangles of point indices. If empty, the triangles are a fan about the last point.
   std::vector<mesh::Triangle> triangles{};
 
   friend bool operator==(const PictureShape&, const PictureShape&) = default;
@@ -54,7 +54,7 @@ private:
 /// The brightness of a face with this normal in view coordinates.
 float lightness(const mesh::Vec3& normal);
 
-/// The front-facing polygons of the model with their brightness. The farthest from the viewer is first.
+/// The front-facing polygons of the model with their brightness, sorted from back to front.
 std::vector<PictureShape> lit_model(const PictureView& view, const mesh::Surface& model,
                                     std::span<const mesh::Point> at);
 

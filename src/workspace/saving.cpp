@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Calls step() to write `path`, which must not be an open file except `own`. Shows success or the error.
+// Calls step() to write `path`. Fails if `path` is an open file other than `own`. Shows success or the error.
 template <class Step>
 bool attempt(Workspace& w, const char* what, const fs::path& path, std::string_view own, Step step) {
   const std::string topic = std::string("save ") + what;

@@ -13,7 +13,7 @@ namespace viete::workspace {
 
 /// Writes the session atomically and marks all edits as saved. Shows a message. Returns true on success.
 bool save_session(Workspace& workspace, const std::filesystem::path& path);
-/// Like save_session(), but writes the posed cage with its whole turns, and marks only the pose as saved.
+/// Writes the posed cage and Pose::turns. Otherwise like save_session(), but marks only the pose as saved.
 bool save_pose(Workspace& workspace, const std::filesystem::path& path);
 /// Saves the cage at rest. Afterwards the cage belongs to this file.
 bool save_cage(Workspace& workspace, const std::filesystem::path& path);

@@ -18,8 +18,8 @@ namespace viete::workspace {
 struct SplitView : document::SideWay {
   FieldView shown{};
   FrameStats stats{};
-  /// Error of the positions in single precision, relative to the diagonal of the cage. Measured in the
-  /// background, before stitching. 0 if positions are computed in double precision.
+  /// Error of the positions in single precision, relative to the diagonal of the cage. Does not include
+  /// errors of stitching. 0 if positions are computed in double precision.
   double fused_error = 0;
   std::optional<double> exp_error{};  ///< largest relative error of sampled exponentials, if there are any
   bool binding = false;
@@ -32,7 +32,7 @@ struct Split {
   std::vector<SplitView> views = std::vector<SplitView>(1);
   bool linked = true;                         ///< all views share one camera
   std::size_t active = 0;                     ///< the view with the gizmo and the current camera
-  std::vector<document::CameraPose> cameras;  ///< if not linked: one per view; that of `active` is unused
+  std::vector<document::CameraPose> cameras;  ///< if not linked: one per view; unused for the active view
 
   std::size_t count() const { return views.size(); }
   bool on() const { return count() > 1; }

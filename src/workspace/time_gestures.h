@@ -20,7 +20,7 @@ void press_keys(Workspace& workspace, double frame, std::optional<int> key, bool
 /// A press in the ruler: goes to the frame.
 void press_ruler(Workspace& workspace, double frame);
 void press_pan(Workspace& workspace, double frame);
-/// Continues a drag to `frame`. For a pan, `frame` must be computed with the visible range at the press.
+/// Continues a drag to `frame`. For a pan, compute `frame` with Drag::seen, the frames visible at the press.
 void drag_time(Workspace& workspace, double frame);
 void release_time(Workspace& workspace);
 /// Cancels a drag: restores the state before the press.

@@ -132,7 +132,7 @@ void frame_selection(Workspace& w, bool eased) {
 }
 
 void frame_worst(Workspace& w) {
-  constexpr double share = 0.06;  // half the size of the visible part, in diagonals of the model
+  constexpr double share = 0.06;  // half the visible size, as a fraction of the model's diagonal
   const auto& surface = *w.document.model.surface;
   const std::size_t worst = w.view.split.views[0].shown.stats.worst;
   if (worst >= surface.positions.size()) return;

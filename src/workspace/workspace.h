@@ -137,7 +137,7 @@ using base::WorkState;
 struct Saved {
   std::filesystem::path session{};         ///< the session's file; empty: Save asks for a name
   std::optional<std::uint64_t> content{};  ///< checksum of `session` when read or written; nullopt: unknown
-  document::DocumentState state{};         ///< the saved document, see real_pose(); empty for recovered edits
+  document::DocumentState state{};         ///< its pose is the real_pose(); empty for recovered edits
   bool recovered = false;                  ///< the document contains recovered edits that are not saved yet
 
   void put_cage(std::shared_ptr<const deform::Cage> cage) { state.cage = std::move(cage), ++revision_; }
@@ -197,7 +197,7 @@ struct View {
   interact::Tool tool = interact::Tool::move;
   Interaction interaction;
   document::Handling handling;
-  document::MirrorCache mirror;            ///< the cage's symmetry in the plane handling.mirror
+  document::MirrorCache mirror;            ///< the cage's symmetry about the plane handling.mirror
   document::Brush brush;                   ///< used by Tool::paint
   std::optional<std::size_t> chosen_pose;  ///< index of the named pose that pose commands act on
   bool tools = true;                       ///< draw gizmo, selection, hover and handles; false in pictures
@@ -338,7 +338,7 @@ void toggle_finding(Workspace& workspace, std::size_t index);
 void step_element(Workspace& workspace, int step);
 /// Moves the camera to the highlighted elements.
 void frame_finding(Workspace& workspace);
-/// Stores the whole turns of `report` in the pose, and the notes of `report` in the workspace.
+/// Stores the report's turns in the pose, see Pose::turns. Stores the report and its notes in the workspace.
 void take_report(Workspace& workspace, const deform::LogReport& report);
 
 }  // namespace viete::workspace

@@ -55,7 +55,7 @@ TEST_CASE("the_error_on_the_mesh_is_dark_where_a_method_is_exact_and_bright_wher
   CHECK(map.median <= map.most);
   CHECK(exact.pixels > 20000);
   CHECK(exact.blue > exact.red);  // blue means a small error
-  CHECK(plain.red > plain.blue);  // the plain model
+  CHECK(plain.red > plain.blue);  // without a map, the model is reddish
 
   d.click("method_sd");
   d.settle();

@@ -139,7 +139,7 @@ TEST_CASE("existing_frames_need_force_and_those_of_an_earlier_run_are_noted") {
   CHECK(refused.code == 1);
   CHECK(mentions(refused, "--force"));
   CHECK_FALSE(mentions(files.animate("-o f_##.ply", "VIETE_PROGRESS=1"),
-                       "--force"));  // as a child process of the window
+                       "--force"));  // not for a child process of the window
   CHECK(mentions(files.animate("-o f_##.ply --frames 1-5 --force"), "f_06.ply already existed"));
   CHECK(mentions(files.animate("-o f_##.ply --frames 2-6 --step 2 --force"),
                  "3 files from f_01.ply to f_05.ply already existed"));

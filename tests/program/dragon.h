@@ -5,7 +5,7 @@
 
 namespace viete::test {
 
-/// The bundled model; a model of 3,000 vertices for tests that do not compare pictures; the cage of both.
+/// `dragon` is `bundled_dragon` simplified to 3,000 vertices, for tests that do not compare pictures.
 inline const std::filesystem::path bundled_dragon = assets_dir() / "dragon" / "dragon.ply",
                                    dragon = source_dir() / "tests" / "program" / "dragon.ply",
                                    dragon_cage = assets_dir() / "dragon" / "cage.obj";

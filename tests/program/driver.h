@@ -195,7 +195,7 @@ public:
     return {};
   }
 
-  /// Returns the deformed model in double, as an export writes it.
+  /// Returns the deformed model in double precision, as an export writes it.
   std::vector<mesh::Point> exact_positions() {
     base::WorkerPool pool;
     const files::Export e = files::export_of(document(), {});

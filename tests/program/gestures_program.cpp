@@ -41,7 +41,7 @@ struct Hand : Driver {
     frame(2);
     CHECK(document().selection.size() == pose().size());
   }
-  // Returns the model in double. The model drawn in float must agree.
+  // Returns the model in double precision. The model drawn in single precision must agree.
   std::vector<mesh::Point> mesh() {
     CHECK(drawn_error() < 2e-5);
     return exact_positions();
@@ -312,7 +312,7 @@ TEST_CASE("soft_selection_fades_the_colour_of_cage_edges_and_the_mirror_plane_is
   d.choose("mirror", "mirror_x");
   REQUIRE(workspace::mirror_of(d.workspace()));
   const auto without = picture_at(aside);
-  const double plane = 0.0195;  // fraction of the picture that the mirror plane covers at least
+  const double plane = 0.0195;  // the mirror plane covers more than this fraction of the picture
   d.press_and_move(d.vertex(v), d.vertex(v) + glm::vec2(12, 0));
   d.settle();
   CHECK(test::difference(without, d.picture(), 0) > plane);

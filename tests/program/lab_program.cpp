@@ -38,7 +38,7 @@ double apart(Driver& d, const std::vector<mesh::Point>& a, const std::vector<mes
   return test::largest_distance(a, b) / d.document().model.bounds.diagonal();
 }
 
-// Returns the largest error of a view's vertices, compared with double, in diagonals of the model.
+// Returns the largest error of a view's vertices against double precision, in diagonals of the model.
 double error_of_side(Driver& d, std::size_t side) {
   const auto& view = d.workspace().view.split.sides()[side];
   base::WorkerPool pool;

@@ -1,4 +1,4 @@
-// At both scales, no widget of a panel may be outside the window or cover another widget.
+// No widget of a panel may be outside the window or cover another widget, at the scales 1 and 2.
 #include "document/pose_edit.h"
 #include "document/time_edit.h"
 #include "files/open.h"

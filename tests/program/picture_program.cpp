@@ -1,6 +1,6 @@
 // Compares pictures of the program with reviewed references (tests/program/pictures).
-// In 99.9 % of the pixels, each channel may differ by at most 2 levels. Versions of ImGui place text
-// differently: panels are masked or hidden, and tests of panels are skipped for other versions. If
+// In 99.9 % of the pixels, each channel may differ by at most 2 levels. Panels are masked or hidden, because
+// each version of ImGui places text differently. Tests of panels are skipped unless the version is 1.86. If
 // VIETE_UPDATE_PICTURES is set, writes the pictures as new references: review these before committing.
 #include <cstdlib>
 #include <functional>

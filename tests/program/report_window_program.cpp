@@ -38,6 +38,6 @@ TEST_CASE("a_report_is_measured_in_the_background_cancelled_and_opened_in_the_br
   const std::string page = message.substr(begin.size());
   CHECK(page == (scratch / "state/report/index.html").string());
   CHECK(test::file_bytes(page).ends_with("</html>\n"));
-  const std::string opened = "--version\n" + page + "\n";  // written by another program
+  const std::string opened = "--version\n" + page + "\n";  // written by the script xdg-open
   CHECK(d.until([&] { return test::file_bytes(scratch / "opened") == opened; }));
 }

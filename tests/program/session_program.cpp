@@ -60,7 +60,7 @@ TEST_CASE("render_and_deform_take_a_session_and_give_what_the_window_shows") {
   folder.done("render a.viete --show-cage -o a.png");
   CHECK(test::difference(before, test::read_png(folder / "a.png"), 0) == 0);
   folder.done("deform a.viete -o a.obj");
-  // The window draws in float, but the exported OBJ has double precision.
+  // The window draws in single precision, but the exported OBJ has double precision.
   const auto written = formats::read(folder / "a.obj").surface.positions;
   CHECK(largest_distance(written, d.viewer().deformer()->positions()) < 2e-5 * d.document().cage->diagonal);
   CHECK(largest_distance(written, d.exact_positions()) < 1e-11 * d.document().cage->diagonal);

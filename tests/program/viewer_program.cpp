@@ -20,7 +20,7 @@ double diagonal(Driver& d) {
   return 2 / d.document().space.scale;
 }
 
-// Returns the model in double. The model drawn in float must agree.
+// Returns the model in double precision. The model drawn in single precision must agree.
 std::vector<mesh::Point> positions(Driver& d) {
   CHECK(d.drawn_error() < 2e-5);
   return d.exact_positions();

@@ -74,7 +74,7 @@ struct RealSession {
   }
 
   void act(const std::string& words) { desktop.xdotool(words); }
-  /// Presses Ctrl+S until the session is saved. Returns the session, with the effects of all earlier events.
+  /// Presses Ctrl+S until the session is saved, then reads it. The window handles all earlier events first.
   files::Session saved() {
     const auto before = fs::last_write_time(session);
     const auto written = [&] { return fs::last_write_time(session) != before; };
