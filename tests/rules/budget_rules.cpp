@@ -23,9 +23,9 @@ const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7204},      {"base", 2017},          {"bench", 5034},    {"blender", 591},
     {"cages", 3523},   {"deform", 13101},  {"deform/sparse", 1268}, {"document", 5029}, {"files", 3817},
     {"formats", 8376}, {"interact", 2500}, {"library", 925},        {"mesh", 2958},     {"platform", 966},
-    {"python", 1319},  {"render", 2188},   {"sym3", 6338},          {"ui", 6051},       {"workspace", 5894},
+    {"python", 1319},  {"render", 2188},   {"sym3", 6335},          {"ui", 6050},       {"workspace", 5894},
 };
-constexpr std::size_t all_lines_of_src = 79'715;
+constexpr std::size_t all_lines_of_src = 79'711;
 
 // support has the helpers of several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
@@ -33,9 +33,9 @@ const Budget lines_of_tests = {
     {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7015},   {"document", 3074},
     {"files", 2283},   {"formats", 3347}, {"fuzz", 362},     {"interact", 1461}, {"mesh", 1703},
     {"platform", 295}, {"program", 7012}, {"python", 758},   {"releases", 113},  {"render", 958},
-    {"rules", 694},    {"support", 1343}, {"sym3", 3661},    {"ui", 13},         {"workspace", 2159},
+    {"rules", 694},    {"support", 1344}, {"sym3", 3661},    {"ui", 13},         {"workspace", 2159},
 };
-constexpr std::size_t all_lines_of_tests = 41'171;
+constexpr std::size_t all_lines_of_tests = 41'172;
 
 // The README has the time of 12.8 million vertices since its last value.
 constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'685;

@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
+#include <cerrno>
 
 #include <atomic>
 #include <limits>
