@@ -2,9 +2,9 @@
 
 #include <dlfcn.h>
 #include <pthread.h>
-#include <cerrno>
 
 #include <atomic>
+#include <cerrno>
 #include <limits>
 
 namespace {
