@@ -87,7 +87,7 @@ std::vector<double> exp_errors(const FieldInput& in) {
   return values;
 }
 
-// Returns the offsets from the first view along its normals, divided by the diagonal.
+// Returns each vertex's offset along its normal in the first view, divided by the diagonal.
 std::vector<double> signed_differences(const FieldInput& in) {
   std::vector<double> values = in.strain->along_normals(in.first, in.drawn, *in.pool);
   for (double& value : values) value /= in.strain->diagonal();

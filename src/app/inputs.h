@@ -68,8 +68,8 @@ void check_usage(const Inputs& inputs);
 /// Opens the inputs, then calls `check`. Throws base::Error on failure, or if a needed cage is missing.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&));
 
-/// Opens the inputs like open() above. Calls check_output() twice: before reading, and with all read files
-/// after reading. `also` is an additional input file.
+/// Opens the inputs like open() above. Calls check_output() twice: before reading, and after reading with
+/// the list of all files that were read. `also` is an additional input file.
 files::Opened open(const Inputs& inputs, void (*check)(const files::Opened&), const Output& output,
                    const document::FileInUse& also = {});
 

@@ -170,7 +170,7 @@ double torn(std::span<const mesh::Edge> pairs, std::span<const Point> rest,
 
 namespace {
 
-// If a value of mean value coordinates is below this, it is a rounding error, and ratios to it are NaN.
+// Results of mean value coordinates up to this are rounding errors. ratio() then returns NaN.
 constexpr double next_to_none = 1e-10;
 
 class ModeRuns {

@@ -324,11 +324,10 @@ private:
   Made made_;
   std::size_t target_;
   std::size_t too_near_ = 0;  // the number of triangles that are nearer to the model than the margin
-  // In grid steps: the radius of balls around components outside the cage, and the last attempt's margin.
-  static constexpr double parts_margin_steps = 1.25;
-  static constexpr std::size_t few_triangles = 150;  // up to this number, uses a slower, more careful method
-  static constexpr double coarser = 0.62;            // the relative resolution of the coarse grid
-  double margin_steps_ = 0.1;
+  static constexpr double parts_margin_steps = 1.25;  // radius of balls around components outside the cage
+  static constexpr std::size_t few_triangles = 150;   // up to this number, uses a slower, more careful method
+  static constexpr double coarser = 0.62;             // the relative resolution of the coarse grid
+  double margin_steps_ = 0.1;                         // the last attempt's margin, in grid steps
   std::vector<Point> passed_over_;
   std::size_t known_passed_over_ = 0;
   int passed_over_rounds_ = 0;

@@ -13,7 +13,7 @@ namespace viete::deform {
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
-/// Binds a model for any engine. If `known` is not null, reuses known->tiles. `known` must be a binding of
+/// Binds a model for this engine. If `known` is not null, reuses known->tiles. `known` must be a binding of
 /// the same model, cage and weighting.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
              const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);

@@ -45,7 +45,8 @@ struct RestMoment {
 /// Returns the rest data of one vertex. `unit` and all lengths are multiples of l. The parameters are
 ///     moments = sum v * ((p - p0) * (p - n)^T + l^2 * I), by rows, for any point p0,
 ///     sum = s,    weight = sum v,    shift = n - p0,    offset = x - sum w * p.
-/// p - n is rounded as in the frame, so `moments` is not quite symmetric. If `weight` is 0, returns 0.
+/// p - n is rounded as frames round it, so `moments` is not quite symmetric. If `weight` is 0, all results
+/// are 0.
 RestMoment rest_moment(const sym3::Mat3<double>& moments, const Vec3& sum, double weight, const Vec3& shift,
                        const Vec3& offset, double unit);
 

@@ -196,8 +196,8 @@ int widest(const View& v) {
   return v.sine[i] >= v.sine[2] ? i : 2;
 }
 
-// Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane,
-// these directions are nearly dependent. If so, uses only the ends of the edge with the largest sine.
+// Returns the coefficients of m along u[0], u[1] and u[2]. If p and m are almost in the triangle's plane, the
+// three directions are nearly dependent. Then uses only the two ends of the edge with the largest sine.
 Vec3 along_corners(const View& v, const Vec3& m) {
   const int i = widest(v), a = (i + 1) % 3, b = (i + 2) % 3;
   if (!(v.sine[i] > std::numeric_limits<double>::min())) return {0, 0, 0};

@@ -294,7 +294,7 @@ static HWY_INLINE void load_four(D d, const float* from, decltype(zero(D())) (&o
   for (std::size_t k = 0; k < 4; ++k) out[k] = load(d, from + 4 * k * points(d));
 }
 
-// Stores 4 registers of slots, starting at s, to vertices[order[0]], vertices[order[1]] and so on.
+// Stores the slots of 4 registers to vertices[order[0]], vertices[order[1]] and so on. The first slot is s.
 static HWY_INLINE void store_registers(const RingRun& run, std::size_t s, const float* areas,
                                        const float* inverse_sum, const std::uint32_t* order,
                                        FrameVertex* vertices) {

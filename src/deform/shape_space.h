@@ -23,10 +23,10 @@ struct ShapeReport {
   std::size_t torn = 0;
 };
 
-/// Converts shapes of one model, given as vertex positions, to vectors. A vector has one rotation of the
-/// whole shape: the rotation of the area-weighted mean of the triangles' maps. The triangles' logs are
-/// relative to it. Sources: S. Kaji et al., Mathematical analysis on affine maps for 2D shape interpolation,
-/// 2012; R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
+/// Converts shapes of one model, given as vertex positions, to vectors. A vector stores the rotation of
+/// the whole shape, which is that of the area-weighted mean of the triangles' maps, and for each triangle the
+/// log of its map relative to this rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps
+/// for 2D shape interpolation, 2012; R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.

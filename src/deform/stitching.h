@@ -56,7 +56,7 @@ struct Stitching {
   std::vector<std::array<Vec3, 2>> gradients;
   mesh::Adjacency around;  ///< for each vertex in `order`, all corners at the vertex: 3 * triangle + corner
   std::vector<Pin> pins;
-  Binding pinned;  ///< binding of the pins without weights: rest, rest_origin, offsets from handles' centres
+  Binding pinned;  ///< the pins' rest, rest_origin and offsets from handles' centres; no weights
   std::vector<Hold> holds;
   SparseCholesky factors;
 

@@ -21,7 +21,7 @@ namespace viete::deform {
 namespace {
 
 constexpr double spring_per_handle = 1;
-// Limit of a body's area, divided by the mean area per handle. Below it, handles own no vertex in the body.
+// If a body's area is below this multiple of the mean area per handle, handles own no vertex in the body.
 constexpr double least_body = 0.1;
 // A handle is near a vertex up to this multiple of the distance from the vertex to its nearest handle.
 constexpr double as_near = 1.5;
@@ -74,7 +74,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
                                  : std::vector<std::uint32_t>(candidates.begin(), candidates.end());
   if (used.empty()) {
     throw base::Error("", "the model has no triangles; these weights need a surface",
-                      "choose weights inverse, or another model");
+                      "choose the weights \"inverse\", or another model");
   }
   const mesh::PointTree tree(model.positions, std::move(used));
   const auto& x = cage.surface.positions;

@@ -51,8 +51,9 @@ struct TiledBinding {
   /// Weights of error_sample vertices in double, see spread_vertices(); rows sum to 1. Empty unless weights
   /// are along the surface, because other weights can be recomputed at any point.
   std::vector<double> sample;
-  base::AlignedVector<float> rest;     ///< [tile][3][lane], relative to the middle of the rest cage, in units
-  base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, in units
+  base::AlignedVector<float>
+      rest;  ///< [tile][3][lane], from the middle of the rest cage, multiples of `unit`
+  base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, multiples of `unit`
   base::AlignedVector<float> shares;   ///< [slot]; empty unless weights are partial (see Weighting)
   /// [tile][handle][lane] or, if there are lists, [tile][place in the list][lane]; empty if compressed
   base::AlignedVector<float> weights;

@@ -30,7 +30,8 @@ struct Mirror {
 
 /// Finds the mirror of the cage at rest. Two vertices are partners if each is nearest to the mirror image of
 /// the other, within 2 % of the cage's diagonal. For x, y and z, tests the planes at 0 and in the cage's
-/// middle, and takes the plane with more pairs. If `choice` is none, or fit finds no plane, returns nullopt.
+/// middle, and takes the plane with more pairs. Returns nullopt if `choice`
+/// is `none`, or if it is `fit` and no plane is found.
 std::optional<Mirror> mirror_of(const deform::Cage& cage, MirrorPlane choice);
 
 /// Returns the corners of a rectangle in the mirror plane, slightly larger than the projection of the points.

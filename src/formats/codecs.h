@@ -41,7 +41,8 @@ void write_ply(const Content& content, TextWriter& out);
 ReadResult read_off(const Source& source);
 /// Returns true if the first word is OFF or a variant such as COFF.
 bool looks_like_off(const Source& source);
-/// Returns true if all words after the optional keyword are numbers. A whole file must have enough numbers.
+/// Returns true if all words after the optional keyword are numbers. A complete
+/// file must also have enough numbers.
 bool is_certainly_off(const Beginning& file);
 void write_off(const Content& content, TextWriter& out);
 

@@ -27,7 +27,7 @@ enum What : unsigned {
 
 struct Format {
   std::string_view extension;  ///< lower case, without the dot
-  std::string_view name;       ///< for messages; all extensions of the format have this name
+  std::string_view name;       ///< for messages; the same in all entries of a format
 
   ReadResult (*read)(const Source&) = nullptr;  ///< reads a surface; null for point caches
   bool (*recognised)(const Source&) = nullptr;  ///< detects the format by content; may be null

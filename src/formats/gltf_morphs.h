@@ -26,7 +26,8 @@ std::vector<double> morph_differences(const GltfAccessors& accessors, const Gltf
                                       int GltfTarget::*of, std::span<const double> weights);
 
 /// Returns the morph animation, or null if no primitive has targets. Uses the first animation of weights and
-/// ignores animations of nodes. Merged vertices get the position of the first. Throws base::Error.
+/// ignores animations of nodes. Merged vertices get the position of the first of
+/// them. Throws base::Error if the data is invalid.
 std::shared_ptr<const MorphClip> gltf_morphs(std::shared_ptr<const GltfFile> file,
                                              std::shared_ptr<const GltfMap> map);
 

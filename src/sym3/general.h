@@ -17,12 +17,13 @@ Mat3<double> exp_general(const Mat3<double>& l);
 
 /// Returns the principal logarithm of M: the real L with exp(L) = M. The imaginary parts of the eigenvalues
 /// of L are between -pi and pi. |result - exact| <= 32 u (1 + k) |exact|. If M shears by at most 100, the
-/// factor is 6 instead of 32. If M is symmetric, L is also symmetric. The result is X + Y of log_polar(),
-/// which is bounded, if log M does not exist or is not reliable:
-///   - if det M <= 0 or an eigenvalue is negative;
-///   - if a stretch is below 1e-11 * another stretch, or if an angle is 180 degrees up to 1e-7.
-/// has_log() is then false. Exception: if rotation and stretch commute, as in rotations, X + Y is log M, and
-/// has_log() is true. M = 0 counts as 2^-1074 I. A NaN or an infinity in M gives nine NaN.
+/// factor is 6 instead of 32. If M is symmetric, L is also symmetric. In these cases, log M does
+/// not exist or is not reliable:
+///   - det M <= 0, or an eigenvalue is negative;
+///   - a stretch is below 1e-11 * another stretch, or an angle is 180 degrees up to 1e-7.
+/// The result is then X + Y of log_polar(), which is bounded, and has_log() is false. Exception: if rotation
+/// and stretch commute (for example, for a rotation), X + Y is log M, and has_log() is true. M = 0 counts as
+/// 2^-1074 I. A NaN or an infinity in M gives nine NaN.
 Mat3<double> log_general(const Mat3<double>& m);
 
 /// Returns true if M has a logarithm, so that exp_general(log_general(M)) is M up to rounding.

@@ -42,8 +42,8 @@ std::vector<MouseLine> mouse_lines(const workspace::Keymap& keymap) {
       {"Left click", "select a vertex, edge, face or probe (Shift adds, Ctrl removes)"},
       {"Left drag on an element", "move the selection (click faces and dense vertices first)"}};
   if (keymap.left_orbits()) {
-    lines.push_back({"Left drag elsewhere", "orbit; box select after " + key_or_label(keymap, "select_box") +
-                                                ", with Shift or Ctrl"});
+    lines.push_back({"Left drag elsewhere", "orbit, or select with a box after " +
+                                                key_or_label(keymap, "select_box") + ", with Shift or Ctrl"});
   } else {
     lines.push_back({"Left drag elsewhere", "box select; with Shift or Ctrl, start anywhere"});
   }
@@ -86,7 +86,8 @@ void key_of_command(const Context& ui, const workspace::Command& command) {
   if (waits) ImGui::PushStyleColor(ImGuiCol_Text, ui.colors.accent);
   const std::string label = (waits ? "Press a key" : keys.empty() ? "-" : keys) + "##" + name;
   if (button(ui, label.c_str(), "key/" + name,
-             waits ? "" : "Click and press the new key. Delete removes it, Esc cancels.", {keys_width, 0}))
+             waits ? "" : "Click, then press the new key. Delete removes the present key, Esc cancels.",
+             {keys_width, 0}))
     w.view.interaction.setting_key = waits ? "" : name;
   if (waits) ImGui::PopStyleColor();
 }

@@ -120,7 +120,7 @@ void panel_vertex(const Context& ui) {
   note(ui, "Weights", ui.colors.text);
   weights(ui, view);
   if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
-  note(ui, "Eigenvalues of the sum, term by term", ui.colors.text);
+  note(ui, "Eigenvalues of the sum after each term", ui.colors.text);
   partial_sums(ui, view);
   char turn[24];
   std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);

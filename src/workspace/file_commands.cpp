@@ -165,7 +165,7 @@ void add_animation_file_commands(CommandTable& table) {
             can_import_shapes, browse_for<Purpose::animation>);
   table.add(
       "save_animation", "Export animation",
-      "Write the playback range as a point cache (PC2, MDD), glTF with morph targets or numbered models.",
+      "Write the playback range as numbered models, a point cache (PC2, MDD) or glTF with morph targets.",
       can_export_animation, save_animation);
 }
 

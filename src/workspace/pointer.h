@@ -78,7 +78,8 @@ public:
   /// Call once per drawn picture. An armed tool has priority over these gestures:
   /// - Left click: selects. Shift adds, Ctrl removes. A double click centers the view.
   /// - Left drag from a gizmo handle: transforms. From an element: moves the selection.
-  /// - Left drag elsewhere, or with Shift or Ctrl: draws a box. Also on unselected faces or dense vertices.
+  /// - Left drag elsewhere, or with Shift or Ctrl: draws a box. An unselected face or dense vertices count as
+  /// elsewhere.
   /// - Left drag with Tool::paint: paints the mask. Ctrl erases. Shift+wheel changes the radius.
   /// - Middle, right or Alt+left drag: orbits. With Shift: pans. With Ctrl: zooms. The wheel zooms too.
   /// - Right click: requests the context menu.

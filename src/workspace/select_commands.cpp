@@ -122,7 +122,7 @@ void add_select_commands(CommandTable& table) {
             "Select by painting with a circle. The wheel changes its size, Ctrl removes, Esc ends.",
             {key('C'), false, true}, can_draw_selection, arms(interact::SelectShape::brush));
   table
-      .add("stop_selecting", {"End box, lasso or brush", "Done"}, "End box, lasso or brush selection.",
+      .add("stop_selecting", {"Stop selecting", "Done"}, "Stop selecting with box, lasso or brush.",
            {Key::escape}, is_armed, passing(disarm))
       .or_by({Key::enter});
   table.add("select_more", {"Grow selection", "Grow"}, "Grow the selection by one ring.", {Key::up, true},

@@ -96,7 +96,7 @@ std::vector<double> values(const CageState& state) {
   return {v.begin(), v.end()};
 }
 
-// Returns one scheme for each form of the rows.
+// Returns each pair of elements and blend that a scheme can have.
 std::vector<std::pair<Elements, Blend>> schemes() {
   std::vector<std::pair<Elements, Blend>> all;
   for (const Scheme& s : valid_schemes()) {

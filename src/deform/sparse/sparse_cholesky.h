@@ -55,7 +55,7 @@ public:
   };
 
   /// Reads only the lower triangle of a symmetric matrix. Throws base::Error, which names the row, if the
-  /// matrix is not finite or not positive definite up to rounding. Throws the exceptions that report throws.
+  /// matrix is not finite or not positive definite up to rounding. Also throws what `report` throws.
   explicit SparseCholesky(const SparseMatrix& matrix, base::WorkerPool& pool,
                           const FactorReport& report = {});
 
