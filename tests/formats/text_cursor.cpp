@@ -99,8 +99,8 @@ TEST_CASE("malformed_numbers_get_specific_advice") {
                                                        {"--3.1", "two signs"},
                                                        {"+-3.1", "two signs"},
                                                        {"3.1d+2", "Fortran"},
-                                                       {"3.1+2", "it contains a sign"},
-                                                       {"0.5-0.25", "it contains a sign"},
+                                                       {"3.1+2", "it contains + or -"},
+                                                       {"0.5-0.25", "it contains + or -"},
                                                        {"1.#QNAN", "invalid number"},
                                                        {"0x1p3", "hexadecimal"},
                                                        {"abc", "repair or export"}};

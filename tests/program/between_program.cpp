@@ -185,7 +185,7 @@ TEST_CASE("between_and_mix_report_wrong_words_before_reading") {
   f.refused("between -o m.pc2", 2, "SHAPES is required");
   f.refused("between rest.obj a.obj", 2, "--output is required");
   f.refused("between rest.obj a.obj -o m.pc2 --frames 1", 2, "needs a whole number from 2 to 100,000, not 1");
-  f.refused("between rest.obj a.obj -o m.ply --at -1", 2, "--at: needs a number from 0 to 1e+05, not -1");
+  f.refused("between rest.obj a.obj -o m.ply --at -1", 2, "--at: needs a number from 0 to 100,000, not -1");
   f.refused("between rest.obj a.obj -o m.ply --at 1 --frames 3", 2, "excludes");
   f.refused("between rest.obj a.obj -o m.pc2 --rate 0", 2, "needs a number from 1 to 240, not 0");
   f.refused("mix rest.obj -o m.ply", 2, "--shape is required");
