@@ -350,7 +350,7 @@ std::vector<std::string> option_names(const CLI::App& command) {
 }
 
 // Rewrites these messages of CLI11: "--output: 1 required TEXT missing", "--output: At Most 1 required but
-// received 2" and "--compare: At least 2 required but received 1".
+// received 2" (since 2.6 "At most") and "--compare: At least 2 required but received 1".
 std::string wrong_count(const std::string& words) {
   const std::string option = words.substr(0, words.find(':'));
   const auto number_after = [&](const std::string& limit) {
@@ -361,7 +361,8 @@ std::string wrong_count(const std::string& words) {
   };
   if (const std::string least = number_after("At least "); !least.empty())
     return option + " needs " + least + " or more values";
-  if (const std::string most = number_after("At Most "); !most.empty() && most != "1")
+  const bool capital = words.find("At Most ") != words.npos;
+  if (const std::string most = number_after(capital ? "At Most " : "At most "); !most.empty() && most != "1")
     return option + " needs at most " + most + " values";
   return option + (words.find("missing") == words.npos ? " is given more than once" : " needs a value");
 }
