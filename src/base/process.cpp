@@ -151,8 +151,7 @@ ChildProgram::~ChildProgram() {
 }
 
 bool ChildProgram::running() {
-  int status = 0;
-  // waitpid() returns -1 if the system has no status of this process.
+  int status = 1 << 8;  // failed, if waitpid() returns -1 because the system keeps no status of the process
   if (process_ > 0 && waitpid(process_, &status, WNOHANG) != 0) {
     process_ = 0;
     status_ = status;

@@ -20,22 +20,22 @@ using Budget = std::map<std::string, std::size_t>;
 
 // Since their last rows, deform has the proxy of large models and workspace has the groups of its state.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7205},      {"base", 2017},          {"bench", 5034},    {"blender", 591},
+    {"analysis", 616}, {"app", 7205},      {"base", 2016},          {"bench", 5034},    {"blender", 591},
     {"cages", 3522},   {"deform", 13103},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3817},
     {"formats", 8378}, {"interact", 2500}, {"library", 925},        {"mesh", 2958},     {"platform", 966},
     {"python", 1319},  {"render", 2188},   {"sym3", 6336},          {"ui", 6051},       {"workspace", 5895},
 };
-constexpr std::size_t all_lines_of_src = 79'719;
+constexpr std::size_t all_lines_of_src = 79'718;
 
 // support has the helpers of several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
-    {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 796},      {"bench", 610},
+    {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 795},      {"bench", 610},
     {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7015},   {"document", 3074},
     {"files", 2283},   {"formats", 3347}, {"fuzz", 362},     {"interact", 1461}, {"mesh", 1703},
     {"platform", 295}, {"program", 7012}, {"python", 758},   {"releases", 113},  {"render", 958},
     {"rules", 694},    {"support", 1344}, {"sym3", 3661},    {"ui", 13},         {"workspace", 2159},
 };
-constexpr std::size_t all_lines_of_tests = 41'172;
+constexpr std::size_t all_lines_of_tests = 41'171;
 
 // The README has the time of 12.8 million vertices since its last value.
 constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'678;
