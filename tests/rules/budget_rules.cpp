@@ -22,10 +22,10 @@ using Budget = std::map<std::string, std::size_t>;
 const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7205},      {"base", 2016},          {"bench", 5034},    {"blender", 591},
     {"cages", 3522},   {"deform", 13103},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3817},
-    {"formats", 8378}, {"interact", 2500}, {"library", 925},        {"mesh", 2958},     {"platform", 966},
+    {"formats", 8378}, {"interact", 2500}, {"library", 925},        {"mesh", 2959},     {"platform", 966},
     {"python", 1319},  {"render", 2188},   {"sym3", 6336},          {"ui", 6051},       {"workspace", 5895},
 };
-constexpr std::size_t all_lines_of_src = 79'718;
+constexpr std::size_t all_lines_of_src = 79'719;
 
 // support has the helpers of several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
