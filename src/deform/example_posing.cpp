@@ -32,7 +32,7 @@ bool tells_rotation(const Mat& m) {
   return singular[0] + singular[1] > 1e-6 * singular[2];
 }
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+using MatrixByRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 Eigen::Vector3d column(const Vec3& v) {
   return {v[0], v[1], v[2]};
@@ -200,7 +200,7 @@ void ExamplePosing::fill_stiffness() {
     system(i, n + part) = system(n + part, i) = 1;
   }
   forces_.resize(std::size_t(all * n));
-  Eigen::Map<Rows>(forces_.data(), all, n) =
+  Eigen::Map<MatrixByRows>(forces_.data(), all, n) =
       system.completeOrthogonalDecomposition().pseudoInverse().leftCols(n);
   pinned_parts_ = std::move(parts);
 }
@@ -301,7 +301,7 @@ double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSet
   Eigen::MatrixXd off(n, 3);
   for (Eigen::Index k = 0; k < n; ++k)
     off.row(k) = column(targets[std::size_t(k)]).transpose() - reach.places.row(k);
-  const Eigen::Map<const Rows> stiffness(forces_.data(), n, n);
+  const Eigen::Map<const MatrixByRows> stiffness(forces_.data(), n, n);
   const Eigen::MatrixXd forces = stiffness * off;
   const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(weights_.data(), m) -
                                   Eigen::Map<const Eigen::VectorXd>(usual_weights_.data(), m);
@@ -384,7 +384,7 @@ void ExamplePosing::reach_targets() {
     off.row(Eigen::Index(k)) = column(targets_[k] - positions_[pins_[k].vertex]).transpose();
   const auto n = static_cast<Eigen::Index>(pins_.size());
   const Eigen::MatrixXd forces =
-      Eigen::Map<const Rows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) * off;
+      Eigen::Map<const MatrixByRows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) * off;
   struct Pull {
     const double* column;
     Vec3 force;

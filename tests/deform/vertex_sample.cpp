@@ -14,7 +14,7 @@ double largest_difference(const sym3::Sym3<double>& a, const sym3::Sym3<double>&
   return sym3::largest_entry(plus(a, -1, b));
 }
 
-Vec3 bent(const Vec3& p) {
+Vec3 bent_down(const Vec3& p) {
   return {p[0] + 0.3 * p[1] * p[1], 1.4 * p[1], p[2] - 0.2 * p[0]};
 }
 
@@ -22,7 +22,7 @@ Vec3 bent(const Vec3& p) {
 
 TEST_CASE("recomputed_matrices_equal_those_of_the_staged_frame") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
-  b.deform(b.pose(bent), sym3::Method::diag);
+  b.deform(b.pose(bent_down), sym3::Method::diag);
   StagedEngine engine(b.binding, RowForm::logs, b.pool);
   engine.run(b.deformer.state(), sym3::Method::diag);
   const auto staged = engine.matrices();
@@ -52,7 +52,7 @@ TEST_CASE("recomputed_matrices_equal_those_of_the_staged_frame") {
 
 TEST_CASE("the_sum_at_a_vertex_equals_that_of_its_terms_and_the_exponent_of_the_frame") {
   Bound b(tube(60, 30, 0.3, 1.5), tube(7, 12, 0.6, 2));
-  b.deform(b.pose(bent), sym3::Method::diag);
+  b.deform(b.pose(bent_down), sym3::Method::diag);
   const Weigher weigher(*b.cage, faces);
   const Rows rows = b.deformer.state().rows();
   const auto all = sample_stretches(weigher, *b.binding, nullptr, rows, b.model.positions.size());
@@ -68,7 +68,7 @@ TEST_CASE("the_sum_at_a_vertex_equals_that_of_its_terms_and_the_exponent_of_the_
     }
     CHECK(weights == doctest::Approx(1).epsilon(1e-12));
     // The element that has the largest term is near.
-    CHECK(norm(offset - bent(b.model.positions[vertex])) < 1);
+    CHECK(norm(offset - bent_down(b.model.positions[vertex])) < 1);
   }
   const Mask half = std::make_shared<const std::vector<float>>(b.model.positions.size(), 0.5f);
   const VertexSum masked = vertex_sum(weigher, *b.binding, half, rows, 17);

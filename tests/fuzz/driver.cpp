@@ -1,5 +1,5 @@
 // A small fuzzer for compilers without libFuzzer. Reads the files of the corpus, then changed copies of these
-// files. Usage: fuzz_FORMAT CORPUS_FOLDER [SECONDS [SEED]]. Equal seeds give equal inputs. After a crash, the
+// files. Usage: fuzz FOLDER/FORMAT [SECONDS [SEED]]. Equal seeds give equal inputs. After a crash, the
 // file `fuzz-last-input` in the working directory has the input that caused the crash.
 #include <algorithm>
 #include <chrono>
@@ -14,6 +14,7 @@
 #include <string>
 #include <vector>
 
+extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments);
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace {
@@ -98,7 +99,8 @@ void run(const Bytes& bytes) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc < 2) return std::fprintf(stderr, "usage: %s CORPUS_FOLDER [SECONDS [SEED]]\n", argv[0]), 2;
+  if (argc < 2) return std::fprintf(stderr, "usage: %s FOLDER/FORMAT [SECONDS [SEED]]\n", argv[0]), 2;
+  LLVMFuzzerInitialize(&argc, &argv);
   const std::vector<Bytes> corpus = read_corpus(argv[1]);
   if (corpus.empty()) return std::fprintf(stderr, "%s: no files\n", argv[1]), 2;
   const double seconds = argc > 2 ? std::atof(argv[2]) : 2;

@@ -26,11 +26,14 @@ if(VIETE_SANITIZE)
   target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
 endif()
 
-# GCC 12 vectorises kernels only at -O3. With sanitizers, -O3 takes minutes per file and finds no more errors.
-set(VIETE_KERNEL_OPTIONS "")
+# For rooms that compute: GCC 12 vectorises loops only at -O3. With sanitizers, -O3 takes minutes per file and finds no
+# more errors.
+set(VIETE_FASTEST "")
 if(NOT VIETE_SANITIZE)
-  set(VIETE_KERNEL_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>)
-elseif(VIETE_SANITIZE MATCHES address)
+  set(VIETE_FASTEST $<$<NOT:$<CONFIG:Debug>>:-O3>)
+endif()
+set(VIETE_KERNEL_OPTIONS ${VIETE_FASTEST})
+if(VIETE_SANITIZE MATCHES address)
   # Use-after-scope checks take GCC fifteen minutes per unrolled kernel.
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
 endif()
@@ -69,9 +72,8 @@ function(viete_kernels)
   set_property(GLOBAL APPEND PROPERTY VIETE_KERNEL_SOURCES ${ARGN})  # for tests/rules
 endfunction()
 
-# Compiles several sources of a room as one unit. This halves the build time: each header is read only once.
-option(VIETE_UNITY "Compile sources in batches, in rooms that allow it" ON)
-set(VIETE_BATCH 24 CACHE STRING "Number of sources per batch")
+# Compiles the sources of a room as one unit. This halves the build time: each header is read only once.
+option(VIETE_UNITY "Compile the sources of a room as one unit" ON)
 
 # Lowers the optimisation of targets without heavy computation. Compiling takes two thirds of the time.
 function(viete_quickly_compiled target)
@@ -87,7 +89,7 @@ endfunction()
 function(viete_compiled target unity quick)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF POSITION_INDEPENDENT_CODE ON)
   if(unity AND VIETE_UNITY)
-    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE ${VIETE_BATCH})
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
   if(quick)
     viete_quickly_compiled(${target})

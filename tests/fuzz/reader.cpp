@@ -1,8 +1,4 @@
-#include "fuzz/fuzz_reader.h"
-
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -11,17 +7,15 @@
 #include "base/error.h"
 #include "formats/codecs.h"
 #include "formats/conversion.h"
+#include "fuzz/checks.h"
 #include "mesh/summary.h"
 
 using namespace viete::formats;
 using namespace viete::mesh;
 using viete::fuzz::Reader;
+using viete::fuzz::require;
 
 namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
 
 void check_invariants(const Surface& s, std::size_t bytes, std::size_t placed) {
   for (const auto& p : s.positions) {
@@ -120,10 +114,9 @@ void check_converted(const ReadResult& read) {
 
 }  // namespace
 
-void viete::fuzz::check_reader(Reader* reader, std::size_t placed, const std::uint8_t* data,
-                               std::size_t size) {
-  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  const std::shared_ptr<const void> owner(std::shared_ptr<const void>(), data);  // does not delete the data
+void viete::fuzz::check_reader(Reader* reader, std::size_t placed, std::string_view bytes) {
+  const std::shared_ptr<const void> owner(std::shared_ptr<const void>(),
+                                          bytes.data());  // does not delete the data
   const Source source{"fuzz", "", bytes, nullptr, owner};
   try {
     const ReadResult read = reader(source);
@@ -132,8 +125,8 @@ void viete::fuzz::check_reader(Reader* reader, std::size_t placed, const std::ui
       require(written_again(read, read.surface.positions) == bytes);
       check_moved(read, reader);
     }
-    check_invariants(read.surface, size, placed);
-    if (size < 20000) {
+    check_invariants(read.surface, bytes.size(), placed);
+    if (bytes.size() < 20000) {
       check_morphs(read);
       summarize(read.surface);
       check_converted(read);

@@ -1,23 +1,13 @@
-// Reads an input as a point cache. The result must be frames of finite numbers or base::Error.
 #include <cmath>
-#include <cstdint>
-#include <cstdlib>
 
 #include "base/error.h"
 #include "formats/point_cache.h"
+#include "fuzz/checks.h"
 
-namespace {
-
-void require(bool condition) {
-  if (!condition) std::abort();
-}
-
-}  // namespace
-
-extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace viete;
+void viete::fuzz::check_point_cache(std::string_view bytes) {
+  const std::size_t size = bytes.size();
   try {
-    const formats::PointCache cache("fuzz", {reinterpret_cast<const char*>(data), size});
+    const formats::PointCache cache("fuzz", bytes);
     const formats::PointCacheHead& head = cache.head();
     require(head.points > 0 && head.frames > 0);
     require(head.points <= size && head.frames <= size && 12 * head.points * head.frames <= size);
@@ -31,5 +21,4 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   } catch (const base::Error& error) {
     require(!error.place().empty());
   }
-  return 0;
 }
