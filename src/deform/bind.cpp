@@ -50,7 +50,9 @@ std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec
         break;
       case Weights::mean_value: failed += !mean_value_weights(cage, b.rest[i], row); break;
       case Weights::harmonic:
-      case Weights::biharmonic: normalise(row, b.weighting.clamped()); break;  // `row` is already solved
+      case Weights::biharmonic:  // `row` is already solved; with a proxy, its sum is 1
+        if (b.vertices <= most_solved_vertices) normalise(row, b.weighting.clamped());
+        break;
     }
     b.offsets[i] = rest_offset(cage, handles, b.rest[i] - origin, row);
   }

@@ -20,13 +20,12 @@ void copy_row(const LeafRows& leaf, std::size_t slot, double scale, std::vector<
 
 }  // namespace
 
-Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance, std::size_t most,
-                    const BindKernel& kernel) {
+Basis find_basis(const LeafRows& leaf, std::size_t vertices, double tolerance, std::size_t most,
+                 const BindKernel& kernel) {
   const std::size_t slots = leaf.tiles * lanes;
   std::vector<float> unit(leaf.columns, 0.0f);
   base::AlignedVector<float> norms(slots), taken(slots);
-  std::vector<base::AlignedVector<float>> coefficients;
-  Factors result;
+  Basis result;
   kernel.take_out(leaf, unit.data(), taken.data(), norms.data());
   for (;;) {
     const auto largest =
@@ -38,9 +37,16 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
     kernel.take_out(leaf, unit.data(), taken.data(), norms.data());
     norms[pivot] = 0;
     result.pivots.push_back(pivot);
-    coefficients.push_back(taken);
+    result.coefficients.push_back(taken);
   }
-  const std::size_t rank = result.pivots.size();
+  return result;
+}
+
+Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance, std::size_t most,
+                    const BindKernel& kernel) {
+  const auto [pivots, coefficients] = find_basis(leaf, vertices, tolerance, most, kernel);
+  const std::size_t rank = pivots.size(), slots = leaf.tiles * lanes;
+  Factors result{pivots, {}};
   result.factors.resize(slots * rank);
   for (std::size_t t = 0; t < rank; ++t) {
     for (std::size_t s = 0; s < slots; ++s) {
@@ -49,7 +55,7 @@ Factors factor_rows(const LeafRows& leaf, std::size_t vertices, double tolerance
   }
   std::vector<float> lower(rank * rank);
   for (std::size_t s = 0; s < rank; ++s) {
-    for (std::size_t t = 0; t < rank; ++t) lower[s * rank + t] = coefficients[t][result.pivots[s]];
+    for (std::size_t t = 0; t < rank; ++t) lower[s * rank + t] = coefficients[t][pivots[s]];
   }
   kernel.solve(result.factors.data(), leaf.tiles, rank, lower.data());
   return result;

@@ -1,6 +1,5 @@
 #include "deform/surface_proxy.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -208,8 +207,8 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
   place_clusters();
   if (progress) progress->report(0);
   move_to(owned);
-  find_neighbours();
   adopt_loose_vertices();
+  find_neighbours();
 }
 
 void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
@@ -284,17 +283,24 @@ void SurfaceProxy::find_neighbours() {
     if (!ring[c].empty()) radii_[c] *= fit_reach / static_cast<double>(ring[c].size());
     if (const double length = norm(normals_[c]); length > 0) normals_[c] = (1 / length) * normals_[c];
   }
-  std::vector<std::uint32_t> seen(p.size(), none);
+  std::vector<double> extents(p.size(), 0);  // largest distance to a vertex of the cluster
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+    auto& extent = extents[of_vertex_[v]];
+    extent = std::max(extent, norm(model_.positions[v] - p[of_vertex_[v]]));
+  }
+  std::vector<std::uint32_t> seen(p.size(), none), found;
   nearby_.clear(), starts_ = {0};
   for (std::uint32_t c = 0; c < p.size(); ++c) {
-    nearby_.push_back(c), seen[c] = c;
-    std::size_t at = starts_.back();
+    found = {c}, seen[c] = c;
+    std::size_t at = 0;
     for (int step = 0; step < rings; ++step) {
-      for (const std::size_t end = nearby_.size(); at < end; ++at) {
-        for (const auto other : ring[nearby_[at]])
-          if (std::exchange(seen[other], c) != c) nearby_.push_back(other);
+      for (const std::size_t end = found.size(); at < end; ++at) {
+        for (const auto other : ring[found[at]])
+          if (std::exchange(seen[other], c) != c) found.push_back(other);
       }
     }
+    for (const auto other : found)
+      if (norm(p[other] - p[c]) < radii_[other] + extents[c]) nearby_.push_back(other);
     starts_.push_back(static_cast<std::uint32_t>(nearby_.size()));
   }
 }
@@ -341,15 +347,29 @@ void add_powers(const std::array<double, 2>& place, double factor, Powers& sums)
   for (std::size_t k = 0; k < powers.size(); ++k) sums[k] += powers[k];
 }
 
-// Solves the normal equations of the fit. The value of the fitted polynomial at the vertex is the sum of
-// factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the clusters.
-Eigen::Matrix<double, 6, 1> fitted_value(const Powers& sums) {
+// Solves the normal equations of the fit, by L D L^T. The value of the fitted polynomial at the vertex is the sum
+// of factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the clusters.
+std::array<double, 6> fitted_value(const Powers& sums) {
   constexpr std::size_t x[] = {0, 1, 0, 2, 1, 0}, y[] = {0, 0, 1, 0, 1, 2};
-  Eigen::Matrix<double, 6, 6> m;
-  for (int i = 0; i < 6; ++i)
-    for (int j = 0; j <= i; ++j) m(i, j) = sums[place_of(x[i] + x[j], y[i] + y[j])];
-  for (int k = 1; k < 6; ++k) m(k, k) += (k < 3 ? ridge_linear : ridge_quadratic) * m(0, 0);
-  return m.llt().solve(Eigen::Matrix<double, 6, 1>::Unit(0));
+  double l[6][6], inverse[6];
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j <= i; ++j) l[i][j] = sums[place_of(x[i] + x[j], y[i] + y[j])];
+  for (std::size_t k = 1; k < 6; ++k) l[k][k] += (k < 3 ? ridge_linear : ridge_quadratic) * l[0][0];
+  for (std::size_t k = 0; k < 6; ++k) {
+    inverse[k] = 1 / l[k][k];
+    for (std::size_t i = k + 1; i < 6; ++i) {
+      const double factor = l[i][k] * inverse[k];
+      for (std::size_t j = k + 1; j <= i; ++j) l[i][j] -= factor * l[j][k];
+    }
+    for (std::size_t i = k + 1; i < 6; ++i) l[i][k] *= inverse[k];
+  }
+  std::array<double, 6> result{1, 0, 0, 0, 0, 0};
+  for (std::size_t i = 0; i < 6; ++i)
+    for (std::size_t j = 0; j < i; ++j) result[i] -= l[i][j] * result[j];
+  for (std::size_t i = 0; i < 6; ++i) result[i] *= inverse[i];
+  for (std::size_t i = 6; i-- > 0;)
+    for (std::size_t j = i + 1; j < 6; ++j) result[i] -= l[j][i] * result[j];
+  return result;
 }
 
 }  // namespace
@@ -405,32 +425,27 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
   weights_.resize(n * handles_);
   const auto store = [&](const SurfaceSystem::Solved& solved) {
     for (std::size_t c = 0; c < n; ++c) {
-      const double* from = solved.of(c);
-      std::transform(from, from + solved.count,
-                     weights_.begin() + static_cast<std::ptrdiff_t>(c * handles_ + solved.first),
-                     [](double w) { return static_cast<float>(w); });
+      for (std::size_t j = 0; j < solved.count; ++j)
+        weights_[c * handles_ + solved.first + j] = static_cast<float>(std::max(solved.of(c)[j], 0.0));
     }
   };
   system.solve(store, pool, progress, done / 2, done);
-}
-
-void ProxyWeights::interpolate(std::uint32_t vertex, std::span<float> row) const {
-  thread_local std::vector<SurfaceProxy::Term> terms;
-  proxy_.terms(vertex, terms);
-  std::ranges::fill(row, 0.0f);
-  for (const auto& [cluster, factor] : terms) {
-    const float* from = weights_.data() + cluster * handles_;
-    const auto f = static_cast<float>(factor);
-    for (std::size_t j = 0; j < handles_; ++j) row[j] += f * from[j];
+  for (std::size_t c = 0; c < n; ++c) {
+    const std::span row(weights_.data() + c * handles_, handles_);
+    const auto sum = std::accumulate(row.begin(), row.end(), 0.0);
+    for (float& w : row) w = static_cast<float>(static_cast<double>(w) / sum);
   }
 }
 
 void ProxyWeights::row(std::uint32_t vertex, std::span<double> row) const {
-  thread_local std::vector<float> sums;
-  sums.resize(handles_);
-  interpolate(vertex, sums);
-  std::ranges::copy(sums, row.begin());
-  normalise(row, true);
+  thread_local std::vector<SurfaceProxy::Term> terms;
+  proxy_.terms(vertex, terms);
+  std::ranges::fill(row, 0.0);
+  for (const auto& [cluster, factor] : terms) {
+    const auto weights = of_cluster(cluster);
+    for (std::size_t j = 0; j < row.size(); ++j) row[j] += factor * static_cast<double>(weights[j]);
+  }
+  normalise(row);  // corrects the rounding of the clusters' weights
 }
 
 }  // namespace viete::deform

@@ -67,7 +67,8 @@ private:
       starts_;  // for each cluster: itself, then all clusters within four rings
 };
 
-/// Weights along the surface of a large model, stored per cluster of its proxy.
+/// Weights along the surface of a large model, stored per cluster of its proxy. The weights of a cluster are at
+/// least 0 and sum to 1. A vertex's weights are interpolated, so they sum to 1 and may be slightly negative.
 class ProxyWeights {
 public:
   /// Solves on about `clusters` clusters. Reports progress up to `done`. Errors: see SurfaceSystem.
@@ -75,11 +76,13 @@ public:
                base::WorkerPool& pool, base::Progress* progress, double done,
                std::size_t clusters = proxy_vertices);
 
-  /// Writes a vertex's weights: at least 0, sum 1. row.size() is the number of handles. Thread-safe.
+  /// Writes a vertex's weights. row.size() is the number of handles. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;
 
-  /// Does the same without normalisation; weights may be negative.
-  void interpolate(std::uint32_t vertex, std::span<float> row) const;
+  const SurfaceProxy& proxy() const { return proxy_; }
+  std::span<const float> of_cluster(std::size_t cluster) const {
+    return std::span(weights_).subspan(cluster * handles_, handles_);
+  }
 
 private:
   SurfaceProxy proxy_;

@@ -49,11 +49,21 @@ struct LeafWeights {
   base::AlignedVector<float> rows, left;  // [tile][handle][lane]; left: a copy for factor_rows()
   std::vector<Vec3> sums;                 // per slot: sum of weight * handle position
   std::vector<float> shares;              // per slot
+  std::vector<std::uint32_t> places;      // per cluster of a proxy: place in LeafClusters::clusters, or none
+};
+
+/// The clusters from which a leaf's weights are interpolated.
+struct LeafClusters {
+  std::vector<std::uint32_t> clusters;
+  std::vector<SurfaceProxy::Term> terms;  // slot after slot; Term::cluster is an index of `clusters`
+  std::vector<std::size_t> starts;        // start of each slot's terms, and the end
+  double largest_sum = 1;                 // largest sum of |factor| over the terms of a slot
 };
 
 struct LeafResult {
   Factors factors;
   std::vector<float> pivot_rows;  // [pivot][handle]
+  std::vector<Vec3> pivot_sums;   // per pivot: sum of weight * handle position
 };
 
 /// The handles with weight in one leaf, and their weights.
@@ -163,18 +173,17 @@ private:
     const auto& kernel = bind_kernel(sym3::kernel());
     const auto handles = weigher_.handle_positions();
     const std::size_t n = b_.leaves.vertices, begin = b_.leaves.begin(leaf);
-    std::vector<double> weights(b_.handles * bind_lanes);
-    std::vector<float> row(b_.handles);
+    std::vector<double> weights(b_.handles * bind_lanes), row(b_.handles);
     for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
       for (std::size_t l = 0; l < bind_lanes; ++l) {
         const auto vertex = b_.leaves.order[begin + s + l];
-        if (proxy_) proxy_->interpolate(vertex, row);
+        if (proxy_) proxy_->row(vertex, row);
         for (std::size_t j = 0; j < b_.handles && !proxy_; j += solved_columns)
           std::copy_n(surface_weights_.data() + j * n + vertex * solved_columns,
                       std::min(solved_columns, b_.handles - j), row.data() + j);
         for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
-      if (proxy_ || b_.weighting.clamped()) normalise_lanes(weights);
+      if (!proxy_ && b_.weighting.clamped()) normalise_lanes(weights);
       double sum[3][lanes];
       kernel.to_rows(weights.data(), {reinterpret_cast<const double(*)[3]>(handles.data()), b_.handles,
                                       rows + s / lanes * lanes * b_.handles + s % lanes, sum[0]});
@@ -227,6 +236,7 @@ private:
   }
 
   LeafResult factor(std::size_t leaf, double tolerance, LeafWeights& w) const {
+    if (proxy_) return factor_on_proxy(leaf, tolerance, w);
     const auto& kernel = bind_kernel(sym3::kernel());
     w.rows.resize(slots(leaf) * b_.handles);
     weigh(leaf, w.rows.data(), w);
@@ -238,8 +248,86 @@ private:
     for (const auto p : result.factors.pivots) {
       const float* row = w.rows.data() + p / lanes * lanes * b_.handles + p % lanes;
       for (std::size_t j = 0; j < b_.handles; ++j) result.pivot_rows.push_back(row[j * lanes]);
+      result.pivot_sums.push_back(w.sums[p]);
     }
     return result;
+  }
+
+  LeafClusters clusters_of(std::size_t leaf, LeafWeights& w) const {
+    constexpr auto none = OwnedVertices::none;
+    LeafClusters result;
+    w.places.resize(proxy_->proxy().surface().positions.size(), none);
+    std::vector<SurfaceProxy::Term> terms;
+    for (std::size_t s = b_.leaves.begin(leaf); s < b_.leaves.end(leaf); ++s) {
+      result.starts.push_back(result.terms.size());
+      proxy_->proxy().terms(b_.leaves.order[s], terms);
+      double sum = 0;
+      for (const auto& [cluster, factor] : terms) {
+        auto& place = w.places[cluster];
+        if (place == none)
+          place = static_cast<std::uint32_t>(result.clusters.size()), result.clusters.push_back(cluster);
+        result.terms.push_back({place, factor});
+        sum += std::abs(factor);
+      }
+      result.largest_sum = std::max(result.largest_sum, sum);
+    }
+    result.starts.push_back(result.terms.size());
+    for (const auto cluster : result.clusters) w.places[cluster] = none;
+    return result;
+  }
+
+  // Does the same with a proxy. First finds a basis of the weights of the clusters near the leaf. There are fewer
+  // clusters than vertices, and the coefficients of the vertices in this basis are short rows.
+  LeafResult factor_on_proxy(std::size_t leaf, double tolerance, LeafWeights& w) const {
+    constexpr double share = 0.25;  // share of the basis in the tolerance; the residuals are orthogonal
+    const auto& kernel = bind_kernel(sym3::kernel());
+    const LeafClusters near = clusters_of(leaf, w);
+    const std::size_t count = near.clusters.size(), tiles = (count + lanes - 1) / lanes;
+    w.left.assign(tiles * lanes * b_.handles, 0.0f);
+    for (std::size_t c = 0; c < count; ++c) {
+      const auto weights = proxy_->of_cluster(near.clusters[c]);
+      float* row = w.left.data() + c / lanes * lanes * b_.handles + c % lanes;
+      for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = weights[j];
+    }
+    const Basis basis = find_basis({w.left.data(), tiles, b_.handles}, count,
+                                   share * tolerance / near.largest_sum, count, kernel);
+    interpolate(basis, near, w.left);
+    const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
+    LeafResult result;
+    result.factors = factor_rows({w.left.data(), slots(leaf) / lanes, basis.pivots.size()}, vertices(leaf),
+                                 std::sqrt(1 - share * share) * tolerance, most, kernel);
+    std::vector<double> row(b_.handles);
+    for (const auto p : result.factors.pivots) {
+      proxy_->row(b_.leaves.order[b_.leaves.begin(leaf) + p], row);
+      Vec3 sum{0, 0, 0};
+      for (std::size_t j = 0; j < row.size(); ++j) sum = sum + row[j] * weigher_.handle_positions()[j];
+      result.pivot_sums.push_back(sum);
+      for (const double weight : row) result.pivot_rows.push_back(static_cast<float>(weight));
+    }
+    if (result.factors.pivots.empty()) {  // the leaf stays dense
+      w.rows.resize(slots(leaf) * b_.handles);
+      weigh(leaf, w.rows.data(), w);
+    }
+    return result;
+  }
+
+  // Writes the coefficients of a leaf's vertices: [tile][pivot of the basis][lane].
+  static void interpolate(const Basis& basis, const LeafClusters& near, base::AlignedVector<float>& out) {
+    const std::size_t rank = basis.pivots.size(), slots = near.starts.size() - 1;
+    std::vector<float> rows;  // [cluster][pivot]
+    for (std::size_t c = 0; c < near.clusters.size(); ++c)
+      for (const auto& coefficients : basis.coefficients) rows.push_back(coefficients[c]);
+    out.resize(slots * rank);
+    std::vector<float> sums(rank);
+    for (std::size_t s = 0; s < slots; ++s) {
+      std::ranges::fill(sums, 0.0f);
+      for (std::size_t i = near.starts[s]; i < near.starts[s + 1]; ++i) {
+        const float* row = rows.data() + near.terms[i].cluster * rank;
+        const auto factor = static_cast<float>(near.terms[i].factor);
+        for (std::size_t t = 0; t < rank; ++t) sums[t] += factor * row[t];
+      }
+      for (std::size_t t = 0; t < rank; ++t) out[s / lanes * lanes * rank + t * lanes + s % lanes] = sums[t];
+    }
   }
 
   // Estimates the costs from up to eight leaves.
@@ -250,9 +338,8 @@ private:
       const std::size_t leaf = n * b_.leaves.count() / count;
       LeafWeights w;
       std::size_t rank = 0;
-      if (worth_sampling(tolerance)) {
-        rank = factor(leaf, tolerance, w).factors.pivots.size();
-      } else {
+      if (worth_sampling(tolerance)) rank = factor(leaf, tolerance, w).factors.pivots.size();
+      if (!worth_sampling(tolerance) || proxy_) {
         w.rows.resize(slots(leaf) * b_.handles);
         weigh(leaf, w.rows.data(), w);
       }
@@ -335,12 +422,9 @@ private:
   void set_factored_offsets(std::size_t leaf, const LeafResult& r, const LeafWeights& w) {
     const std::size_t begin = b_.leaves.begin(leaf), rank = r.factors.pivots.size();
     for (std::size_t s = 0; s < slots(leaf); ++s) {
-      Vec3 sum = w.sums[s];
-      if (rank > 0) {
-        sum = {0, 0, 0};
-        const float* factor = r.factors.factors.data() + s / lanes * lanes * rank + s % lanes;
-        for (std::size_t t = 0; t < rank; ++t) sum = sum + factor[t * lanes] * w.sums[r.factors.pivots[t]];
-      }
+      Vec3 sum = rank > 0 ? Vec3{0, 0, 0} : w.sums[s];
+      const float* factor = r.factors.factors.data() + s / lanes * lanes * rank + s % lanes;
+      for (std::size_t t = 0; t < rank; ++t) sum = sum + factor[t * lanes] * r.pivot_sums[t];
       set_offset(begin + s, sum);
     }
   }
