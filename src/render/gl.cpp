@@ -1,6 +1,7 @@
 #include "render/gl.h"
 
 #include <cstdio>
+#include <string_view>
 
 #include "base/error.h"
 
@@ -32,6 +33,16 @@ void require_version(const Gl& gl) {
                     "update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1");
 }
 
+bool has_extension(const Gl& gl, std::string_view name) {
+  int count = 0;
+  gl.GetIntegerv(GL_NUM_EXTENSIONS, &count);
+  for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+    const auto* extension = reinterpret_cast<const char*>(gl.GetStringi(GL_EXTENSIONS, i));
+    if (extension != nullptr && extension == name) return true;
+  }
+  return false;
+}
+
 bool is_software(const std::string& renderer) {
   for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software Rasterizer"}) {
     if (renderer.find(name) != std::string::npos) return true;
@@ -50,6 +61,8 @@ Gl load_gl(const GetProc& get) {
   gl.GetIntegerv(GL_MAX_SAMPLES, &gl.max_samples);
   gl.GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &gl.max_texels);
   gl.software = is_software(gl.renderer);
+  if (has_extension(gl, "GL_ARB_buffer_storage"))
+    gl.BufferStorage = reinterpret_cast<decltype(gl.BufferStorage)>(get("glBufferStorage"));
   return gl;
 }
 
@@ -78,8 +91,44 @@ void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int 
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
+namespace {
+
+void* or_refuse(void* memory, std::size_t bytes) {
+  if (memory != nullptr) return memory;
+  throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes",
+                    "use a smaller model or close other programs");
+}
+
+}  // namespace
+
+Staging::Staging(const Gl& gl, std::size_t bytes) : gl_(gl), object_(gl), bytes_(bytes) {
+  constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+  gl.BindBuffer(GL_COPY_READ_BUFFER, object_.id());
+  gl.BufferStorage(GL_COPY_READ_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr,
+                   access | GL_CLIENT_STORAGE_BIT);
+  memory_ =
+      or_refuse(gl.MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), access), bytes);
+}
+
+void* Staging::memory() {
+  constexpr GLuint64 second = 1'000'000'000;
+  if (copied_ != nullptr) {
+    while (gl_.ClientWaitSync(copied_, GL_SYNC_FLUSH_COMMANDS_BIT, second) == GL_TIMEOUT_EXPIRED) {
+    }
+    gl_.DeleteSync(std::exchange(copied_, nullptr));
+  }
+  return memory_;
+}
+
+void Staging::copy() {
+  gl_.BindBuffer(GL_COPY_READ_BUFFER, object_.id());
+  gl_.CopyBufferSubData(GL_COPY_READ_BUFFER, GL_ARRAY_BUFFER, 0, 0, static_cast<GLsizeiptr>(bytes_));
+  copied_ = gl_.FenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+}
+
 void Buffer::upload(const void* data, std::size_t bytes, GLenum usage) {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
+  if (bytes != bytes_) staging_.reset();
   if (bytes == bytes_ && usage != GL_STATIC_DRAW) {
     gl_->BufferSubData(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes), data);
   } else {
@@ -90,20 +139,25 @@ void Buffer::upload(const void* data, std::size_t bytes, GLenum usage) {
 
 void* Buffer::map(std::size_t bytes) {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
-  if (bytes != bytes_)
-    gl_->BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr, GL_STREAM_DRAW);
-  bytes_ = bytes;
-  void* memory = gl_->MapBufferRange(GL_ARRAY_BUFFER, 0, static_cast<GLsizeiptr>(bytes),
-                                     GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-  if (memory == nullptr)
-    throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes",
-                      "use a smaller model or close other programs");
-  return memory;
+  const auto size = static_cast<GLsizeiptr>(bytes);
+  if (bytes != bytes_) {
+    staging_.reset();
+    gl_->BufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STREAM_DRAW);
+    bytes_ = bytes;
+  } else if (gl_->BufferStorage != nullptr && !gl_->software) {
+    if (!staging_) {
+      gl_->BufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STATIC_COPY);  // in the GPU's memory
+      staging_ = std::make_unique<Staging>(*gl_, bytes);
+    }
+    return staging_->memory();
+  }
+  constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
+  return or_refuse(gl_->MapBufferRange(GL_ARRAY_BUFFER, 0, size, access), bytes);
 }
 
 void Buffer::unmap() {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
-  gl_->UnmapBuffer(GL_ARRAY_BUFFER);
+  staging_ ? staging_->copy() : static_cast<void>(gl_->UnmapBuffer(GL_ARRAY_BUFFER));
 }
 
 void BufferTexture::bind(int unit) const {

@@ -11,6 +11,7 @@
 #include <GL/glcorearb.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace viete::render {
@@ -21,14 +22,14 @@ namespace viete::render {
   X(ActiveTexture) X(AttachShader) X(BindBuffer) X(BindFramebuffer) X(BindRenderbuffer) \
   X(BindTexture) X(BindVertexArray) X(BlendEquation) X(BlendFuncSeparate) \
   X(BlitFramebuffer) X(BufferData) X(BufferSubData) X(CheckFramebufferStatus) X(Clear) \
-  X(ClearColor) X(ColorMask) X(CompileShader) X(CreateProgram) X(CreateShader) \
+  X(ClearColor) X(ClientWaitSync) X(ColorMask) X(CompileShader) X(CopyBufferSubData) X(CreateProgram) X(CreateShader) \
   X(DeleteBuffers) X(DeleteFramebuffers) X(DeleteProgram) X(DeleteRenderbuffers) X(DeleteShader) \
-  X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) \
+  X(DeleteSync) X(DeleteTextures) X(DeleteVertexArrays) X(DepthFunc) X(DepthMask) X(Disable) X(DrawArrays) \
   X(DrawElements) X(DrawElementsBaseVertex) X(Enable) \
-  X(EnableVertexAttribArray) X(Finish) X(FramebufferRenderbuffer) X(FramebufferTexture2D) \
+  X(EnableVertexAttribArray) X(FenceSync) X(Finish) X(FramebufferRenderbuffer) X(FramebufferTexture2D) \
   X(GenBuffers) X(GenFramebuffers) X(GenRenderbuffers) X(GenTextures) X(GenVertexArrays) X(GenerateMipmap) \
   X(GetError) X(GetIntegerv) X(GetProgramInfoLog) X(GetProgramiv) X(GetShaderInfoLog) \
-  X(GetShaderiv) X(GetString) X(GetUniformLocation) X(LinkProgram) X(MapBufferRange) \
+  X(GetShaderiv) X(GetString) X(GetStringi) X(GetUniformLocation) X(LinkProgram) X(MapBufferRange) \
   X(PixelStorei) X(PolygonOffset) X(ReadPixels) X(RenderbufferStorageMultisample) \
   X(Scissor) X(ShaderSource) X(TexBuffer) X(TexImage2D) X(TexParameteri) X(Uniform1f) X(Uniform1i) \
   X(Uniform2f) X(Uniform3f) X(Uniform4f) X(UniformMatrix3fv) X(UniformMatrix4fv) X(UnmapBuffer) \
@@ -45,6 +46,7 @@ struct Gl {
 #define X(name) decltype(&::gl##name) name = nullptr;
   VIETE_GL_FUNCTIONS(X)
 #undef X
+  decltype(&::glBufferStorage) BufferStorage = nullptr;  ///< null if the driver lacks ARB_buffer_storage
   std::string renderer;    ///< GL_RENDERER, for example "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string version;     ///< GL_VERSION
   int max_samples = 1;     ///< GL_MAX_SAMPLES
@@ -102,6 +104,31 @@ void bind_texture(const Gl& gl, int unit, const Texture& texture);
 using Renderbuffer = Object<&Gl::GenRenderbuffers, &Gl::DeleteRenderbuffers>;
 using FramebufferObject = Object<&Gl::GenFramebuffers, &Gl::DeleteFramebuffers>;
 
+using BufferObject = Object<&Gl::GenBuffers, &Gl::DeleteBuffers>;
+
+/// Memory that the CPU writes and from which the GPU copies. It stays mapped, so that a frame allocates
+/// nothing.
+class Staging {
+public:
+  /// Gl::BufferStorage must not be null. Throws base::Error if memory is short.
+  Staging(const Gl& gl, std::size_t bytes);
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging() { gl_.DeleteSync(copied_); }
+
+  /// Waits until the last copy has finished, and returns the memory.
+  void* memory();
+  /// Copies the memory to the buffer that is bound to GL_ARRAY_BUFFER. Does not wait.
+  void copy();
+
+private:
+  const Gl& gl_;
+  BufferObject object_;
+  std::size_t bytes_;
+  void* memory_;
+  GLsync copied_ = nullptr;
+};
+
 /// A GL buffer. Keeps its storage for new content of the same size, except with GL_STATIC_DRAW.
 class Buffer {
 public:
@@ -112,14 +139,16 @@ public:
   /// Replaces the content. Use GL_STATIC_DRAW for topology and GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
   /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 of new content.
-  /// Call unmap() after writing. Throws base::Error if memory is short.
+  /// Call unmap() after writing. Throws base::Error if memory is short. From the second content of the same
+  /// size on, a GPU copies from a Staging: mapping new memory in each frame would take several times as long.
   void* map(std::size_t bytes);
   void unmap();
 
 private:
   const Gl* gl_;
-  Object<&Gl::GenBuffers, &Gl::DeleteBuffers> object_;
+  BufferObject object_;
   std::size_t bytes_ = 0;
+  std::unique_ptr<Staging> staging_;
 };
 
 /// A buffer that shaders read as an array of texels, with texelFetch() on a samplerBuffer.

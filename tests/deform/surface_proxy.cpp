@@ -120,6 +120,29 @@ TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy") {
   }
 }
 
+TEST_CASE("weights_compressed_per_cluster_are_within_the_tolerance") {
+  base::WorkerPool pool;
+  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  mesh::Surface around = test::torus(14, 7);
+  for (auto& p : around.positions) p = 1.3 * p;
+  const deform::Cage cage = deform::make_cage(around);
+  const deform::TiledBinding tiles = deform::bind_tiles(model, cage, biharmonic, pool);
+  REQUIRE(tiles.storage() == deform::Storage::factors);
+  const auto slots = deform::slots_of(tiles.leaves);
+  const auto vertices = deform::spread_vertices(tiles.leaves.vertices, deform::error_sample);
+  std::vector<double> kept(tiles.handles);
+  double worst = 0;
+  for (std::size_t s = 0; s < vertices.size(); ++s) {
+    tiles.kept_row(slots[vertices[s]], kept);
+    double square = 0;
+    for (std::size_t j = 0; j < kept.size(); ++j)
+      square += std::pow(kept[j] - tiles.sample[s * tiles.handles + j], 2);
+    worst = std::max(worst, std::sqrt(square));
+  }
+  CHECK(worst <= deform::usual_tolerance);
+  CHECK(worst > 0.01 * deform::usual_tolerance);
+}
+
 TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
   base::WorkerPool pool(1);
   const mesh::Surface one = ring(20'000);

@@ -39,6 +39,19 @@ TEST_CASE("lit_ball_covers_its_projected_area_multisampled_or_not") {
   CHECK(test::difference(plain, scene.picture({.closed = true}), 1) < 0.001);
 }
 
+TEST_CASE("vertices_that_a_gpu_copies_from_staging_memory_draw_the_same_picture") {
+  Scene direct(test::ball(7)), staged(test::ball(7));
+  REQUIRE(bool(staged.stage.gl.BufferStorage));
+  staged.stage.gl.software = false;
+  for (const int step : {1, 2, 3}) {
+    auto moved = test::ball(7, {3.0 * step, 0, 0});
+    for (Scene* scene : {&direct, &staged}) scene->surface.set_positions(moved.positions, moved.normals);
+    const render::Image picture = direct.picture();
+    CHECK(test::count_not_black(picture) > 10'000);
+    CHECK(staged.picture().rgba == picture.rgba);
+  }
+}
+
 TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
   const render::Image image = Scene(test::ball(7)).picture();
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
