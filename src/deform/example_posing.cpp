@@ -384,7 +384,8 @@ void ExamplePosing::reach_targets() {
     off.row(Eigen::Index(k)) = column(targets_[k] - positions_[pins_[k].vertex]).transpose();
   const auto n = static_cast<Eigen::Index>(pins_.size());
   const Eigen::MatrixXd forces =
-      Eigen::Map<const MatrixByRows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) * off;
+      Eigen::Map<const MatrixByRows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) *
+      off;
   struct Pull {
     const double* column;
     Vec3 force;

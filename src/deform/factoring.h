@@ -11,12 +11,14 @@ namespace viete::deform {
 
 /// Rows that span all rows of a leaf, in the order in which Gram and Schmidt make them orthonormal.
 struct Basis {
-  std::vector<std::size_t> pivots;                       ///< slots of the rows
-  std::vector<base::AlignedVector<float>> coefficients;  ///< per pivot: each row's part along the orthonormal row
+  std::vector<std::size_t> pivots;  ///< slots of the rows
+  std::vector<base::AlignedVector<float>>
+      coefficients;  ///< per pivot: each row's part along the orthonormal row
 };
 
-/// The next pivot is always the row with the largest residual. Stops when the residuals of the first `vertices`
-/// slots have norms of at most `tolerance`. Returns nothing if this needs more than `most` pivots. Overwrites `rows`.
+/// The next pivot is always the row with the largest residual. Stops when the residuals of the first
+/// `vertices` slots have norms of at most `tolerance`. Returns nothing if this needs more than `most` pivots.
+/// Overwrites `rows`.
 Basis find_basis(const LeafRows& rows, std::size_t vertices, double tolerance, std::size_t most,
                  const BindKernel& kernel);
 

@@ -205,6 +205,7 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
   const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
   cluster(target, place, owned, progress);
   place_clusters();
+  triangles_ = {};
   if (progress) progress->report(0);
   move_to(owned);
   adopt_loose_vertices();
@@ -347,8 +348,9 @@ void add_powers(const std::array<double, 2>& place, double factor, Powers& sums)
   for (std::size_t k = 0; k < powers.size(); ++k) sums[k] += powers[k];
 }
 
-// Solves the normal equations of the fit, by L D L^T. The value of the fitted polynomial at the vertex is the sum
-// of factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the clusters.
+// Solves the normal equations of the fit, by L D L^T. The value of the fitted polynomial at the vertex is the
+// sum of factor * value * (result[0] + result[1] * x + result[2] * y + result[3] * x^2 + ...) over the
+// clusters.
 std::array<double, 6> fitted_value(const Powers& sums) {
   constexpr std::size_t x[] = {0, 1, 0, 2, 1, 0}, y[] = {0, 0, 1, 0, 1, 2};
   double l[6][6], inverse[6];

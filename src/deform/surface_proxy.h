@@ -57,7 +57,7 @@ private:
   void adopt_loose_vertices();
 
   const mesh::Surface& model_;
-  std::vector<mesh::Triangle> triangles_;  // the model's triangles, welded
+  std::vector<mesh::Triangle> triangles_;  // the model's triangles, welded; empty after construction
   std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
   mesh::Surface surface_;
   std::vector<std::uint32_t> owned_;
@@ -67,8 +67,9 @@ private:
       starts_;  // for each cluster: itself, then all clusters within four rings
 };
 
-/// Weights along the surface of a large model, stored per cluster of its proxy. The weights of a cluster are at
-/// least 0 and sum to 1. A vertex's weights are interpolated, so they sum to 1 and may be slightly negative.
+/// Weights along the surface of a large model, stored per cluster of its proxy. The weights of a cluster are
+/// at least 0 and sum to 1. A vertex's weights are interpolated, so they sum to 1 and may be slightly
+/// negative.
 class ProxyWeights {
 public:
   /// Solves on about `clusters` clusters. Reports progress up to `done`. Errors: see SurfaceSystem.

@@ -276,8 +276,8 @@ private:
     return result;
   }
 
-  // Does the same with a proxy. First finds a basis of the weights of the clusters near the leaf. There are fewer
-  // clusters than vertices, and the coefficients of the vertices in this basis are short rows.
+  // Does the same with a proxy. First finds a basis of the weights of the clusters near the leaf. There are
+  // fewer clusters than vertices, and the coefficients of the vertices in this basis are short rows.
   LeafResult factor_on_proxy(std::size_t leaf, double tolerance, LeafWeights& w) const {
     constexpr double share = 0.25;  // share of the basis in the tolerance; the residuals are orthogonal
     const auto& kernel = bind_kernel(sym3::kernel());

@@ -341,9 +341,9 @@ void text_right(const Context& ui, float x, const std::string& text, ImU32 color
 }
 
 void value_row(const Context& ui, const char* label, const std::string& value, ImU32 color) {
-  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
-  text_right(ui, right, value, color ? color : ui.colors.text);
-  text_in(ui.colors.faint, label);
+  const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  text_right(ui, ImGui::GetCursorScreenPos().x + width, value, color ? color : ui.colors.text);
+  text_in(ui.colors.faint, shortened(label, width - ImGui::CalcTextSize(value.c_str()).x - gap));
 }
 
 // Uses InputText because InputDouble rejects commas and, in older versions, lacks EnterReturnsTrue.

@@ -20,10 +20,4 @@ void check_reader(Reader* reader, std::size_t placed, std::string_view bytes);
 /// The result must be a complete picture or base::Error.
 void check_picture(std::string_view bytes);
 
-/// The result must be materials with valid numbers.
-void check_materials(std::string_view bytes);
-
-/// The result must be frames of finite numbers or base::Error.
-void check_point_cache(std::string_view bytes);
-
 }  // namespace viete::fuzz

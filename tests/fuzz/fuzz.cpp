@@ -1,5 +1,6 @@
 // The fuzzer of all formats. The name of the corpus folder, the first argument, selects the check. The
 // functions below are called by libFuzzer if VIETE_LIBFUZZER is set, otherwise by driver.cpp.
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <filesystem>
@@ -7,11 +8,49 @@
 #include <map>
 #include <string>
 
+#include "base/error.h"
+#include "formats/mtl.h"
+#include "formats/point_cache.h"
 #include "fuzz/checks.h"
 
 namespace {
 
 using namespace viete;
+using fuzz::require;
+
+// The result must be materials with valid numbers.
+void check_materials(std::string_view bytes) {
+  const formats::Source source{"fuzz", "mtl", bytes, nullptr, nullptr, "/folder"};
+  const auto materials = formats::read_mtl(source);
+  require(materials.size() <= bytes.size());
+  for (const auto& m : materials) {
+    for (const float x : m.material.base_color) {
+      require(x >= 0 && x <= 1);
+    }
+    require(m.image.empty() || m.image.is_absolute());
+  }
+}
+
+// The result must be frames of finite numbers or base::Error.
+void check_point_cache(std::string_view bytes) {
+  const std::size_t size = bytes.size();
+  try {
+    const formats::PointCache cache("fuzz", bytes);
+    const formats::PointCacheHead& head = cache.head();
+    require(head.points > 0 && head.frames > 0);
+    require(head.points <= size && head.frames <= size && 12 * head.points * head.frames <= size);
+    require(head.seconds.size() == (head.format == formats::PointCacheFormat::mdd ? head.frames : 0));
+    require(std::isfinite(head.start) && std::isfinite(head.rate) && head.rate > 0);
+    for (const std::size_t i : {std::size_t{0}, head.frames - 1}) {
+      const auto points = cache.frame(i);
+      require(points.size() == head.points);
+      for (const auto& p : points) require(std::isfinite(p[0] + p[1] + p[2]));
+    }
+  } catch (const base::Error& error) {
+    require(!error.place().empty());
+  }
+}
+
 using Check = std::function<void(std::string_view)>;
 
 Check reads(fuzz::Reader* reader, std::size_t placed = 0) {
@@ -23,8 +62,8 @@ const std::map<std::string, Check> checks = {{"obj", reads(formats::read_obj)},
                                              {"off", reads(formats::read_off)},
                                              {"stl", reads(formats::read_stl)},
                                              {"gltf", reads(formats::read_gltf, 1 << 22)},
-                                             {"mtl", fuzz::check_materials},
-                                             {"point_cache", fuzz::check_point_cache},
+                                             {"mtl", check_materials},
+                                             {"point_cache", check_point_cache},
                                              {"image", fuzz::check_picture}};
 
 Check check;

@@ -16,6 +16,7 @@ if(NOT HWY_HEADER_DIR)
 endif()
 dep(hwy)
 target_include_directories(dep::hwy SYSTEM INTERFACE ${HWY_HEADER_DIR})
+target_compile_definitions(dep::hwy INTERFACE HWY_IS_DEBUG_BUILD=0)  # its assertions need its library
 find_package(Threads REQUIRED)
 dep(threads Threads::Threads)
 

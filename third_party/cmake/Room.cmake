@@ -26,16 +26,18 @@ if(VIETE_SANITIZE)
   target_link_options(viete_compile INTERFACE -fsanitize=${VIETE_SANITIZE})
 endif()
 
-# For rooms that compute: GCC 12 vectorises loops only at -O3. With sanitizers, -O3 takes minutes per file and finds no
-# more errors.
-set(VIETE_FASTEST "")
+# GCC 12 vectorises loops only at -O3. With sanitizers, -O3 takes minutes per file and finds no more errors.
+set(VIETE_KERNEL_OPTIONS "")
 if(NOT VIETE_SANITIZE)
-  set(VIETE_FASTEST $<$<NOT:$<CONFIG:Debug>>:-O3>)
-endif()
-set(VIETE_KERNEL_OPTIONS ${VIETE_FASTEST})
-if(VIETE_SANITIZE MATCHES address)
+  set(VIETE_KERNEL_OPTIONS $<$<NOT:$<CONFIG:Debug>>:-O3>)
+elseif(VIETE_SANITIZE MATCHES address)
   # Use-after-scope checks take GCC fifteen minutes per unrolled kernel.
   set(VIETE_KERNEL_OPTIONS -fno-sanitize-address-use-after-scope)
+endif()
+# Rooms that compute: as kernels, unless the flags set an optimisation level.
+set(VIETE_FASTEST "")
+if(NOT VIETE_SANITIZE AND NOT CMAKE_CXX_FLAGS MATCHES "(^| )-O")
+  set(VIETE_FASTEST ${VIETE_KERNEL_OPTIONS})
 endif()
 
 # Highway's NEON code needs AES. Highway turns AES on for a part of each file, but GCC places some
