@@ -279,7 +279,7 @@ private:
   // Does the same with a proxy. First finds a basis of the weights of the clusters near the leaf. There are
   // fewer clusters than vertices, and the coefficients of the vertices in this basis are short rows.
   LeafResult factor_on_proxy(std::size_t leaf, double tolerance, LeafWeights& w) const {
-    constexpr double share = 0.25;  // share of the basis in the tolerance; the residuals are orthogonal
+    constexpr double share = 0.1;  // share of the basis in the tolerance; factors can multiply its residuals
     const auto& kernel = bind_kernel(sym3::kernel());
     const LeafClusters near = clusters_of(leaf, w);
     const std::size_t count = near.clusters.size(), tiles = (count + lanes - 1) / lanes;
@@ -295,7 +295,7 @@ private:
     const std::size_t most = std::min(b_.handles, slots(leaf)) / 2;
     LeafResult result;
     result.factors = factor_rows({w.left.data(), slots(leaf) / lanes, basis.pivots.size()}, vertices(leaf),
-                                 std::sqrt(1 - share * share) * tolerance, most, kernel);
+                                 (1 - share) * tolerance, most, kernel);
     std::vector<double> row(b_.handles);
     for (const auto p : result.factors.pivots) {
       proxy_->row(b_.leaves.order[b_.leaves.begin(leaf) + p], row);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "base/worker_pool.h"
@@ -68,6 +69,18 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
   return sum;
 }
 
+namespace {
+
+// Interleaves the bits of the coordinates, whole numbers from 0 to 2^21 - 1. Near cells get near codes.
+std::uint64_t morton_code(const Point& cell) {
+  std::uint64_t code = 0;
+  for (int bit = 20; bit >= 0; --bit)
+    for (const double x : cell) code = code << 1 | (static_cast<std::uint64_t>(x) >> bit & 1);
+  return code;
+}
+
+}  // namespace
+
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted) {
   std::vector<Triangle> triangles;
   // On average, a plane of area A meets 1.5 * A / side^2 cells. There are about two triangles per cell.
@@ -94,9 +107,14 @@ std::vector<Triangle> clustered_triangles(const Surface& surface, double area, s
       if (cell_of[v] == none) take(v);
   for (const auto& [a, b, c] : surface.triangles) {
     const Triangle cells_of{cell_of[a], cell_of[b], cell_of[c]};
-    if (!repeats_corner(cells_of))
-      triangles.push_back({chosen[cells_of[0]], chosen[cells_of[1]], chosen[cells_of[2]]});
+    if (!repeats_corner(cells_of)) triangles.push_back(cells_of);
   }
+  // Near triangles follow each other, so that drawing computes their common vertices once.
+  std::vector<std::uint64_t> codes;
+  for (const Point& cell : cells) codes.push_back(morton_code(cell));
+  std::ranges::sort(triangles, {}, [&](const Triangle& t) { return std::pair(codes[t[0]], t); });
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = chosen[v];
   return triangles;
 }
 

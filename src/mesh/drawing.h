@@ -18,7 +18,8 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
 
 /// Returns about `wanted` coarse triangles. In each cell of a grid, one vertex replaces all vertices
 /// (Rossignac and Borrel 1993). The corners are vertices of the surface, so deformed positions also apply to
-/// the coarse triangles. `area` is the area of the surface. If it is 0, returns no triangles. Linear time.
+/// the coarse triangles. Near triangles follow each other. `area` is the area of the surface. If it is 0,
+/// returns no triangles. Linear time, and sorts the result.
 std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted);
 
 }  // namespace viete::mesh
