@@ -29,8 +29,8 @@ const Budget lines_of_src = {
 };
 constexpr std::size_t all_lines_of_src = 79'947;
 
-// deform, mesh and render test this, and one fuzzer has a table of all readers. support has the helpers of several
-// folders. files and interact have longer names of the window's state.
+// deform, mesh and render test this, and one fuzzer has a table of all readers. support has the helpers of
+// several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
     {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 795},      {"bench", 610},
     {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7038},   {"document", 3074},
