@@ -91,23 +91,13 @@ void set_texture(const Gl& gl, int unit, const Texture& texture, int width, int 
   gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-namespace {
-
-void* or_refuse(void* memory, std::size_t bytes) {
-  if (memory != nullptr) return memory;
-  throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes",
-                    "use a smaller model or close other programs");
-}
-
-}  // namespace
-
 Staging::Staging(const Gl& gl, std::size_t bytes) : gl_(gl), object_(gl), bytes_(bytes) {
   constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
   gl.BindBuffer(GL_COPY_READ_BUFFER, object_.id());
   gl.BufferStorage(GL_COPY_READ_BUFFER, static_cast<GLsizeiptr>(bytes), nullptr,
                    access | GL_CLIENT_STORAGE_BIT);
-  memory_ =
-      or_refuse(gl.MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), access), bytes);
+  memory_ = gl.MapBufferRange(GL_COPY_READ_BUFFER, 0, static_cast<GLsizeiptr>(bytes), access);
+  if (memory_ == nullptr) gl.GetError();  // the caller then maps its own buffer
 }
 
 void* Staging::memory() {
@@ -149,15 +139,23 @@ void* Buffer::map(std::size_t bytes) {
       gl_->BufferData(GL_ARRAY_BUFFER, size, nullptr, GL_STATIC_COPY);  // in the GPU's memory
       staging_ = std::make_unique<Staging>(*gl_, bytes);
     }
-    return staging_->memory();
+    if (void* memory = staging_->memory()) {
+      staged_ = true;
+      return memory;
+    }
   }
-  constexpr GLbitfield access = GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT;
-  return or_refuse(gl_->MapBufferRange(GL_ARRAY_BUFFER, 0, size, access), bytes);
+  staged_ = false;
+  void* memory =
+      gl_->MapBufferRange(GL_ARRAY_BUFFER, 0, size, GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
+  if (memory == nullptr)
+    throw base::Error("graphics memory", "no room for a buffer of " + std::to_string(bytes) + " bytes",
+                      "use a smaller model or close other programs");
+  return memory;
 }
 
 void Buffer::unmap() {
   gl_->BindBuffer(GL_ARRAY_BUFFER, object_.id());
-  staging_ ? staging_->copy() : static_cast<void>(gl_->UnmapBuffer(GL_ARRAY_BUFFER));
+  staged_ ? staging_->copy() : static_cast<void>(gl_->UnmapBuffer(GL_ARRAY_BUFFER));
 }
 
 void BufferTexture::bind(int unit) const {

@@ -110,13 +110,13 @@ using BufferObject = Object<&Gl::GenBuffers, &Gl::DeleteBuffers>;
 /// nothing.
 class Staging {
 public:
-  /// Gl::BufferStorage must not be null. Throws base::Error if memory is short.
+  /// Gl::BufferStorage must not be null.
   Staging(const Gl& gl, std::size_t bytes);
   Staging(const Staging&) = delete;
   Staging& operator=(const Staging&) = delete;
   ~Staging() { gl_.DeleteSync(copied_); }
 
-  /// Waits until the last copy has finished, and returns the memory.
+  /// Waits until the last copy has finished, and returns the memory. Null if there was no memory.
   void* memory();
   /// Copies the memory to the buffer that is bound to GL_ARRAY_BUFFER. Does not wait.
   void copy();
@@ -149,6 +149,7 @@ private:
   BufferObject object_;
   std::size_t bytes_ = 0;
   std::unique_ptr<Staging> staging_;
+  bool staged_ = false;  // true: unmap() copies from staging_
 };
 
 /// A buffer that shaders read as an array of texels, with texelFetch() on a samplerBuffer.

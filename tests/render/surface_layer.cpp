@@ -52,6 +52,16 @@ TEST_CASE("vertices_that_a_gpu_copies_from_staging_memory_draw_the_same_picture"
   }
 }
 
+TEST_CASE("without_staging_memory_a_gpu_gets_vertices_directly") {
+  Scene direct(test::ball(7)), staged(test::ball(7));
+  staged.stage.gl.software = false;
+  staged.stage.gl.BufferStorage = [](GLenum, GLsizeiptr, const void*, GLbitfield) {};  // no memory
+  const auto moved = test::ball(7, {3, 0, 0});
+  for (Scene* scene : {&direct, &staged}) scene->surface.set_positions(moved.positions, moved.normals);
+  const render::Image picture = direct.picture();
+  CHECK(staged.picture().rgba == picture.rgba);
+}
+
 TEST_CASE("key_light_comes_from_the_upper_left_and_backs_are_lit_too") {
   const render::Image image = Scene(test::ball(7)).picture();
   const int upper_left = test::brightness(image.pixel(160 - 30, 100 - 40));
