@@ -155,9 +155,10 @@ Stage bar(const Context& ui, std::size_t index, double longest) {
     text_right(ui, at.x + width, milliseconds(times.total()), ui.colors.text, at.y);
     return segments(ui, times, longest, {at.x + label_width, at.y}, room);
   }
-  if (all.measured)
-    ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint,
-                                        "needs much memory: select to measure");
+  if (all.measured) {
+    hint("This method needs much memory for this model.");
+    ImGui::GetWindowDrawList()->AddText({at.x + label_width, at.y}, ui.colors.faint, "select to measure");
+  }
   return std::nullopt;
 }
 
