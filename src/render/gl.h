@@ -135,7 +135,6 @@ public:
   explicit Buffer(const Gl& gl) : gl_(&gl), object_(gl) {}
 
   GLuint id() const { return object_.id(); }
-  std::size_t bytes() const { return bytes_; }
   /// Replaces the content. Use GL_STATIC_DRAW for topology and GL_STREAM_DRAW for data of each frame.
   void upload(const void* data, std::size_t bytes, GLenum usage);
   /// Discards the content without waiting for the GPU, and returns memory for `bytes` > 0 of new content.

@@ -25,9 +25,9 @@ const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7205},      {"base", 2016},          {"bench", 5034},    {"blender", 591},
     {"cages", 3522},   {"deform", 13229},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3817},
     {"formats", 8378}, {"interact", 2500}, {"library", 925},        {"mesh", 2978},     {"platform", 966},
-    {"python", 1319},  {"render", 2270},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5895},
+    {"python", 1319},  {"render", 2269},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5895},
 };
-constexpr std::size_t all_lines_of_src = 79'947;
+constexpr std::size_t all_lines_of_src = 79'946;
 
 // deform, mesh and render test this, and one fuzzer has a table of all readers. support has the helpers of
 // several folders. files and interact have longer names of the window's state.
