@@ -19,12 +19,12 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
   if (!binding || !binding->tiles) {
     if (staged) progress.section(0, 0.5);
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
+        deform::bind(model, *cage, weighting, EngineKind::fused, nullptr, pool, &progress));
   }
   if (staged && binding->weights.empty()) {
     progress.section(progress.done(), 1);
     binding = std::make_shared<const deform::Binding>(
-        deform::bind(*model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
+        deform::bind(model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
   if (scheme.stitched() && !bound.stitches(scheme)) {
     progress.section(progress.done(), 1);

@@ -10,6 +10,9 @@
 #if defined(__linux__)
 #include <sys/mman.h>
 #endif
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace viete::base {
 
@@ -33,6 +36,12 @@ void* allocate_aligned(std::size_t bytes) {
 
 void free_aligned(void* memory) {
   std::free(memory);
+}
+
+void release_freed_memory() {
+#if defined(__GLIBC__)
+  malloc_trim(0);
+#endif
 }
 
 std::optional<double> free_memory() {

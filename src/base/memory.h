@@ -45,6 +45,9 @@ struct CacheLineAllocator {
 template <class T>
 using AlignedVector = std::vector<T, CacheLineAllocator<T>>;
 
+/// Returns freed memory to the system. Call this after work with many small arrays.
+void release_freed_memory();
+
 /// Returns the bytes of free memory, or nullopt if the system does not report this number. Thread-safe.
 std::optional<double> free_memory();
 

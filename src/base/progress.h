@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <cmath>
 #include <stdexcept>
 
 namespace viete::base {
@@ -41,9 +42,30 @@ public:
   double done() const { return done_.load(std::memory_order_relaxed); }
 
 private:
+  friend class Subsection;
   std::atomic<double> done_{0.0};
   std::atomic<bool> cancelled_{false};
   double from_ = 0, to_ = 1, part_from_ = 0, part_to_ = 1;
+};
+
+/// A part of the current section: during its lifetime, reports move the progress from `from` to `to`, as
+/// fractions of the section. `progress` may be null.
+class Subsection {
+public:
+  Subsection(Progress* progress, double from, double to) : progress_(progress) {
+    if (!progress) return;
+    from_ = progress->from_, to_ = progress->to_;
+    progress->section(std::lerp(from_, to_, from), std::lerp(from_, to_, to));
+  }
+  ~Subsection() {
+    if (progress_) progress_->from_ = from_, progress_->to_ = to_;
+  }
+  Subsection(const Subsection&) = delete;
+  Subsection& operator=(const Subsection&) = delete;
+
+private:
+  Progress* progress_;
+  double from_ = 0, to_ = 1;
 };
 
 }  // namespace viete::base

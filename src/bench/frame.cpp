@@ -143,10 +143,10 @@ double distance(std::span<const mesh::Point> expected, std::span<const mesh::Poi
 }
 
 struct FusedFrame {
-  FusedFrame(std::shared_ptr<const deform::Cage> cage,
-             const std::shared_ptr<const deform::TiledBinding>& tiles, base::WorkerPool& pool)
-      : state(std::move(cage), tiles->weighting.elements, deform::Blend::srl),
-        engine(tiles, state.rows().form, pool) {}
+  FusedFrame(std::shared_ptr<const deform::Cage> cage, std::shared_ptr<const deform::Binding> binding,
+             base::WorkerPool& pool)
+      : state(std::move(cage), binding->weighting.elements, deform::Blend::srl),
+        engine(std::move(binding), state.rows().form, pool) {}
 
   void deform(const deform::Pose& pose) {
     state.set_pose(pose);
@@ -172,7 +172,7 @@ public:
     for (auto* pool : {&one_, &all_}) {
       if (pool == &all_ && all_.threads() == 1) continue;
       add_fused(frame_names::dense, dense_, *pool, false);
-      if (compressed_->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
+      if (compressed_->tiles->compressed()) add_fused(frame_names::compressed, compressed_, *pool, false);
       add_fused(frame_names::dragged, compressed_, *pool, true);
     }
   }
@@ -192,7 +192,7 @@ public:
   std::vector<FrameTime> times() const {
     std::vector<FrameTime> times;
     for (const Case& c : cases_)
-      times.push_back({dense_->leaves.vertices, cage_->element_count(), c.name, c.pool->threads(),
+      times.push_back({dense_->vertices, cage_->element_count(), c.name, c.pool->threads(),
                        base::median(c.cpu_ms), base::median(c.wall_ms), c.error ? c.error() : std::nan(""),
                        c.bytes, link_medians(c)});
     return times;
@@ -224,15 +224,16 @@ private:
     }
   }
 
-  std::shared_ptr<const deform::TiledBinding> bind_fused(const mesh::Surface& model, double tolerance,
-                                                         std::optional<deform::Storage> storage) {
-    return std::make_shared<const deform::TiledBinding>(
-        deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage));
+  std::shared_ptr<const deform::Binding> bind_fused(const mesh::Surface& model, double tolerance,
+                                                    std::optional<deform::Storage> storage) {
+    auto tiles = deform::bind_tiles(model, *cage_, weighting_, one_, tolerance, nullptr, storage);
+    return std::make_shared<const deform::Binding>(deform::with_tiles(
+        mesh::lent(model), *cage_, std::make_shared<const deform::TiledBinding>(std::move(tiles))));
   }
 
-  void add_fused(const std::string& name, const std::shared_ptr<const deform::TiledBinding>& tiles,
+  void add_fused(const std::string& name, const std::shared_ptr<const deform::Binding>& binding,
                  base::WorkerPool& pool, bool drag) {
-    frames_.push_back(std::make_unique<FusedFrame>(cage_, tiles, pool));
+    frames_.push_back(std::make_unique<FusedFrame>(cage_, binding, pool));
     auto* frame = frames_.back().get();
     const auto run = [this, frame, drag] {
       if (!drag) return frame->deform(pose_);
@@ -260,8 +261,7 @@ private:
   deform::Pose pose_;
   deform::Weighting weighting_;
   base::WorkerPool one_{1}, all_{0};
-  std::shared_ptr<const deform::Binding> binding_;
-  std::shared_ptr<const deform::TiledBinding> dense_, compressed_;
+  std::shared_ptr<const deform::Binding> binding_, dense_, compressed_;
   int step_ = 0;
   std::unique_ptr<deform::Deformer> staged_;
   std::unique_ptr<ReferenceFrame> reference_;

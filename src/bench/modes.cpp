@@ -223,8 +223,8 @@ public:
     auto frame = std::make_unique<deform::Deformer>(
         cage_, bound.binding, mode.scheme, one_, mode.scheme.stitched() ? stitching(mode.scheme) : nullptr);
     if (!frame->engine(method_)) {
-      const auto both = std::make_shared<const deform::Binding>(
-          deform::bind(surface_, *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
+      const auto both = std::make_shared<const deform::Binding>(deform::bind(
+          mesh::lent(surface_), *cage_, weighting, deform::EngineKind::staged, bound.binding.get(), all_));
       frame = std::make_unique<deform::Deformer>(cage_, both, mode.scheme, one_);
     }
     mode.fused = frame->engine(method_) == deform::EngineKind::fused;
@@ -261,7 +261,7 @@ private:
     if (known != bound_.end()) return *known;
     const double start = base::thread_seconds();
     auto binding = std::make_shared<const deform::Binding>(
-        deform::bind(surface_, *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
+        deform::bind(mesh::lent(surface_), *cage_, weighting, deform::EngineKind::fused, nullptr, one_));
     bound_.push_back({std::move(binding), 1e3 * (base::thread_seconds() - start)});
     return bound_.back();
   }

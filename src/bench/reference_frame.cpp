@@ -142,7 +142,7 @@ mesh::Point ReferenceFrame::place(std::size_t vertex) const {
 
 void ReferenceFrame::scatter_normals() {
   for (auto& n : normals_) n = {0, 0, 0};
-  for (const auto& t : binding_.triangles) {
+  for (const auto& t : binding_.model->triangles) {
     const mesh::Point& a = positions_[t[0]];
     const mesh::Point n = cross(positions_[t[1]] - a, positions_[t[2]] - a);
     for (const auto corner : t) normals_[corner] = normals_[corner] + n;

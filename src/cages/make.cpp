@@ -155,8 +155,7 @@ Made Maker::make(const Wish& asked, base::WorkerPool& pool, base::Progress* prog
 }
 
 Made make(const mesh::Surface& model, const Wish& wish, base::WorkerPool& pool, base::Progress* progress) {
-  const std::shared_ptr<const mesh::Surface> lent(std::shared_ptr<void>(), &model);
-  return Maker(lent).make(wish, pool, progress);
+  return Maker(mesh::lent(model)).make(wish, pool, progress);
 }
 
 }  // namespace viete::cages

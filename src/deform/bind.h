@@ -7,15 +7,20 @@
 
 namespace viete::deform {
 
-/// Binds a model for the staged engine, in time proportional to vertices * handles. The result does not
-/// depend on the number of threads. Throws base::Cancelled. Throws base::Error if memory is insufficient, if
-/// the model has no vertices, or if mean value weights find no consistently oriented cage triangles.
+/// Binds a copy of a model for the staged engine, in time proportional to vertices * handles. The result does
+/// not depend on the number of threads. Throws base::Cancelled. Throws base::Error if memory is insufficient,
+/// if the model has no vertices, or if mean value weights find no consistently oriented cage triangles.
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
 
-/// Binds a model for this engine. If `known` is not null, reuses known->tiles. `known` must be a binding of
-/// the same model, cage and weighting.
-Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, EngineKind engine,
-             const Binding* known, base::WorkerPool& pool, base::Progress* progress = nullptr);
+/// Binds a model for this engine; the binding shares the model. If `known` is not null, reuses known->tiles.
+/// `known` must be a binding of the same model, cage and weighting.
+Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const Weighting& weighting,
+             EngineKind engine, const Binding* known, base::WorkerPool& pool,
+             base::Progress* progress = nullptr);
+
+/// Makes a binding for the fused engine from tiles of this model and cage.
+Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,
+                   std::shared_ptr<const TiledBinding> tiles);
 
 }  // namespace viete::deform

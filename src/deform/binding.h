@@ -35,15 +35,15 @@ struct Binding {
   Weighting weighting;
   std::size_t vertices = 0, handles = 0;
   std::shared_ptr<const TiledBinding> tiles;  ///< for the fused and the stitched engine; may be null
-  std::vector<mesh::Point> rest;              ///< rest positions of the model
+  SharedShape rest;                           ///< rest positions of the model; not null
+  Vec3 rest_origin{0, 0, 0};                  ///< the middle of the rest cage
   std::vector<std::string> warnings;
 
   // Only the staged engine uses the members below. For other engines, the members below are empty.
-  Vec3 rest_origin{0, 0, 0};    ///< the middle of the rest cage
   std::vector<double> weights;  ///< [vertex][handle]; a row sums to 1, or to 0 if the vertex's share is 0
   Shares shares;                ///< empty unless weights are partial (see Weighting)
   std::vector<mesh::Point> offsets;  ///< rest position minus the weighted mean of the handles' rest centres
-  std::vector<mesh::Triangle> triangles;  ///< triangles of the model
+  std::shared_ptr<const mesh::Surface> model;  ///< null for a part of a model
   mesh::Adjacency around;
 };
 
@@ -57,7 +57,7 @@ struct VertexBlock {
   std::span<const Vec3> ways{};      ///< displacements of the shape from rest; if empty, all are 0
 
   double share(std::size_t i) const { return shares.empty() ? 1 : shares[i]; }
-  Vec3 rest(std::size_t i) const { return shaped(binding.rest, i); }
+  Vec3 rest(std::size_t i) const { return shaped(*binding.rest, i); }
   Vec3 offset(std::size_t i) const { return shaped(binding.offsets, i); }
 
 private:

@@ -30,15 +30,15 @@ Deformer::Deformer(std::shared_ptr<const Cage> cage, std::shared_ptr<const Bindi
       scheme_(scheme),
       state_(cage, scheme.weighting.elements, scheme.blend),
       weigher_(state_.cage(), binding_->weighting),
-      layer_(binding_->rest, pool) {
+      layer_(*binding_->rest, pool) {
   state_.set_amounts(scheme.amounts);
   const RowForm form = state_.rows().form;
   if (!binding_->weights.empty()) staged_ = std::make_unique<StagedEngine>(binding_, form, pool);
   if (scheme.stitched() && stitching && binding_->tiles) {
-    stitched_ = std::make_unique<StitchedEngine>(binding_->tiles, std::move(stitching), form,
-                                                 scheme.iterations, pool);
+    stitched_ =
+        std::make_unique<StitchedEngine>(binding_, std::move(stitching), form, scheme.iterations, pool);
   } else if (binding_->tiles) {
-    fused_ = std::make_unique<FusedEngine>(binding_->tiles, form, pool);
+    fused_ = std::make_unique<FusedEngine>(binding_, form, pool);
   }
   set_mask(nullptr);
 }
@@ -73,7 +73,7 @@ void Deformer::set_mask(Mask mask) {
 void Deformer::set_shape(const SharedShape& shape) {
   if (shape == shape_) return;
   shape_ = shape;
-  ways_ = ways_of(shape, binding_->rest);
+  ways_ = ways_of(shape, *binding_->rest);
   if (shape && !follower_ && ShapeFollower::is_for(scheme_))
     follower_ = std::make_unique<ShapeFollower>(cage_);
   show_ways(ways_);
@@ -103,7 +103,7 @@ void Deformer::deform(const Pose& pose, sym3::Method method) {
   state_.set_pose(pose);
   if (follower_ && !ways_.empty()) {
     follower_->set_pose(pose);
-    show_ways(follower_->followed(*binding_, mask_, ways_, pool_));
+    show_ways(follower_->followed(binding_, mask_, ways_, pool_));
   }
   of(kind).set_layer(layer_.moves() ? &layer_ : nullptr);
   of(kind).run(state_, method);

@@ -32,7 +32,7 @@ Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
   part.vertices = end - begin;
   part.handles = whole.handles;
   part.rest_origin = whole.rest_origin;
-  part.rest = rows(whole.rest, 1);
+  part.rest = std::make_shared<const std::vector<mesh::Point>>(rows(*whole.rest, 1));
   part.weights = rows(whole.weights, whole.handles);
   part.offsets = rows(whole.offsets, 1);
   return part;
@@ -75,7 +75,8 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
     if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
   if (entry(scheme.weighting.weights).on_surface) {
-    surface_weights_ = bind(model_, *cage_, scheme.weighting, pool_, progress);
+    surface_weights_ = deform::bind(mesh::lent(model_), *cage_, scheme.weighting, EngineKind::staged, nullptr,
+                                    pool_, progress);
   } else if (weights == Weights::kept && has_room_to_keep(n, weigher_.handles())) {
     const std::size_t block = handle_block(weigher_.handles());
     parts_.resize((n + block - 1) / block);
@@ -95,7 +96,7 @@ std::vector<Vec3> ExactDeformer::ways(const Binding& part, const SharedShape& sh
                                       std::size_t begin) const {
   if (!shape) return {};
   std::vector<Vec3> ways;
-  for (std::size_t i = 0; i < part.vertices; ++i) ways.push_back((*shape)[begin + i] - part.rest[i]);
+  for (std::size_t i = 0; i < part.vertices; ++i) ways.push_back((*shape)[begin + i] - (*part.rest)[i]);
   return follower_ ? follower_->followed({part, part.shares}, ways) : ways;
 }
 

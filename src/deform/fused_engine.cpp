@@ -61,9 +61,10 @@ void write_rest_rows(const Vec3& middle, std::span<const double> rows, std::span
 
 }  // namespace
 
-FusedEngine::FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
+FusedEngine::FusedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool,
                          const sym3::Kernel& kernel)
-    : binding_(std::move(binding)),
+    : bound_(std::move(binding)),
+      binding_(bound_->tiles),
       pool_(pool),
       kernel_(frame_kernel(kernel)),
       tiles_(kernel_.forms[static_cast<std::size_t>(form)]),
@@ -95,15 +96,24 @@ void FusedEngine::set_shape(std::span<const Vec3> ways) {
   drag_.placed = false;
   knows_rest_ = false;
   rest_.clear(), offsets_.clear();
+  ways_ = ways;
   if (ways.empty()) return;
-  rest_ = binding_->rest, offsets_ = binding_->offsets;
-  const TileLines<float> rest{rest_.data(), 3}, offsets{offsets_.data(), 3};
-  for_leaves([&](std::size_t leaf) {
-    for (std::size_t slot = binding_->leaves.begin(leaf); slot < binding_->leaves.end(leaf); ++slot) {
-      const Vec3 way = (1 / binding_->unit) * ways[binding_->leaves.order[slot]];
-      rest.set(slot, 0, rest.three(slot, 0) + way);
-      offsets.set(slot, 0, offsets.three(slot, 0) + way);
-    }
+  offsets_ = binding_->offsets;
+  const TileLines<float> offsets{offsets_.data(), 3};
+  for_slots([&](std::size_t slot, std::uint32_t v) {
+    offsets.set(slot, 0, offsets.three(slot, 0) + (1 / binding_->unit) * ways[v]);
+  });
+}
+
+// Fills rest_, if the frame needs it.
+void FusedEngine::fill_rest() {
+  const bool needed = !shares_.empty() || form_ == RowForm::maps || has_moments(form_);
+  if (!needed || !rest_.empty()) return;
+  rest_.resize(binding_->offsets.size());
+  const VertexBlock block{.binding = *bound_, .ways = ways_};
+  for_slots([&](std::size_t slot, std::uint32_t v) {
+    TileLines<float>{rest_.data(), 3}.set(slot, 0,
+                                          (1 / binding_->unit) * (block.rest(v) - bound_->rest_origin));
   });
 }
 
@@ -135,6 +145,7 @@ void FusedEngine::prepare(const CageState& state) {
   base::Stopwatch watch;
   if (!std::ranges::equal(state.moving(), drag_.moving)) drag_ = {};
   origin_ = state.rows().origin;
+  fill_rest();
   fill_table(state.rows());
   if (has_moments(form_) && !knows_rest_) fill_rest_moments(state.rows());
   follow_drag(state);
@@ -169,7 +180,7 @@ void FusedEngine::blend(const CageState& state, std::span<double> sums) {
 void FusedEngine::share(std::size_t slot, double* sums) const {
   const double share = shares_[slot];
   const std::size_t center = shape(form_).center;
-  const float* rest = this->rest().data() + slot / lanes * lanes * 3 + slot % lanes;
+  const float* rest = rest_.data() + slot / lanes * lanes * 3 + slot % lanes;
   for (std::size_t c = 0; c < columns_; ++c) {
     sums[c] *= share;
     if (c >= center)
@@ -221,8 +232,8 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
   const std::size_t begin = b.leaves.begin(leaf), slots = b.leaves.end(leaf) - begin;
   base::AlignedVector<float> own(slots * sums_), table = table_;
   const TileLines<float> moments{rest_moments_.data() + begin * rest_moment_lines, rest_moment_lines};
-  const TileLines<const float> sums{own.data(), sums_}, rest{b.rest.data() + begin * 3, 3},
-      offsets{b.offsets.data() + begin * 3, 3}, shaped{this->offsets().data() + begin * 3, 3};
+  const TileLines<const float> sums{own.data(), sums_}, rest{rest_.data() + begin * 3, 3},
+      offsets{this->offsets().data() + begin * 3, 3};
   for (std::size_t s = 0; s < slots; ++s) moments.set(s, 0, unit * (rest.three(s, 0) - offsets.three(s, 0)));
   write_offset_rows(table);
   const auto sum = [&] { tiles_.blend(leaf_run(leaf, table.data()), own.data()); };
@@ -240,7 +251,7 @@ void FusedEngine::fill_rest_moments(std::size_t leaf, double unit) {
     sym3::Mat3<double> m;
     for (std::size_t i = 0; i < 9; ++i) m[i] = sums.at(s, i);
     const Vec3 near = moments.three(s, 0);
-    const RestMoment r = rest_moment(m, off[s], weight[s], near - middle, unit * shaped.three(s, 0), unit);
+    const RestMoment r = rest_moment(m, off[s], weight[s], near - middle, unit * offsets.three(s, 0), unit);
     moments.set(s, 3, off[s]);
     moments.set(s, 6, r.dual);
     moments.at(s, 9) = static_cast<float>(r.scale);
@@ -265,7 +276,7 @@ void FusedEngine::follow_drag(const CageState& state) {
   dragging_ = false;
   if (moving.empty()) return;
   if (drag_.moving.empty()) {
-    if (few * moving.size() > binding_->handles) return;
+    if (few * moving.size() > binding_->handles || few_factors(moving.size())) return;
     begin_drag(moving);
     drag_.resting = state.resting_revision();
   } else if (drag_.resting != state.resting_revision()) {
@@ -275,6 +286,12 @@ void FusedEngine::follow_drag(const CageState& state) {
   dragging_ = true;
   for (std::size_t m = 0; m < moving.size(); ++m)
     std::copy_n(row_of(table_, moving[m]), columns_, row_of(drag_.rows, m));
+}
+
+// True if a frame from all factors reads less than a frame from cached sums and weights of moving handles.
+bool FusedEngine::few_factors(std::size_t moving) const {
+  const TiledBinding& b = *binding_;
+  return b.compressed() && b.factor_count() + b.skeleton.size() < b.leaves.slot_count() * (sums_ + moving);
 }
 
 void FusedEngine::begin_drag(Handles moving) {
@@ -381,7 +398,7 @@ TileRun FusedEngine::leaf_run(std::size_t leaf, const float* table) const {
   }
   const LeafFactors& f = b.factored[leaf];
   const float* rows = f.dense ? table : skeleton_table_.data() + f.pivots * columns_;
-  return {tiles, f.rank, b.factors.data() + f.first, rows, nullptr};
+  return {tiles, f.rank, b.factors_of(leaf), rows, nullptr};
 }
 
 // Returns the kernel's input for a leaf. If a drag moves handles with weight in the leaf, the input contains
@@ -410,7 +427,7 @@ void FusedEngine::place_vertices() {
     TileRun run = frame_run(leaf);
     run.mean = mean_.data();
     if (!shares_.empty()) run.shares = shares_.data() + begin;
-    tiles_.place(run, rest().data() + begin * 3, offsets().data() + begin * 3,
+    tiles_.place(run, rest_.empty() ? nullptr : rest_.data() + begin * 3, offsets().data() + begin * 3,
                  positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }
@@ -457,6 +474,15 @@ void FusedEngine::compute_normals() {
 template <class Body>
 void FusedEngine::for_leaves(const Body& body) {
   pool_.for_blocks(binding_->leaves.count(), 1, [&](std::size_t leaf, std::size_t) { body(leaf); });
+}
+
+// Calls body(slot, vertex) for all slots.
+template <class Body>
+void FusedEngine::for_slots(const Body& body) {
+  const std::vector<std::uint32_t>& order = binding_->leaves.order;
+  pool_.for_blocks(order.size(), leaf_slots, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot) body(slot, order[slot]);
+  });
 }
 
 }  // namespace viete::deform

@@ -16,9 +16,10 @@ namespace viete::deform {
 /// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
 /// The engines' positions differ by at most 1e-6 of the diagonal, plus twice the compression tolerance.
 ///
-/// If at most a quarter of the handles move in a drag, the cost is proportional to the number of moved
-/// handles. The first frame of the drag stores the sums of all other handles. Later frames add the moved
-/// rows, and skip leaves where no moved handle has weight. Up to rounding, the results equal full frames.
+/// If at most a quarter of the handles move in a drag, and weights have more factors than rows have columns,
+/// the cost is proportional to the number of moved handles. The first frame of the drag stores the sums of
+/// all other handles. Later frames add the moved rows, and skip leaves where no moved handle has weight. Up
+/// to rounding, the results equal full frames.
 ///
 /// Vertices where no moved handle has weight keep all bits under two conditions: weights are not compressed,
 /// and the pose's origin (see pose_origin) and the mean of the rows do not change.
@@ -27,8 +28,8 @@ namespace viete::deform {
 /// data that do not depend on the pose, and takes three times as long as later frames.
 class FusedEngine : public Engine {
 public:
-  /// binding must not be null.
-  FusedEngine(std::shared_ptr<const TiledBinding> binding, RowForm form, base::WorkerPool& pool,
+  /// `binding` must have tiles.
+  FusedEngine(std::shared_ptr<const Binding> binding, RowForm form, base::WorkerPool& pool,
               const sym3::Kernel& kernel = sym3::kernel());
 
   void set_mask(const Mask& mask) override;
@@ -49,16 +50,17 @@ public:
 private:
   using Handles = std::span<const std::uint32_t>;
 
-  const base::AlignedVector<float>& rest() const { return rest_.empty() ? binding_->rest : rest_; }
   const base::AlignedVector<float>& offsets() const {
     return offsets_.empty() ? binding_->offsets : offsets_;
   }
   void prepare(const CageState& state);
   void fill_table(const Rows& rows);
+  void fill_rest();
   void fill_rest_moments(const Rows& rows);
   void fill_rest_moments(std::size_t leaf, double unit);
   void choose_mean();
   void follow_drag(const CageState& state);
+  bool few_factors(std::size_t moving) const;
   void begin_drag(Handles moving);
   std::size_t list_moving();
   void pack_whole(std::size_t leaf);
@@ -73,11 +75,14 @@ private:
   void finish(base::Stopwatch& watch);
   template <class Body>
   void for_leaves(const Body& body);
+  template <class Body>
+  void for_slots(const Body& body);
   template <class Vector>
   auto row_of(Vector& table, std::size_t handle) const {
     return table.begin() + static_cast<std::ptrdiff_t>(handle * columns_);
   }
 
+  std::shared_ptr<const Binding> bound_;
   std::shared_ptr<const TiledBinding> binding_;
   base::WorkerPool& pool_;
   const FrameKernel& kernel_;
@@ -93,10 +98,12 @@ private:
   base::AlignedVector<float> skeleton_table_;  // [pivot][column]
   base::AlignedVector<float> positions_;       // slots and ghosts as x y z x, see Rings
   base::AlignedVector<FrameVertex> vertices_;
-  base::AlignedVector<float> shares_;          // [slot]; empty: all 1
-  base::AlignedVector<float> rest_, offsets_;  // the binding's values plus the shape; empty without a shape
-  std::vector<std::uint8_t> leaf_moved_;       // [leaf]: 1 if slots of the leaf moved in this frame
-  std::vector<std::uint32_t> slots_;           // slot of each vertex; only filled if there are probes
+  base::AlignedVector<float> shares_;   // [slot]; empty: all 1
+  std::span<const Vec3> ways_;          // displacements of the shape
+  base::AlignedVector<float> offsets_;  // the binding's offsets plus the shape; empty without a shape
+  base::AlignedVector<float> rest_;     // as offsets_, but from the middle of the rest cage; see fill_rest()
+  std::vector<std::uint8_t> leaf_moved_;  // [leaf]: 1 if slots of the leaf moved in this frame
+  std::vector<std::uint32_t> slots_;      // slot of each vertex; only filled if there are probes
   ProbeTiles probes_;
   bool dragging_ = false;
   Vec3 origin_{0, 0, 0};  // origin of the frame's rows

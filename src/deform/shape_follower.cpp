@@ -16,10 +16,10 @@ std::vector<Vec3> ShapeFollower::followed(std::span<const double> sums, std::spa
   return all;
 }
 
-std::span<const Vec3> ShapeFollower::followed(const Binding& binding, const Mask& mask,
+std::span<const Vec3> ShapeFollower::followed(const std::shared_ptr<const Binding>& binding, const Mask& mask,
                                               std::span<const Vec3> ways, base::WorkerPool& pool) {
-  if (!binding.tiles) return followed_ = followed({binding, product(binding.shares, values(mask))}, ways);
-  if (!blender_) blender_ = std::make_unique<FusedEngine>(binding.tiles, state_.rows().form, pool);
+  if (!binding->tiles) return followed_ = followed({*binding, product(binding->shares, values(mask))}, ways);
+  if (!blender_) blender_ = std::make_unique<FusedEngine>(binding, state_.rows().form, pool);
   if (mask_ != mask) blender_->set_mask(mask);
   mask_ = mask;
   sums_.resize(ways.size() * map_shape.columns);

@@ -26,8 +26,8 @@ public:
 
   void set_pose(const Pose& pose) { state_.set_pose(pose); }
   /// Returns v' for all vertices. The mask scales the shares. Uses tiles if the binding has them.
-  std::span<const Vec3> followed(const Binding& binding, const Mask& mask, std::span<const Vec3> ways,
-                                 base::WorkerPool& pool);
+  std::span<const Vec3> followed(const std::shared_ptr<const Binding>& binding, const Mask& mask,
+                                 std::span<const Vec3> ways, base::WorkerPool& pool);
   /// Returns v' for a block's vertices. block.ways must be empty. Thread-safe between calls of set_pose().
   std::vector<Vec3> followed(const VertexBlock& block, std::span<const Vec3> ways) const;
 

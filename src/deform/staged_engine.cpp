@@ -209,7 +209,7 @@ void StagedEngine::run(const CageState& state, sym3::Method method) {
     times_[Link::probes] = watch.lap_ms();
   }
   run_link(Link::normals, [&](std::size_t begin, std::size_t end) {
-    mesh::vertex_normals(positions_, binding_->triangles, binding_->around, begin, end, normals_);
+    mesh::vertex_normals(positions_, binding_->model->triangles, binding_->around, begin, end, normals_);
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 p = positions_[i] - rows.origin;
       vertices_[i] = {{float(p[0]), float(p[1]), float(p[2])}, base::pack_normal(normals_[i])};

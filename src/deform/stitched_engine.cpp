@@ -252,14 +252,15 @@ Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, d
 
 }  // namespace
 
-StitchedEngine::StitchedEngine(std::shared_ptr<const TiledBinding> binding,
+StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
                                std::shared_ptr<const Stitching> stitching, RowForm form, int iterations,
                                base::WorkerPool& pool)
-    : binding_(std::move(binding)),
+    : bound_(std::move(binding)),
+      binding_(bound_->tiles),
       stitching_(std::move(stitching)),
       form_(form),
       iterations_(iterations),
-      blender_(binding_, form, pool),
+      blender_(bound_, form, pool),
       stitcher_(*stitching_, form, pool),
       slots_(slots_of(binding_->leaves)),
       held_(vertices_of(stitching_->holds)),
@@ -296,9 +297,10 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
 std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices, sym3::Method method) const {
   const std::size_t columns = shape(form_).columns;
   Binding some;
+  some.rest = std::make_shared<const std::vector<mesh::Point>>(picked(std::span(*bound_->rest), vertices));
+  some.rest_origin = bound_->rest_origin;
   std::vector<double> sums;
   for (const auto v : vertices) {
-    some.rest.push_back(vector_of_slot(binding_->rest, slots_[v], binding_->unit));
     some.offsets.push_back(vector_of_slot(binding_->offsets, slots_[v], binding_->unit));
     const auto from = std::span(sums_).subspan(v * columns, columns);
     sums.insert(sums.end(), from.begin(), from.end());

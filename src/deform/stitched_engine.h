@@ -70,9 +70,9 @@ private:
 /// error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
-  /// `binding` and `stitching` must not be null, and must belong to the same model, cage and kind of
+  /// `binding` must have tiles. `binding` and `stitching` must belong to the same model, cage and kind of
   /// elements. `form` must be logs or maps, and `iterations` must be 1 or more.
-  StitchedEngine(std::shared_ptr<const TiledBinding> binding, std::shared_ptr<const Stitching> stitching,
+  StitchedEngine(std::shared_ptr<const Binding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
   void set_mask(const Mask& mask) override;
@@ -87,6 +87,7 @@ public:
                             sym3::Method method = sym3::Method::fast) const;
 
 private:
+  std::shared_ptr<const Binding> bound_;
   std::shared_ptr<const TiledBinding> binding_;
   std::shared_ptr<const Stitching> stitching_;
   RowForm form_;

@@ -212,10 +212,12 @@ private:
     Binding& b = s.pinned;
     b.vertices = s.pins.size();
     b.rest_origin = middle(cage_.surface.positions);
+    std::vector<mesh::Point> rest;
     for (const auto& pin : s.pins) {
-      b.rest.push_back(model_.positions[pin.vertex]);
-      b.offsets.push_back(model_.positions[pin.vertex] - centers[pin.handle]);
+      rest.push_back(model_.positions[pin.vertex]);
+      b.offsets.push_back(rest.back() - centers[pin.handle]);
     }
+    b.rest = std::make_shared<const std::vector<mesh::Point>>(std::move(rest));
   }
 
   const mesh::Surface& model_;

@@ -18,6 +18,7 @@ namespace {
 
 using mesh::none;
 
+constexpr double clustered_part = 0.8;  // fraction of the time that clustering takes
 constexpr int most_halvings = 5;
 // Number of rings to search around a cluster. With it, each vertex finds all clusters within its reach, so
 // weights are continuous between clusters.
@@ -201,12 +202,12 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
     for (auto& v : t) v = place[v];
     if (!mesh::repeats_corner(t)) triangles_.push_back(t);
   }
-  if (progress) progress->report(0);
+  if (progress) progress->report(0.1);
   const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
   cluster(target, place, owned, progress);
   place_clusters();
   triangles_ = {};
-  if (progress) progress->report(0);
+  if (progress) progress->report(0.9);
   move_to(owned);
   adopt_loose_vertices();
   find_neighbours();
@@ -216,13 +217,14 @@ void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>&
                            std::span<const std::uint32_t> apart, base::Progress* progress) {
   Clusters clusters(model_, triangles_);
   double cell = std::sqrt(1.3 * clusters.total_area() / static_cast<double>(target));
+  double left = 0.8;
+  const auto divide = [&] {
+    if (progress) progress->report(0.9 - (left *= 0.85));
+    return clusters.divide(cell);
+  };
   for (int tries = 0; tries < 6; ++tries) {
-    if (progress) progress->report(0);
-    std::size_t count = clusters.divide(cell);
-    while (count <= target && clusters.refine(apart)) {
-      if (progress) progress->report(0);
-      count = clusters.divide(cell);
-    }
+    std::size_t count = divide();
+    while (count <= target && clusters.refine(apart)) count = divide();
     if (count <= target) break;
     cell *= 1.03 * std::sqrt(static_cast<double>(count) / static_cast<double>(target));
   }
@@ -418,11 +420,14 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
 }
 
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                           base::WorkerPool& pool, base::Progress* progress, double done,
-                           std::size_t clusters)
-    : proxy_(model, cage, weighting.elements, clusters, pool, progress),
+                           base::WorkerPool& pool, base::Progress* progress, std::size_t clusters)
+    : proxy_([&] {
+        const base::Subsection part(progress, 0, clustered_part);
+        return SurfaceProxy(model, cage, weighting.elements, clusters, pool, progress);
+      }()),
       handles_(handle_count(cage, weighting.elements)) {
-  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, done / 2, proxy_.owned());
+  const base::Subsection rest(progress, clustered_part, 1);
+  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, proxy_.owned());
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);
   const auto store = [&](const SurfaceSystem::Solved& solved) {
@@ -431,7 +436,7 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
         weights_[c * handles_ + solved.first + j] = static_cast<float>(std::max(solved.of(c)[j], 0.0));
     }
   };
-  system.solve(store, pool, progress, done / 2, done);
+  system.solve(store, pool, progress);
   for (std::size_t c = 0; c < n; ++c) {
     const std::span row(weights_.data() + c * handles_, handles_);
     const auto sum = std::accumulate(row.begin(), row.end(), 0.0);

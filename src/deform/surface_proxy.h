@@ -72,10 +72,9 @@ private:
 /// negative.
 class ProxyWeights {
 public:
-  /// Solves on about `clusters` clusters. Reports progress up to `done`. Errors: see SurfaceSystem.
+  /// Solves on about `clusters` clusters. Errors: see SurfaceSystem.
   ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-               base::WorkerPool& pool, base::Progress* progress, double done,
-               std::size_t clusters = proxy_vertices);
+               base::WorkerPool& pool, base::Progress* progress, std::size_t clusters = proxy_vertices);
 
   /// Writes a vertex's weights. row.size() is the number of handles. Thread-safe.
   void row(std::uint32_t vertex, std::span<double> row) const;

@@ -20,6 +20,7 @@ namespace viete::deform {
 
 namespace {
 
+constexpr double factored_part = 0.4;  // fraction of the time before solve()
 constexpr double spring_per_handle = 1;
 // If a body's area is below this multiple of the mean area per handle, handles own no vertex in the body.
 constexpr double least_body = 0.1;
@@ -135,13 +136,13 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 }
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                             base::WorkerPool& pool, base::Progress* progress, double done,
+                             base::WorkerPool& pool, base::Progress* progress,
                              std::span<const std::uint32_t> candidates)
-    : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress, done, candidates) {}
+    : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress, candidates) {}
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
                              const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress,
-                             double done, std::span<const std::uint32_t> candidates)
+                             std::span<const std::uint32_t> candidates)
     : owned_(owned_vertices(joined, cage, weighting.elements, pool, candidates)),
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
@@ -151,15 +152,16 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
   if (weighting.weights == Weights::biharmonic) {
-    plate_.emplace(laplacian_, held, is_owned, std::move(springs), loads(), pool, progress, done);
+    const base::Subsection part(progress, 0, factored_part);
+    plate_.emplace(laplacian_, held, is_owned, std::move(springs), loads(), pool, progress);
   } else {
     std::vector<bool> free(is_owned.size());
     for (std::uint32_t v = 0; v < free.size(); ++v) free[v] = held.holds(v) && !is_owned[v];
-    solver_.emplace(grounded(laplacian_.stiffness, free), pool, told(progress, 0, done));
+    solver_.emplace(grounded(laplacian_.stiffness, free), pool, told(progress, 0, factored_part));
   }
   const auto source = sources(joined, laplacian_.stiffness, held);
   for (const auto v : mesh::lowest_in_place(model.positions)) offsets_.push_back(solver().place(source[v]));
-  if (progress) progress->report(done);
+  if (progress) progress->report(factored_part);
 }
 
 // Couples parts that are near to each other. In bodies with many owners per area, weakens the springs.
@@ -217,14 +219,14 @@ void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<do
 }
 
 void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
-                          base::Progress* progress, double from, double to) const {
+                          base::Progress* progress) const {
   std::atomic<std::size_t> solved{0};
   pool.for_blocks(handles(), solved_columns, [&](std::size_t begin, std::size_t end) {
     base::AlignedVector<double> block(solver().unknowns() * solved_columns, 0.0);
     solve_block(begin, end, block);
     store({begin, end - begin, block, offsets_});
     const auto count = static_cast<double>(solved += end - begin);
-    if (progress) progress->report(std::lerp(from, to, count / static_cast<double>(handles())));
+    if (progress) progress->report(std::lerp(factored_part, 1.0, count / static_cast<double>(handles())));
   });
 }
 

@@ -72,11 +72,11 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 /// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {
 public:
-  /// Factors the matrix. Reports progress up to `done`. For `candidates`, see owned_vertices(). Throws
-  /// base::Cancelled. Throws base::Error if the model has no triangles, memory is insufficient, or the system
-  /// has no solution in double precision.
+  /// Factors the matrix. Reports less than half of the progress. For `candidates`, see owned_vertices().
+  /// Throws base::Cancelled. Throws base::Error if the model has no triangles, memory is insufficient, or the
+  /// system has no solution in double precision.
   SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                base::WorkerPool& pool, base::Progress* progress = nullptr, double done = 1,
+                base::WorkerPool& pool, base::Progress* progress = nullptr,
                 std::span<const std::uint32_t> candidates = {});
 
   std::size_t vertices() const { return offsets_.size(); }
@@ -90,13 +90,13 @@ public:
     const double* of(std::size_t vertex) const { return block.data() + offsets[vertex]; }
   };
   /// Calls store() for all handles, from any thread of the pool. Weights are invalid after store() returns.
-  /// Reports progress from `from` to `to`. Throws base::Cancelled. Results do not depend on the thread count.
+  /// Reports the rest of the progress. Throws base::Cancelled. Results do not depend on the thread count.
   void solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
-             base::Progress* progress, double from = 0, double to = 1) const;
+             base::Progress* progress) const;
 
 private:
   SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
-                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress, double done,
+                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress,
                 std::span<const std::uint32_t> candidates);
   void couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
                     std::span<const std::uint32_t> candidates, std::vector<double>& springs,

@@ -53,13 +53,13 @@ HeldParts held_parts(const SparseMatrix& stiffness, const std::vector<bool>& has
 
 ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts,
                      const std::vector<bool>& has_spring, std::vector<double> springs,
-                     std::vector<Load> loads, base::WorkerPool& pool, base::Progress* progress, double done)
+                     std::vector<Load> loads, base::WorkerPool& pool, base::Progress* progress)
     : masses_(laplacian.masses),
       parts_(parts),
       part_masses_(masses_of_parts(parts, masses_)),
       strengths_(std::move(springs)),
       loads_(std::move(loads)),
-      solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored * done)) {
+      solver_(grounded(laplacian.stiffness, free_vertices(parts)), pool, told(progress, 0, factored)) {
   for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
     if (has_spring[v] && parts_.grounds[parts_.of_vertex[v]] != v) springs_.push_back(v);
   }
@@ -67,7 +67,8 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   base::require_memory({sizeof(double) * count * (3 * count + 2 * static_cast<double>(loads_.size())),
                         "biharmonic weights of " + std::to_string(loads_.size()) + " cage elements take",
                         "use a coarser cage, or other weights", ""});
-  find_forces(stiffness_of_springs(pool, progress, factored * done, done));
+  const base::Subsection rest(progress, factored, 1);
+  find_forces(stiffness_of_springs(pool, progress));
 }
 
 // Calls change(vertex, row of the block) for each vertex of a part with springs.
@@ -102,8 +103,7 @@ void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part
 }
 
 // Returns the matrix K of ThinPlate, by columns.
-std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress,
-                                                    double from, double to) const {
+std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress) const {
   const std::size_t count = springs_.size();
   std::vector<double> stiffness(count * count);
   const auto part = solver_.part_with(springs_);
@@ -117,8 +117,7 @@ std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base
         stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
     }
     solved += end - begin;
-    if (progress)
-      progress->report(std::lerp(from, to, static_cast<double>(solved) / static_cast<double>(count)));
+    if (progress) progress->report(static_cast<double>(solved) / static_cast<double>(count));
   });
   return stiffness;
 }

@@ -49,11 +49,11 @@ public:
   };
   /// A vertex must not occur twice. At all other vertices, t is 0.
   using Load = std::vector<Target>;
-  /// Reports progress up to `done`. Throws base::Cancelled. Throws base::Error if memory is insufficient or
+  /// Throws base::Cancelled. Throws base::Error if memory is insufficient or
   /// no solution exists in double precision. Needs memory for springs^2 + springs * loads numbers.
   ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts, const std::vector<bool>& has_spring,
             std::vector<double> springs, std::vector<Load> loads, base::WorkerPool& pool,
-            base::Progress* progress = nullptr, double done = 1);
+            base::Progress* progress = nullptr);
 
   const BlockSolver& solver() const { return solver_; }
   /// Writes the w of the loads [begin, end) to `block`. Vertices of parts without springs get 0. `block`
@@ -64,8 +64,7 @@ private:
   template <class Change>
   void for_rows(std::span<double> block, const Change& change) const;
   void bend(std::span<double> block, const std::vector<Supernode>* part = nullptr) const;
-  std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress, double from,
-                                           double to) const;
+  std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress) const;
   void find_forces(std::vector<double> stiffness);
 
   const std::vector<double> masses_;

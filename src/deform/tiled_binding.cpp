@@ -16,6 +16,7 @@ namespace viete::deform {
 
 namespace {
 
+constexpr double laid_out_part = 0.15;      // fraction of the time that lay_out() takes
 constexpr std::size_t fewest_handles = 32;  // with fewer handles, weights are not compressed
 constexpr double worth_factoring = 0.7;  // factors must reduce the multiply-adds to less than this fraction
 
@@ -85,7 +86,7 @@ public:
         weigher_(cage, weighting),
         pool_(pool),
         progress_(progress),
-        b_(lay_out(model, cage, weighting)) {}
+        b_(lay_out(model, cage, weighting, progress)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
     if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
@@ -94,6 +95,7 @@ public:
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
+    const base::Subsection leaves(progress_, solved_, 1);
     switch (wanted.value_or(compress           ? Storage::factors
                             : shares.lists < 1 ? Storage::lists
                                                : Storage::dense)) {
@@ -125,42 +127,41 @@ private:
   }
 
   template <class Body>
-  void for_leaves(const Body& body) {
-    std::atomic<std::size_t> next{0}, done{0};
+  void for_leaves(std::size_t begin, std::size_t end, const Body& body) {
+    std::atomic<std::size_t> next{begin}, done{begin};
     const auto count = static_cast<double>(b_.leaves.count());
     pool_.for_blocks(static_cast<std::size_t>(pool_.threads()), 1, [&](std::size_t, std::size_t) {
       LeafWeights w;
-      for (std::size_t leaf; (leaf = next++) < b_.leaves.count();) {
+      for (std::size_t leaf; (leaf = next++) < end;) {
         body(leaf, w);
-        if (progress_) progress_->report(std::lerp(solved_, 1.0, static_cast<double>(++done) / count));
+        if (progress_) progress_->report(static_cast<double>(++done) / count);
       }
     });
   }
 
   // Computes the weights of all vertices: [group of sixteen handles][vertex][handle of the group].
   void solve_surface_weights() {
-    constexpr double factored = 0.3, share = 0.7;  // fractions of the time
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
+    const base::Subsection part(progress_, solved_, 0.7);
+    solved_ = 0.7;
     if (n > most_solved_vertices) return solve_on_proxy();
     const auto sampled = spread_vertices(n, error_sample);
     b_.sample.resize(sampled.size() * k);
     surface_weights_.resize((k + solved_columns - 1) / solved_columns * solved_columns * n);
-    const SurfaceSystem system(model_, weigher_.cage(), b_.weighting, pool_, progress_, factored);
+    const SurfaceSystem system(model_, weigher_.cage(), b_.weighting, pool_, progress_);
     const auto store = [&](const SurfaceSystem::Solved& solved) {
       float* to = surface_weights_.data() + solved.first * n;
       for (std::size_t v = 0; v < n; ++v) to = std::copy_n(solved.of(v), solved_columns, to);
       for (std::size_t s = 0; s < sampled.size(); ++s)
         std::copy_n(solved.of(sampled[s]), solved.count, b_.sample.data() + s * k + solved.first);
     };
-    system.solve(store, pool_, progress_, factored, share);
+    system.solve(store, pool_, progress_);
     for (std::size_t s = 0; s < sampled.size(); ++s)
       normalise(std::span(b_.sample).subspan(s * k, k), b_.weighting.clamped());
-    solved_ = share;
   }
 
   void solve_on_proxy() {
-    solved_ = 0.3;
-    proxy_.emplace(model_, weigher_.cage(), b_.weighting, pool_, progress_, solved_);
+    proxy_.emplace(model_, weigher_.cage(), b_.weighting, pool_, progress_);
     const auto sampled = spread_vertices(b_.leaves.vertices, error_sample);
     b_.sample.resize(sampled.size() * b_.handles);
     for (std::size_t s = 0; s < sampled.size(); ++s)
@@ -220,7 +221,7 @@ private:
   void bind_dense() {
     b_.weights.resize(b_.leaves.slot_count() * b_.handles);
     std::atomic<std::size_t> failed{0};
-    for_leaves([&](std::size_t leaf, LeafWeights& w) {
+    for_leaves(0, b_.leaves.count(), [&](std::size_t leaf, LeafWeights& w) {
       const std::size_t begin = b_.leaves.begin(leaf);
       failed += weigh(leaf, b_.weights.data() + begin * b_.handles, w);
       for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(begin + s, w.sums[s]);
@@ -381,7 +382,7 @@ private:
 
   void bind_lists() {
     std::vector<LeafList> lists(b_.leaves.count());
-    for_leaves([&](std::size_t leaf, LeafWeights& w) {
+    for_leaves(0, b_.leaves.count(), [&](std::size_t leaf, LeafWeights& w) {
       lists[leaf] = list_leaf(leaf, w);
       for (std::size_t s = 0; s < slots(leaf); ++s) set_offset(b_.leaves.begin(leaf) + s, w.sums[s]);
       keep_shares(leaf, w);
@@ -399,23 +400,19 @@ private:
 
   void bind_factors(double tolerance) {
     std::vector<LeafResult> results(b_.leaves.count());
-    b_.factored.resize(b_.leaves.count());
-    for_leaves([&](std::size_t leaf, LeafWeights& w) {
-      results[leaf] = factor(leaf, tolerance, w);
-      auto& f = b_.factored[leaf];
-      f.dense = results[leaf].factors.pivots.empty();
-      f.rank = static_cast<std::uint32_t>(f.dense ? b_.handles : results[leaf].factors.pivots.size());
-      if (f.dense) results[leaf].factors.factors = w.rows;
-      set_factored_offsets(leaf, results[leaf], w);
-      keep_shares(leaf, w);
-    });
-    const auto sizes = b_.lay_out_factors();
-    b_.factors.resize(sizes.factors);
-    b_.skeleton.assign(sizes.skeleton, 0.0f);
-    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
-      store_leaf(b_.factored[leaf], results[leaf]);
-      results[leaf] = {};
+    for (std::size_t begin = 0; begin < results.size(); begin += portion_leaves) {
+      const std::size_t end = std::min(begin + portion_leaves, results.size());
+      for_leaves(begin, end, [&](std::size_t leaf, LeafWeights& w) {
+        results[leaf] = factor(leaf, tolerance, w);
+        if (results[leaf].factors.pivots.empty()) results[leaf].factors.factors = w.rows;
+        set_factored_offsets(leaf, results[leaf], w);
+        keep_shares(leaf, w);
+      });
+      store_factors(std::span(results).subspan(begin, end - begin));
     }
+    store_pivots(results);
+    results = {};
+    base::release_freed_memory();
   }
 
   // Sets the offsets for factored weights, so that a cage at rest reproduces the model at rest.
@@ -429,13 +426,36 @@ private:
     }
   }
 
-  void store_leaf(const LeafFactors& f, const LeafResult& r) {
-    std::copy(r.factors.factors.begin(), r.factors.factors.end(),
-              b_.factors.begin() + static_cast<std::ptrdiff_t>(f.first));
-    for (std::size_t t = 0; t < r.factors.pivots.size(); ++t) {
-      const std::size_t slot = f.pivots + t;
-      float* row = b_.skeleton.data() + slot / lanes * lanes * b_.handles + slot % lanes;
-      for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = r.pivot_rows[t * b_.handles + j];
+  // Moves the factors of the next leaves to a new portion.
+  void store_factors(std::span<LeafResult> results) {
+    base::AlignedVector<float> portion;
+    std::size_t size = 0;
+    for (const LeafResult& r : results) size += r.factors.factors.size();
+    portion.reserve(size);
+    for (LeafResult& r : results) {
+      LeafFactors f{.first = portion.size(), .dense = r.factors.pivots.empty()};
+      f.rank = static_cast<std::uint32_t>(f.dense ? b_.handles : r.factors.pivots.size());
+      b_.factored.push_back(f);
+      portion.insert(portion.end(), r.factors.factors.begin(), r.factors.factors.end());
+      r.factors.factors = {};
+    }
+    b_.factors.push_back(std::move(portion));
+  }
+
+  void store_pivots(std::span<LeafResult> results) {
+    std::size_t count = 0;
+    for (std::size_t leaf = 0; leaf < results.size(); ++leaf) {
+      b_.factored[leaf].pivots = static_cast<std::uint32_t>(count);
+      count += results[leaf].factors.pivots.size();
+    }
+    b_.skeleton.assign((count + slot_block - 1) / slot_block * slot_block * b_.handles, 0.0f);
+    std::size_t slot = 0;
+    for (LeafResult& r : results) {
+      for (std::size_t t = 0; t < r.factors.pivots.size(); ++t, ++slot) {
+        float* row = b_.skeleton.data() + slot / lanes * lanes * b_.handles + slot % lanes;
+        for (std::size_t j = 0; j < b_.handles; ++j) row[j * lanes] = r.pivot_rows[t * b_.handles + j];
+      }
+      r.pivot_rows = {};
     }
   }
 
@@ -446,7 +466,7 @@ private:
   TiledBinding b_;
   base::AlignedVector<float> surface_weights_;  // for weights along the surface: all vertices
   std::optional<ProxyWeights> proxy_;           // replaces surface_weights_ for large models
-  double solved_ = 0;                           // progress after solving weights along the surface
+  double solved_ = laid_out_part;               // progress after solving weights along the surface
 };
 
 }  // namespace
@@ -457,27 +477,24 @@ bool compressible(std::size_t vertices, std::size_t handles) {
 
 void TiledBinding::kept_row(std::size_t slot, std::span<double> row) const {
   const std::size_t leaf = slot / leaf_slots, in_leaf = slot - leaves.begin(leaf);
-  // Reads a number of an array [tile][place][lane] that begins at values[first]; s is a slot of the leaf.
-  const auto at = [](const base::AlignedVector<float>& values, std::size_t first, std::size_t places,
-                     std::size_t s, std::size_t place) -> double {
-    return values[first + (s / lanes * places + place) * lanes + s % lanes];
+  // Reads a number of an array [tile][place][lane]; s is a slot of the leaf.
+  const auto at = [](const float* values, std::size_t places, std::size_t s, std::size_t place) -> double {
+    return values[(s / lanes * places + place) * lanes + s % lanes];
   };
   std::fill(row.begin(), row.end(), 0.0);
   if (has_lists()) {
     const auto listed_here = list(leaf);
     for (std::size_t r = 0; r < listed_here.size(); ++r)
-      row[listed_here[r]] = at(weights, first_weight(leaf), listed_here.size(), in_leaf, r);
+      row[listed_here[r]] = at(weights.data() + first_weight(leaf), listed_here.size(), in_leaf, r);
   } else if (!compressed() || factored[leaf].dense) {
-    const auto& [values, first] =
-        compressed()
-            ? std::pair<const base::AlignedVector<float>&, std::size_t>(factors, factored[leaf].first)
-            : std::pair<const base::AlignedVector<float>&, std::size_t>(weights, first_weight(leaf));
-    for (std::size_t j = 0; j < handles; ++j) row[j] = at(values, first, handles, in_leaf, j);
+    const float* values = compressed() ? factors_of(leaf) : weights.data() + first_weight(leaf);
+    for (std::size_t j = 0; j < handles; ++j) row[j] = at(values, handles, in_leaf, j);
   } else {
     const LeafFactors& f = factored[leaf];
     for (std::size_t t = 0; t < f.rank; ++t) {
-      const double factor = at(factors, f.first, f.rank, in_leaf, t);
-      for (std::size_t j = 0; j < handles; ++j) row[j] += factor * at(skeleton, 0, handles, f.pivots + t, j);
+      const double factor = at(factors_of(leaf), f.rank, in_leaf, t);
+      for (std::size_t j = 0; j < handles; ++j)
+        row[j] += factor * at(skeleton.data(), handles, f.pivots + t, j);
     }
   }
 }
@@ -489,7 +506,7 @@ std::vector<std::size_t> spread_vertices(std::size_t vertices, std::size_t limit
 }
 
 std::size_t TiledBinding::bytes() const {
-  return sizeof(float) * (weights.size() + offsets.size() + factors.size() + skeleton.size()) +
+  return sizeof(float) * (weights.size() + offsets.size() + factor_count() + skeleton.size()) +
          sizeof(std::uint32_t) * listed.size();
 }
 
@@ -505,16 +522,10 @@ std::size_t TiledBinding::listed_weights() const {
   return sum;
 }
 
-TiledBinding::Sizes TiledBinding::lay_out_factors() {
-  std::size_t size = 0, pivots = 0;
-  for (std::size_t leaf = 0; leaf < factored.size(); ++leaf) {
-    LeafFactors& f = factored[leaf];
-    f.first = size;
-    f.pivots = static_cast<std::uint32_t>(pivots);
-    size += (leaves.end(leaf) - leaves.begin(leaf)) * f.rank;
-    pivots += f.dense ? 0 : f.rank;
-  }
-  return {size, (pivots + slot_block - 1) / slot_block * slot_block * handles};
+std::size_t TiledBinding::factor_count() const {
+  std::size_t count = 0;
+  for (const auto& portion : factors) count += portion.size();
+  return count;
 }
 
 Shares shares_of(const TiledBinding& b) {
@@ -524,20 +535,19 @@ Shares shares_of(const TiledBinding& b) {
   return shares;
 }
 
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting) {
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
+                     base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   TiledBinding b;
   b.weighting = weighting;
   b.handles = handle_count(cage, weighting.elements);
   b.leaves = make_leaves(model.positions, triangle_counts(model));
+  if (progress) progress->report(laid_out_part / 2);
   b.rings = make_rings(b.leaves, model.triangles);
+  if (progress) progress->report(laid_out_part);
   b.unit = std::exp2(std::round(std::log2(cage.diagonal)));
   b.offsets.resize(b.leaves.slot_count() * 3);
-  b.rest.resize(b.offsets.size());
   if (weighting.partial()) b.shares.resize(b.leaves.slot_count());
-  const Vec3 origin = middle(cage.surface.positions);
-  for (std::size_t slot = 0; slot < b.leaves.slot_count(); ++slot)
-    set_slot(b.rest, slot, model.positions[b.leaves.order[slot]] - origin, b.unit);
   return b;
 }
 
@@ -548,8 +558,8 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
   // The terms are bytes per vertex: weights, rest position, offset, a frame's results, triangles, adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // The terms are bytes of weights, rest position, offset, position, vertex, neighbours, rest in double.
-  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 12 + 20 + 32 + 20 + 24;
+  // The terms are bytes of weights, offset, position, vertex, neighbours.
+  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 20 + 32 + 20;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)
     bytes += surface_system_bytes(vertices) +

@@ -29,10 +29,14 @@ enum class Storage {
   lists,    ///< weights of the handles with nonzero weights in the leaf; lossless
 };
 
+/// Factors are stored in portions of this number of leaves, because one array for all leaves would exist
+/// twice during binding.
+inline constexpr std::size_t portion_leaves = 512;
+
 /// Compressed weights of a leaf: a matrix of factors times the weights of the pivots. Pivots are some
 /// vertices of the leaf (row interpolative decomposition). A frame first blends only the logs of the pivots.
 struct LeafFactors {
-  std::size_t first = 0;  ///< index of the first factor in TiledBinding::factors, [tile][rank][lane]
+  std::size_t first = 0;  ///< index of the first factor in the leaf's portion, [tile][rank][lane]
   std::uint32_t rank = 0;
   std::uint32_t pivots = 0;  ///< index of the first pivot's row in TiledBinding::skeleton
   bool dense = false;        ///< true: factors are the weights, and rank is the number of handles
@@ -51,8 +55,6 @@ struct TiledBinding {
   /// Weights of error_sample vertices in double, see spread_vertices(); rows sum to 1. Empty unless weights
   /// are along the surface, because other weights can be recomputed at any point.
   std::vector<double> sample;
-  base::AlignedVector<float>
-      rest;  ///< [tile][3][lane], from the middle of the rest cage, multiples of `unit`
   base::AlignedVector<float> offsets;  ///< [tile][3][lane], as Binding::offsets, multiples of `unit`
   base::AlignedVector<float> shares;   ///< [slot]; empty unless weights are partial (see Weighting)
   /// [tile][handle][lane] or, if there are lists, [tile][place in the list][lane]; empty if compressed
@@ -60,7 +62,7 @@ struct TiledBinding {
   std::vector<std::size_t> list_starts;  ///< start of each leaf in `listed`, and the end; empty without lists
   std::vector<std::uint32_t> listed;     ///< handles with weight in a leaf, ascending, leaf by leaf
   std::vector<LeafFactors> factored;     ///< one per leaf; empty if not compressed
-  base::AlignedVector<float> factors;
+  std::vector<base::AlignedVector<float>> factors;  ///< one portion for each portion_leaves leaves
   base::AlignedVector<float> skeleton;  ///< pivots' weights [tile][handle][lane]; an even number of tiles
 
   bool compressed() const { return !factored.empty(); }
@@ -83,18 +85,20 @@ struct TiledBinding {
   void kept_row(std::size_t slot, std::span<double> row) const;
   std::size_t bytes() const;        ///< size of weights (or factors) and offsets, which a frame reads once
   std::size_t dense_bytes() const;  ///< bytes() without compression
-  struct Sizes {
-    std::size_t factors, skeleton;
-  };
-  /// Sets `first` and `pivots` of every leaf from `rank` and `dense`. Returns the required sizes.
-  Sizes lay_out_factors();
+  /// The factors of a leaf. The weights must be compressed.
+  const float* factors_of(std::size_t leaf) const {
+    return factors[leaf / portion_leaves].data() + factored[leaf].first;
+  }
+  std::size_t factor_count() const;
 };
 
 /// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// Returns a binding with all members except weights. Throws base::Error if the model has no vertices.
-TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting);
+/// Returns a binding with all members except weights. Reports a sixth of the progress. Throws base::Error if
+/// the model has no vertices.
+TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
+                     base::Progress* progress = nullptr);
 
 /// The handles must be triangles. Returns true if compression may be worth its cost for these sizes.
 bool compressible(std::size_t vertices, std::size_t handles);

@@ -46,7 +46,7 @@ Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> poin
   b.weighting = weigher.weighting();
   b.vertices = points.size();
   b.handles = weigher.handles();
-  b.rest.assign(points.begin(), points.end());
+  b.rest = std::make_shared<const std::vector<mesh::Point>>(points.begin(), points.end());
   b.rest_origin = weigher.origin();
   b.weights.reserve(b.vertices * b.handles);
   b.offsets.reserve(b.vertices);
@@ -56,7 +56,7 @@ Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> poin
 void add_row(const Weigher& weigher, std::span<const double> weights, Binding& b) {
   b.weights.insert(b.weights.end(), weights.begin(), weights.end());
   b.offsets.push_back(rest_offset(weigher.cage(), weigher.handle_positions(),
-                                  b.rest[b.offsets.size()] - weigher.origin(), weights));
+                                  (*b.rest)[b.offsets.size()] - weigher.origin(), weights));
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
     binding_.tiles->kept_row(slots_[vertices[i]], kept);
     return kept;
   };
-  Binding part = weighed_part(weigher_, picked(std::span(binding_.rest), vertices), row);
+  Binding part = weighed_part(weigher_, picked(std::span(*binding_.rest), vertices), row);
   part.shares = product(std::move(part.shares), picked(values(mask_), vertices));
   return part;
 }
@@ -126,7 +126,7 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
                      std::span<const Vec3> ways, const Rows& rows, const ProbeLayer* layer,
                      std::span<const Vec3> shown) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
-  auto exact = picked(std::span(binding.rest), vertices);
+  auto exact = picked(std::span(*binding.rest), vertices);
   const Binding part = weighed_part(weigher, exact, [&](std::size_t i) {
     return std::span(binding.tiles->sample).subspan(i * weigher.handles(), weigher.handles());
   });

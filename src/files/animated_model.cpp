@@ -46,11 +46,10 @@ bool AnimatedModel::can_fuse() const {
 void AnimatedModel::make_fast(double most, std::span<const double> tried, base::Progress* progress) {
   const deform::Weighting& weighting = model_.scheme.weighting;
   constexpr double uncompressed = 0;  // compression would add more error than rounding to float
-  deform::Binding known;
-  known.tiles = std::make_shared<const deform::TiledBinding>(
+  auto tiles = std::make_shared<const deform::TiledBinding>(
       deform::bind_tiles(*model_.model, *model_.cage, weighting, pool_, uncompressed, progress));
-  auto binding = std::make_shared<const deform::Binding>(deform::bind(
-      *model_.model, *model_.cage, weighting, deform::EngineKind::fused, &known, pool_, progress));
+  auto binding = std::make_shared<const deform::Binding>(
+      deform::with_tiles(model_.model, *model_.cage, std::move(tiles)));
   deformer_ = std::make_unique<deform::Deformer>(model_.cage, std::move(binding), model_.scheme, pool_);
   deformer_->set_mask(model_.mask);
   for (const double frame : tried) run_fast(frame);

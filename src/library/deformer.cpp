@@ -120,11 +120,12 @@ struct Deformer::Impl {
   deform::Deformer& live(base::Progress* progress = nullptr) {
     if (live_) return *live_;
     const bool staged = deform::engine_for(scheme, method) == deform::EngineKind::staged;
-    auto binding = std::make_shared<const deform::Binding>(
-        deform::bind(model, *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool, progress));
+    auto binding = std::make_shared<const deform::Binding>(deform::bind(
+        mesh::lent(model), *cage, scheme.weighting, deform::EngineKind::fused, nullptr, pool, progress));
     if (staged)
-      binding = std::make_shared<const deform::Binding>(deform::bind(
-          model, *cage, scheme.weighting, deform::EngineKind::staged, binding.get(), pool, progress));
+      binding = std::make_shared<const deform::Binding>(
+          deform::bind(mesh::lent(model), *cage, scheme.weighting, deform::EngineKind::staged, binding.get(),
+                       pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
     if (scheme.stitched())
       stitching = std::make_shared<const deform::Stitching>(

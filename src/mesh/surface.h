@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -57,6 +58,11 @@ bool same_faces(const Surface& a, const Surface& b);
 
 /// Makes a surface of triangles. Each triangle is a polygon.
 Surface from_triangles(std::vector<Point> positions, const std::vector<Triangle>& triangles);
+
+/// Returns a pointer that does not own the surface. The surface must outlive all copies of the pointer.
+inline std::shared_ptr<const Surface> lent(const Surface& surface) {
+  return {std::shared_ptr<void>(), &surface};
+}
 
 /// An axis-aligned bounding box. If there are no points, both corners are 0.
 struct Bounds {

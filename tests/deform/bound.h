@@ -60,12 +60,19 @@ struct Bound {
   Deformer deformer;
 };
 
+/// Returns a binding of the bound model with these tiles.
+inline std::shared_ptr<const Binding> with_tiles(const Bound& bound,
+                                                 std::shared_ptr<const TiledBinding> tiles) {
+  return std::make_shared<const Binding>(
+      deform::with_tiles(mesh::lent(bound.model), *bound.cage, std::move(tiles)));
+}
+
 /// A fused engine and the state of its cage.
 struct FusedFrame {
-  FusedFrame(std::shared_ptr<const Cage> cage, const std::shared_ptr<const TiledBinding>& tiles,
-             base::WorkerPool& pool, const sym3::Kernel& kernel = sym3::kernel(), Blend blend = Blend::srl)
-      : state(std::move(cage), tiles->weighting.elements, blend),
-        engine(tiles, state.rows().form, pool, kernel) {}
+  FusedFrame(std::shared_ptr<const Cage> cage, std::shared_ptr<const Binding> binding, base::WorkerPool& pool,
+             const sym3::Kernel& kernel = sym3::kernel(), Blend blend = Blend::srl)
+      : state(std::move(cage), binding->weighting.elements, blend),
+        engine(std::move(binding), state.rows().form, pool, kernel) {}
 
   void deform(const Pose& pose) {
     state.set_pose(pose);
@@ -93,8 +100,9 @@ struct Frames {
       : scheme(scheme_),
         staged(model, cage, scheme.weighting, threads, scheme.blend),
         fused(staged.cage,
-              std::make_shared<const Binding>(
-                  bind(model, *staged.cage, scheme.weighting, EngineKind::fused, nullptr, staged.pool)),
+              std::make_shared<const Binding>(deform::bind(mesh::lent(staged.model), *staged.cage,
+                                                           scheme.weighting, EngineKind::fused, nullptr,
+                                                           staged.pool)),
               scheme, staged.pool,
               scheme.stitched() ? std::make_shared<const Stitching>(
                                       stitch(model, *staged.cage, staged.pool, scheme.holding))

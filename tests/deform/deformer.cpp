@@ -14,7 +14,7 @@ using namespace viete::test;
 TEST_CASE("apply_stretches_first_then_turns_then_moves") {
   Binding b;
   b.vertices = 1;
-  b.rest.resize(1);
+  b.rest = std::make_shared<const std::vector<viete::mesh::Point>>(1);
   b.offsets = {{1, 2, 3}};
   const std::vector<double> sums{0, 0, 0, 0, 0, 0, 0, 0, 90 * degree, 10, 20, 30};
   const std::vector<viete::sym3::Sym3<double>> stretches = {{2, 0, 0, 3, 0, 1}};
@@ -31,7 +31,7 @@ Binding random_binding(std::size_t vertices, std::size_t handles, Random& random
   b.handles = handles;
   for (std::size_t i = 0; i < vertices * handles; ++i) b.weights.push_back(random(0, 1));
   for (std::size_t i = 0; i < vertices; ++i) b.offsets.push_back(random.vector(1));
-  b.rest.resize(vertices);
+  b.rest = std::make_shared<const std::vector<viete::mesh::Point>>(vertices);
   return b;
 }
 
@@ -161,9 +161,9 @@ TEST_CASE("the_fused_engine_runs_method_fast_and_every_scheme_without_an_exponen
       const auto &a = matrices[i], &b = same[i];
       CHECK(std::abs(a.xx - b.xx) + std::abs(a.xy - b.xy) + std::abs(a.zz - b.zz) < bound);
     }
-    const auto both =
-        std::make_shared<const Binding>(bind(f.staged.model, *f.staged.cage, scheme.weighting,
-                                             EngineKind::staged, &f.fused.binding(), f.staged.pool));
+    const auto both = std::make_shared<const Binding>(
+        viete::deform::bind(viete::mesh::lent(f.staged.model), *f.staged.cage, scheme.weighting,
+                            EngineKind::staged, &f.fused.binding(), f.staged.pool));
     CHECK(both->tiles == f.fused.binding().tiles);
     Deformer any(f.staged.cage, both, scheme, f.staged.pool);
     any.deform(pose, Method::fast);

@@ -21,7 +21,7 @@ struct Fused {
       : pool(threads),
         binding(std::make_shared<const TiledBinding>(bind_tiles(
             staged.model, *staged.cage, staged.binding->weighting, pool, tolerance, nullptr, storage))),
-        frame(staged.cage, binding, pool, kernel) {}
+        frame(staged.cage, with_tiles(staged, binding), pool, kernel) {}
 
   std::vector<viete::mesh::Point> positions() const { return frame.positions(); }
   std::vector<viete::mesh::Point> normals() const { return frame.normals(); }

@@ -150,7 +150,7 @@ TEST_CASE("fitted_maps_have_the_same_bits_for_every_instruction_set_and_storage"
       base::WorkerPool pool(threads);
       const auto tiles = std::make_shared<const TiledBinding>(
           bind_tiles(b.model, *b.cage, scheme.weighting, pool, 0, nullptr, storage));
-      FusedFrame fused(b.cage, tiles, pool, kernel, fit);
+      FusedFrame fused(b.cage, with_tiles(b, tiles), pool, kernel, fit);
       fused.deform(pose);
       return fused.positions();
     };

@@ -78,7 +78,7 @@ TEST_CASE("weights_by_a_proxy_are_near_those_of_the_whole_model") {
   const mesh::Surface model = ring(30'000);
   const deform::Cage& cage = box_cage();
   const deform::Binding whole = deform::bind(model, cage, biharmonic, pool);
-  const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 1, 4000);
+  const deform::ProxyWeights weights(model, cage, biharmonic, pool, nullptr, 4000);
   std::vector<double> row(whole.handles);
   double worst = 0;
   for (std::uint32_t v = 0; v < whole.vertices; v += 11) {

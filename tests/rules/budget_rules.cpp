@@ -22,23 +22,23 @@ using Budget = std::map<std::string, std::size_t>;
 // two thirds of the time, render has memory from which a GPU copies the vertices of a frame, and mesh sorts
 // coarse triangles.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7205},      {"base", 2016},          {"bench", 5034},    {"blender", 591},
-    {"cages", 3522},   {"deform", 13229},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3817},
-    {"formats", 8378}, {"interact", 2500}, {"library", 925},        {"mesh", 2978},     {"platform", 966},
+    {"analysis", 616}, {"app", 7205},      {"base", 2050},          {"bench", 5034},    {"blender", 591},
+    {"cages", 3521},   {"deform", 13307},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3816},
+    {"formats", 8378}, {"interact", 2500}, {"library", 926},        {"mesh", 2984},     {"platform", 966},
     {"python", 1319},  {"render", 2269},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5895},
 };
-constexpr std::size_t all_lines_of_src = 79'946;
+constexpr std::size_t all_lines_of_src = 80'063;
 
 // deform, mesh and render test this, and one fuzzer has a table of all readers. support has the helpers of
 // several folders. files and interact have longer names of the window's state.
 const Budget lines_of_tests = {
     {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 795},      {"bench", 610},
-    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7038},   {"document", 3074},
+    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7047},   {"document", 3074},
     {"files", 2283},   {"formats", 3347}, {"fuzz", 381},     {"interact", 1461}, {"mesh", 1716},
     {"platform", 295}, {"program", 7012}, {"python", 758},   {"releases", 113},  {"render", 981},
     {"rules", 697},    {"support", 1344}, {"sym3", 3661},    {"ui", 13},         {"workspace", 2159},
 };
-constexpr std::size_t all_lines_of_tests = 41'252;
+constexpr std::size_t all_lines_of_tests = 41'261;
 
 // The README has the time of 12.8 million vertices since its last value.
 constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'678;
