@@ -7,6 +7,7 @@
 #include "deform/binding.h"
 #include "deform/stitching.h"
 #include "document/document.h"
+#include "mesh/drawing.h"
 
 namespace viete::app {
 
@@ -15,6 +16,7 @@ struct Bound {
   std::shared_ptr<const deform::Cage> cage;
   std::shared_ptr<const deform::Binding> binding;
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme is bound
+  std::shared_ptr<const deform::Binding> draft{};        ///< binding of the model's draft, or null
 
   bool stitches(const deform::Scheme& scheme) const {
     return stitching && stitching->holding == scheme.holding;
@@ -26,8 +28,10 @@ struct Bound {
 };
 
 /// Binds the model for the engines of this scheme and method. Reuses parts of `known` with the same input.
-/// Throws base::Error if memory is insufficient, base::Cancelled if cancelled. Thread-safe.
+/// Also binds the draft if there is one. Throws base::Error if memory is insufficient, base::Cancelled if
+/// cancelled. Thread-safe.
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
-           const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress);
+           const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
+           const std::shared_ptr<const mesh::Draft>& draft = nullptr);
 
 }  // namespace viete::app

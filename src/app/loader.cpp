@@ -58,8 +58,8 @@ Loaded load(const files::OpenRequest& request, const document::Document& current
   }
   if (!document.has_cage()) return loaded;
   progress.step(document::binding_plan(document, document.scheme.weighting));
-  loaded.bound =
-      app::bind(document.model.surface, document.cage, document.scheme, document.method, {}, progress);
+  loaded.bound = app::bind(document.model.surface, document.cage, document.scheme, document.method, {},
+                           progress, loaded.shading.draft);
   return loaded;
 }
 

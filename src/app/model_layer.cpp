@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <future>
 #include <map>
 #include <utility>
 
@@ -154,7 +155,6 @@ ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& att
 }
 
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving) {
-  constexpr std::size_t coarse_triangles = 300'000;
   ModelShading shading;
   const auto& surface = model.surface;
   const auto& positions = surface->positions;
@@ -165,11 +165,15 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
     mesh::vertex_normals(positions, surface->triangles, around, begin, end, normals);
     for (std::size_t v = begin; v < end; ++v) shading.normals[v] = base::pack_normal(normals[v]);
   });
+  auto draft = std::async([&] {  // beside the shading of creases
+    if (surface->triangles.size() <= moving) return mesh::Draft();
+    return mesh::draft_of(*surface, normals, model.bounds, model.summary.area,
+                          std::max<std::size_t>(moving / 12, 1));
+  });
   shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
   if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals);
-  if (surface->triangles.size() > moving)
-    shading.coarse =
-        mesh::clustered_triangles(*surface, model.summary.area, std::min(coarse_triangles, moving));
+  if (mesh::Draft made = draft.get(); !made.vertices.empty())
+    shading.draft = std::make_shared<const mesh::Draft>(std::move(made));
   shading.surface = surface;
   return shading;
 }
@@ -178,10 +182,15 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   const mesh::Surface& model = *document.model.surface;
   const ModelLooks& looks = shading.looks;
   surface_.set_triangles(looks.triangles.empty() ? model.triangles : looks.triangles, model.positions.size());
-  surface_.set_coarse_triangles(shading.coarse);
   surface_.set_looks(looks.looks);
   surface_.set_occlusion(shading.occlusion);
-  shadow_.set_triangles(model.triangles, model.positions);
+  draft_ = shading.draft;
+  const mesh::Surface& seen = draft_ ? draft_->surface : model;
+  shadow_.set_triangles(seen.triangles, seen.positions);
+  if (draft_) {
+    coarse_.set_triangles(seen.triangles, seen.positions.size());
+    coarse_.set_occlusion(draft_->picked(std::span(shading.occlusion)));
+  }
   vertices_ = model.positions.size();
   colored_.reset();
   set_rest(document, shading);
@@ -189,11 +198,13 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
 
 void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
   surface_.set_positions(document.model.surface->positions, shading.normals);
-  shadow_.set_positions(document.model.surface->positions);
+  shadow_.set_positions(draft_ ? draft_->surface.positions : document.model.surface->positions);
+  if (draft_) coarse_.set_positions(draft_->surface.positions, draft_->picked(std::span(shading.normals)));
 }
 
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
   surface_.set_vertices(vertices, origin);
+  if (draft_) return set_draft(draft_->picked(vertices), origin);
   shadow_.set_vertices(vertices, origin);
 }
 
@@ -206,14 +217,16 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   if (field != analysis::Field::none && shown.stats.field == field) wanted.field = shown.values;
   if (colored_ == wanted || vertices_ == 0) return false;
   colored_ = wanted;
-  if (!wanted.by_mask) {
-    surface_.set_palette(wanted.symmetric ? render::diverging_palette() : render::surface_palette());
-    surface_.set_scalars(wanted.field ? *wanted.field : std::vector<float>());
-    return true;
-  }
   const render::Theme theme = render::theme(w.view.options.dark);
-  surface_.set_palette(render::blend_palette({theme.held, theme.model}, 64));
-  surface_.set_scalars(wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f));
+  const auto palette = wanted.by_mask     ? render::blend_palette({theme.held, theme.model}, 64)
+                       : wanted.symmetric ? render::diverging_palette()
+                                          : render::surface_palette();
+  std::vector<float> scalars;
+  if (wanted.by_mask) scalars = wanted.mask ? *wanted.mask : std::vector<float>(vertices_, 1.0f);
+  if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
+  surface_.set_palette(palette), surface_.set_scalars(scalars);
+  if (draft_)
+    coarse_.set_palette(palette), coarse_.set_scalars(draft_->picked(std::span(std::as_const(scalars))));
   return true;
 }
 

@@ -11,6 +11,7 @@
 #include "deform/binding.h"
 #include "deform/rows.h"
 #include "formats/attributes.h"
+#include "mesh/drawing.h"
 #include "mesh/surface.h"
 #include "render/mark_layers.h"
 #include "render/shadow_layer.h"
@@ -38,22 +39,26 @@ struct ModelShading {
   std::vector<base::PackedNormal> normals;       ///< vertex normals at rest
   std::vector<float> occlusion;                  ///< see mesh/drawing.h
   ModelLooks looks;                              ///< empty if the file has no materials
-  std::vector<mesh::Triangle> coarse;            ///< triangles to draw in motion; empty: draw all triangles
+  std::shared_ptr<const mesh::Draft> draft;      ///< to draw in motion; null: draw the model itself
 };
 
-/// If the model has more than `moving` triangles, adds coarse triangles. Takes linear time on all processors,
+/// If the model has more than `moving` triangles, adds a draft. Takes linear time on all processors,
 /// plus the time to decode images. Thread-safe.
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving);
 
 class ModelLayer {
 public:
-  explicit ModelLayer(const render::Gl& gl) : surface_(gl), shadow_(gl) {}
+  explicit ModelLayer(const render::Gl& gl) : surface_(gl), coarse_(gl), shadow_(gl) {}
 
   /// Sets the model of the document, at rest.
   void set_document(const document::Document& document, const ModelShading& shading);
   void set_rest(const document::Document& document, const ModelShading& shading);
   /// Sets the deformed vertices, relative to origin.
   void set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  /// Sets the deformed vertices of the draft. There must be a draft.
+  void set_draft(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+    coarse_.set_vertices(vertices, origin), shadow_.set_vertices(vertices, origin);
+  }
   /// If the mask is shown, colours the mesh by the mask. Otherwise, colours the mesh by the field if `shown`
   /// has values of this field. Returns true if the colours change.
   bool set_colors(const workspace::Workspace& workspace, analysis::Field field,
@@ -63,16 +68,19 @@ public:
   /// Sets in `style` whether the mesh has colours, and the range of the colour map.
   void span(render::SurfaceStyle& style, const workspace::FieldView& shown) const;
 
-  void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style) const {
-    surface_.draw(view, theme, style);
+  /// If `coarse`, draws the draft, except with looks.
+  void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
+            bool coarse) const {
+    (coarse && draft_ && !style.takes_looks() ? coarse_ : surface_).draw(view, theme, style);
   }
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);
   }
 
 private:
-  render::SurfaceLayer surface_;
-  render::ShadowLayer shadow_;
+  std::shared_ptr<const mesh::Draft> draft_;
+  render::SurfaceLayer surface_, coarse_;  // coarse_: the draft; empty without a draft
+  render::ShadowLayer shadow_;             // the shadow of the draft or, without a draft, of the model
   std::size_t vertices_ = 0;
   // The input of the current colours.
   struct Colored {

@@ -85,13 +85,14 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
   bound.amounts = scheme.amounts;
   if (bound != scheme) return renew_deformer(scheme);
   deformer_->set_amounts(scheme.amounts);
-  derived_.reset();
+  if (draft_) draft_->set_amounts(scheme.amounts);
+  derived_.reset(), drafted_.reset();
 }
 
 // Discards all data computed from the old surfaces.
 void LiveModel::follow_surfaces(workspace::Workspace& w, Bound bound) {
   binder_.cancel();
-  deformer_.reset();
+  deformer_.reset(), draft_.reset();
   bound_ = {};
   no_cage_.reset();
   around_ = {};
@@ -105,7 +106,8 @@ void LiveModel::start_binding(const document::Document& document) {
   bind_for({scheme_of(document), document.method, same_path_}, document.model.surface, cage_of(document),
            bound_,
            document.has_cage() ? document::binding_plan(document, document.scheme.weighting)
-                               : "Preparing the model for probes");
+                               : "Preparing the model for probes",
+           draft_of(document));
 }
 
 void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
@@ -117,11 +119,17 @@ void LiveModel::take_binding(workspace::Workspace& w, bool wait) {
 
 constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
+std::shared_ptr<const mesh::Draft> LiveModel::draft_of(const document::Document& document) {
+  const ModelShading& shading = files_.shading();
+  return document.has_cage() && shading.surface == document.model.surface ? shading.draft : nullptr;
+}
+
 void LiveModel::install(workspace::Workspace& w, Bound bound) {
   for (const auto& warning : bound.binding->warnings) w.messages.warn(warning, of_cage);
   w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
   renew_deformer(scheme_of(w.document));
+  if (!bound_.draft && draft_of(w.document)) start_binding(w.document);  // binds only the draft
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
@@ -130,7 +138,9 @@ void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
 
 void LiveModel::renew_deformer(const deform::Scheme& scheme) {
   make_deformer(scheme, same_path_, pool_);
-  derived_.reset();
+  draft_ =
+      bound_.draft ? std::make_unique<deform::Deformer>(bound_.cage, bound_.draft, scheme, pool_) : nullptr;
+  derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }
 
@@ -162,7 +172,7 @@ bool LiveModel::deforms(const document::Document& document) const {
 
 bool LiveModel::is_due(const document::Document& document) const {
   return surfaces_ != document.revisions().surfaces || cage_revision_ != document.revisions().cage ||
-         weights_ != document.revisions().weights || deforms(document);
+         weights_ != document.revisions().weights || (deforms(document) && !shows_draft(document));
 }
 
 bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
@@ -186,6 +196,22 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   }
   drag_.after(*deformer_, drag);
   return deformed;
+}
+
+bool LiveModel::shows_draft(const document::Document& document) const {
+  return deforms(document) && drafted_ == derived_of(document);
+}
+
+bool LiveModel::deform_draft(workspace::Workspace& w, workspace::FrameTimes& times) {
+  const document::Document& document = w.document;
+  const bool plain = document.has_cage() && !document.mask && !document.shape && document.probes.all.empty();
+  if (!draft_ || !derived_ || !plain || changes_rest(w) || !draft_->engine(document.method))
+    return deform(w, times);
+  if (!deforms(document) || shows_draft(document)) return false;
+  draft_->deform(document.pose, document.method);
+  workspace::take_report(w, draft_->state().report());
+  drafted_ = derived_of(document);
+  return draft_news_ = true;
 }
 
 void LiveModel::take_carried(document::Document& document) {

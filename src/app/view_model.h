@@ -99,12 +99,13 @@ protected:
     friend bool operator==(const Need&, const Need&) = default;
   };
   void bind_for(const Need& need, std::shared_ptr<const mesh::Surface> model,
-                std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "") {
+                std::shared_ptr<const deform::Cage> cage, const Bound& known, std::string name = "",
+                std::shared_ptr<const mesh::Draft> draft = nullptr) {
     // If all methods use the staged engine, binds as for `diag`, which always uses the staged engine.
     const sym3::Method method = need.staged ? sym3::Method::diag : need.method;
     binder_.start(
         [=, scheme = need.scheme](base::Progress& progress) {
-          return app::bind(model, cage, scheme, method, known, progress);
+          return app::bind(model, cage, scheme, method, known, progress, draft);
         },
         std::move(name));
   }
@@ -139,7 +140,7 @@ private:
 class LiveModel : public ViewModel {
 public:
   explicit LiveModel(FileDesk& files) : files_(files) {}
-  ~LiveModel() { deformer_.reset(); }
+  ~LiveModel() { deformer_.reset(), draft_.reset(); }
 
   struct Changed {
     bool document = false, cage = false;
@@ -157,8 +158,15 @@ public:
   /// The first frame after a binding fills caches, so the times of this frame are not representative. The
   /// next call repeats this frame.
   bool deform(workspace::Workspace& workspace, workspace::FrameTimes& times);
+  /// Works like deform(), but if possible deforms only the draft. Then deformer() keeps the last frame of the
+  /// model, and the next deform() is due.
+  bool deform_draft(workspace::Workspace& workspace, workspace::FrameTimes& times);
+  /// The deformer of the draft if the draft was deformed since the last call, otherwise null.
+  const deform::Deformer* take_draft() { return std::exchange(draft_news_, false) ? draft_.get() : nullptr; }
 
-  /// True if follow() or deform() would do something now.
+  /// True if the draft shows the current pose, but the model does not.
+  bool shows_draft(const document::Document& document) const;
+  /// True if follow() or deform_draft() would do something now.
   bool is_due(const document::Document& document) const;
   /// True if the last frame was the first frame after a binding.
   bool prepared() const { return prepared_; }
@@ -176,6 +184,7 @@ private:
   void take_binding(workspace::Workspace& workspace, bool wait);
   void install(workspace::Workspace& workspace, Bound bound);
   std::shared_ptr<const deform::Cage> cage_of(const document::Document& document);
+  std::shared_ptr<const mesh::Draft> draft_of(const document::Document& document);
   static deform::Scheme scheme_of(const document::Document& document);
   void take_carried(document::Document& document);
   document::Carried carried_pin(const document::Document& document, const deform::Probe& probe);
@@ -196,8 +205,10 @@ private:
   static Derived derived_of(const document::Document& document) {
     return {document.revisions().pose, document.revisions().method, document.mask};
   }
-  // The input of the last frame. If nullopt, the next deform() computes a frame.
-  std::optional<Derived> derived_;
+  // The input of the last frame, and of the draft. If nullopt, the next deform() computes a frame.
+  std::optional<Derived> derived_, drafted_;
+  std::unique_ptr<deform::Deformer> draft_;  // null without a draft
+  bool draft_news_ = false;
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
   bool same_path_ = false;                      // true: all methods use the staged engine
   std::optional<document::Revision> given_up_;  // revision of the pose when the first binding was cancelled

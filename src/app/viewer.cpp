@@ -55,7 +55,8 @@ Viewer::Viewer(const render::Gl& gl, const ViewerOptions& options)
                                         {render::diverging_palette(33), &field_colors_.diverging}})
     for (const glm::vec3& c : palette) colors->push_back(ImGui::ColorConvertFloat4ToU32({c.x, c.y, c.z, 1}));
   workspace_.about = {version(), build_type(), std::string(sym3::kernel_name()), gl.renderer, gl.software};
-  if (gl.software && options.may_be_coarse) workspace_.about.moving_triangles = options.moving_triangles;
+  if (options.may_be_coarse)
+    workspace_.about.moving_triangles = (gl.software ? 1 : 4) * options.moving_triangles;
   try {
     workspace_.files.example = bundled_model().loop;
   } catch (const std::exception&) {  // without the bundled model, offers no example
@@ -267,9 +268,20 @@ void Viewer::finish_checks() {
 }
 
 void Viewer::deform(workspace::FrameTimes& times) {
-  deformed_ = model_.deform(workspace_, times);
+  deformed_ = may_draft() ? model_.deform_draft(workspace_, times) : model_.deform(workspace_, times);
   deformed_ |= sides_.follow(workspace_, model_);
   workspace_.frame.posed = posed_in(workspace_.view.split.active);
+}
+
+bool Viewer::moves_coarsely() {
+  const bool usual = gl_.software || files_.shading().draft;
+  return options_.may_be_coarse && workspace_.preferences.coarse_motion.value_or(usual);
+}
+
+// True if the view may show only the draft in motion, until it is refined.
+bool Viewer::may_draft() {
+  return moves_coarsely() && !refines_ && !take_screenshot_ && workspace_.view.options.deformed &&
+         !workspace_.view.split.on() && !workspace_.checks.shown && renderer_.draws_drafts(workspace_);
 }
 
 // The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.
@@ -359,6 +371,8 @@ void Viewer::upload(workspace::FrameTimes& times) {
     if ((news || switched) && !posed.vertices.empty())
       renderer_.set_model(view, posed.vertices, posed.origin);
   }
+  if (const deform::Deformer* draft = model_.take_draft())
+    renderer_.set_draft(draft->vertices(), draft->origin());
   renderer_.set_colors(workspace_);
   times.upload = watch.lap_ms();
 }
@@ -371,15 +385,14 @@ void Viewer::panels(workspace::FrameTimes& times) {
   times.panels = watch.lap_ms();
 }
 
-// Continuous motion may be drawn coarsely. A single step of a small model is drawn at full resolution.
+// Continuous motion may be drawn coarsely. A single step of a model without a draft is drawn completely.
 Fineness Viewer::fineness(const ViewDrawing& wanted) {
-  if (take_screenshot_) return view_.finest();
-  if (view_.shows(wanted)) return refines_ ? view_.finest() : view_.fineness();
+  if (take_screenshot_ || refines_) return view_.finest();
+  if (view_.shows(wanted)) return view_.fineness();
   last_change_ = base::wall_seconds();
-  if (!moves_) return Fineness::plain;
-  const bool repeated = last_frame_ - last_motion_ < still_seconds || !files_.shading().coarse.empty();
-  return options_.may_be_coarse && repeated && workspace::draws_coarsely(workspace_) ? Fineness::coarse
-                                                                                     : Fineness::plain;
+  if (model_.shows_draft(workspace_.document)) return Fineness::coarse;
+  const bool repeated = last_frame_ - last_motion_ < still_seconds || files_.shading().draft;
+  return moves_ && repeated && moves_coarsely() ? Fineness::coarse : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {

@@ -23,17 +23,17 @@
 namespace viete::app {
 
 struct ViewerOptions {
-  glm::ivec2 size{1280, 800};     ///< in logical pixels
-  float scale = 1;                ///< device pixels per logical pixel
-  int samples = 0;                ///< samples per pixel; 0: no multisampling
-  int still_samples = 0;          ///< samples per pixel after a quarter of a second at rest; 0: no refinement
-  bool may_be_coarse = false;     ///< true: may draw motion at half the resolution, and large models coarsely
-  bool transparent = false;       ///< true: pictures have a transparent background
-  bool builtin_font = false;      ///< true: text looks the same on every machine, for picture tests
-  bool probe = true;              ///< true: measures the methods in the background
+  glm::ivec2 size{1280, 800};  ///< in logical pixels
+  float scale = 1;             ///< device pixels per logical pixel
+  int samples = 0;             ///< samples per pixel; 0: no multisampling
+  int still_samples = 0;       ///< samples per pixel after a quarter of a second at rest; 0: no refinement
+  bool may_be_coarse = false;  ///< true: may draw motion at half the resolution, and drafts of large models
+  bool transparent = false;    ///< true: pictures have a transparent background
+  bool builtin_font = false;   ///< true: text looks the same on every machine, for picture tests
+  bool probe = true;           ///< true: measures the methods in the background
   std::filesystem::path state{};  ///< folder for preferences and backups, see FileDesk; may be empty
   std::filesystem::path program = "/proc/self/exe";  ///< `viete`, which runs as a child process
-  std::size_t moving_triangles = 2'000'000;          ///< limit for may_be_coarse with software rendering
+  std::size_t moving_triangles = 2'000'000;  ///< larger models have drafts; GPUs have four times this limit
 };
 
 /// Needs a current OpenGL context, which must outlive the viewer. Use only in the context's thread.
@@ -111,6 +111,8 @@ private:
   void scope_messages();
   void follow_notices();
   void deform(workspace::FrameTimes& times);
+  bool moves_coarsely();
+  bool may_draft();
   void enter_view_under_cursor();
   const ViewModel& model_of(std::size_t view) const;
   document::PosedModel posed_in(std::size_t view) const;

@@ -228,7 +228,7 @@ ViewDrawing WorkspaceRenderer::drawing(const workspace::Workspace& w, glm::ivec2
   return d;
 }
 
-void WorkspaceRenderer::draw(const ViewDrawing& d) {
+void WorkspaceRenderer::draw(const ViewDrawing& d, bool coarse) {
   const render::Theme theme = render::theme(d.dark);
   if (d.transparent) {
     gl_.ClearColor(0, 0, 0, 0);
@@ -239,7 +239,7 @@ void WorkspaceRenderer::draw(const ViewDrawing& d) {
   for (std::size_t view = 0; view < d.parts.size(); ++view) {
     const ViewDrawing::Part& part = d.parts[view];
     if (d.parts.size() > 1) clip_to(d, part);
-    draw_part(d, view, theme);
+    draw_part(d, view, theme, coarse);
     gl_.Disable(GL_SCISSOR_TEST);
   }
 }
@@ -252,11 +252,12 @@ void WorkspaceRenderer::clip_to(const ViewDrawing& d, const ViewDrawing::Part& p
   gl_.Scissor(low.x, d.size.y - high.y, high.x - low.x, high.y - low.y);
 }
 
-void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme) {
+void WorkspaceRenderer::draw_part(const ViewDrawing& d, std::size_t view, const render::Theme& theme,
+                                  bool coarse) {
   const ViewDrawing::Part& part = d.parts[view];
   const render::View seen_from = seen(d, part);
   ModelLayer& model = *models_[view];
-  if (d.model) model.draw(seen_from, theme, part.surface);
+  if (d.model) model.draw(seen_from, theme, part.surface, coarse);
   if (d.grid) {
     if (d.model) model.draw_shadow(seen_from, theme, d.shadow);
     grid_.draw(seen_from, theme, d.ground);
@@ -274,23 +275,14 @@ void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view
   cage_vertices_.draw(view, {theme.outline, theme.hover, 0.35f});
 }
 
-namespace {
-
-ViewDrawing coarse(ViewDrawing drawing) {
-  drawing.size = (drawing.size + 1) / 2;
-  drawing.scale /= 2;
-  for (ViewDrawing::Part& part : drawing.parts) part.surface.coarse = true;
-  return drawing;
-}
-
-}  // namespace
-
 bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
   if (shows(drawing) && fineness_ >= fineness) return false;
-  const ViewDrawing now = fineness == Fineness::coarse ? coarse(drawing) : drawing;
-  const int samples[] = {0, samples_.plain, samples_.smooth};
+  const bool coarse = fineness == Fineness::coarse;
+  ViewDrawing now = drawing;
+  if (coarse && halves_) now.size = (now.size + 1) / 2, now.scale /= 2;
+  const int samples[] = {halves_ ? 0 : samples_.plain, samples_.plain, samples_.smooth};
   picture_.begin(now.size, samples[static_cast<int>(fineness)]);
-  renderer.draw(now);
+  renderer.draw(now, coarse);
   picture_.resolve();
   ++count_;
   drawn_ = drawing;

@@ -107,6 +107,14 @@ public:
   void set_views(std::size_t count, const document::Document& document, const ModelShading& shading);
   /// Sets the deformed model of a view, relative to origin.
   void set_model(std::size_t view, std::span<const deform::FrameVertex> vertices, const mesh::Point& origin);
+  /// Sets the deformed draft of the first view's model, relative to origin.
+  void set_draft(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
+    models_[0]->set_draft(vertices, origin), ++content_;
+  }
+  /// True if the first view shows a style in which drafts can be drawn.
+  bool draws_drafts(const workspace::Workspace& workspace) const {
+    return !part(workspace, 0).surface.takes_looks();
+  }
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
   void set_cage(const workspace::Workspace& workspace);
@@ -124,13 +132,13 @@ public:
 
   /// The drawing of the workspace with the current data of the layers. `size` is in device pixels.
   ViewDrawing drawing(const workspace::Workspace& workspace, glm::ivec2 size, float scale) const;
-  /// Draws into the bound framebuffer, which must have the size of the drawing.
-  void draw(const ViewDrawing& drawing);
+  /// Draws into the bound framebuffer, which must have the size of the drawing. If `coarse`, draws drafts.
+  void draw(const ViewDrawing& drawing, bool coarse);
 
 private:
   ViewDrawing::Part part(const workspace::Workspace& workspace, std::size_t view) const;
   void clip_to(const ViewDrawing& drawing, const ViewDrawing::Part& part) const;
-  void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme);
+  void draw_part(const ViewDrawing& drawing, std::size_t view, const render::Theme& theme, bool coarse);
   void set_cage_faces(const document::Document& document);
   void set_shown_edges(const document::Document& document);
   void draw_cage(const ViewDrawing& drawing, const render::View& view, const render::Theme& theme) const;
@@ -158,8 +166,8 @@ private:
   std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture. `coarse`: half the resolution, with the coarse triangles of large models. `plain`:
-/// full resolution. `smooth`: full resolution with more samples.
+/// Quality of a picture. `coarse`: drafts of large models, with software rendering at half the resolution.
+/// `plain`: full resolution. `smooth`: full resolution with more samples.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {
@@ -167,7 +175,8 @@ public:
   struct Samples {
     int plain = 0, smooth = 0;  ///< samples per pixel; plain 0: no multisampling; smooth 0: no refinement
   };
-  ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
+  ViewCache(const render::Gl& gl, const Samples& samples)
+      : samples_(samples), halves_(gl.software), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
   /// If the picture does not show this drawing in this quality yet, draws the picture and returns true.
@@ -183,6 +192,7 @@ public:
 
 private:
   Samples samples_;
+  bool halves_;  // true: coarse pictures have half the resolution
   render::Framebuffer picture_;
   std::optional<ViewDrawing> drawn_;  // the drawing that picture_ shows
   Fineness fineness_ = Fineness::plain;

@@ -1,5 +1,6 @@
 #include "base/background.h"
 
+#include "base/memory.h"
 #include "base/worker_pool.h"
 
 namespace viete::base {
@@ -34,6 +35,7 @@ void BackgroundQueue::serve() {
       lock.unlock();
       task();
     }  // destroys the finished task before the next task begins
+    release_freed_memory();
     lock.lock();
   }
 }

@@ -81,15 +81,16 @@ struct Costs {
 class Binder {
 public:
   Binder(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
-         base::Progress* progress)
+         base::Progress* progress, const KnownRow& known)
       : model_(model),
+        row_(entry(weighting.weights).on_surface ? known : KnownRow()),
         weigher_(cage, weighting),
         pool_(pool),
         progress_(progress),
         b_(lay_out(model, cage, weighting, progress)) {}
 
   TiledBinding bind(double tolerance, std::optional<Storage> wanted) {
-    if (entry(b_.weighting.weights).on_surface) solve_surface_weights();
+    if (entry(b_.weighting.weights).on_surface && !row_) solve_surface_weights();
     const bool local = b_.weighting.partial(), sample = worth_sampling(tolerance) || local;
     require(local ? 0 : sample ? 0.25 : 1);  // the size of lists is unknown before the sample
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
@@ -162,11 +163,11 @@ private:
 
   void solve_on_proxy() {
     proxy_.emplace(model_, weigher_.cage(), b_.weighting, pool_, progress_);
+    row_ = [this](std::uint32_t vertex, std::span<double> row) { proxy_->row(vertex, row); };
     const auto sampled = spread_vertices(b_.leaves.vertices, error_sample);
     b_.sample.resize(sampled.size() * b_.handles);
     for (std::size_t s = 0; s < sampled.size(); ++s)
-      proxy_->row(static_cast<std::uint32_t>(sampled[s]),
-                  std::span(b_.sample).subspan(s * b_.handles, b_.handles));
+      row_(static_cast<std::uint32_t>(sampled[s]), std::span(b_.sample).subspan(s * b_.handles, b_.handles));
   }
 
   // Does the same as Weigher::weigh_tiles() for the vertices of a leaf, with weights that are already solved.
@@ -178,13 +179,13 @@ private:
     for (std::size_t s = 0; s < slots(leaf); s += bind_lanes) {
       for (std::size_t l = 0; l < bind_lanes; ++l) {
         const auto vertex = b_.leaves.order[begin + s + l];
-        if (proxy_) proxy_->row(vertex, row);
-        for (std::size_t j = 0; j < b_.handles && !proxy_; j += solved_columns)
+        if (row_) row_(vertex, row);
+        for (std::size_t j = 0; j < b_.handles && !row_; j += solved_columns)
           std::copy_n(surface_weights_.data() + j * n + vertex * solved_columns,
                       std::min(solved_columns, b_.handles - j), row.data() + j);
         for (std::size_t j = 0; j < b_.handles; ++j) weights[j * bind_lanes + l] = row[j];
       }
-      if (!proxy_ && b_.weighting.clamped()) normalise_lanes(weights);
+      if (!row_ && b_.weighting.clamped()) normalise_lanes(weights);
       double sum[3][lanes];
       kernel.to_rows(weights.data(), {reinterpret_cast<const double(*)[3]>(handles.data()), b_.handles,
                                       rows + s / lanes * lanes * b_.handles + s % lanes, sum[0]});
@@ -196,7 +197,7 @@ private:
   // Returns the number of vertices without mean value coordinates.
   std::size_t weigh(std::size_t leaf, float* rows, LeafWeights& w) const {
     w.sums.resize(slots(leaf)), w.shares.resize(slots(leaf));
-    if (proxy_ || !surface_weights_.empty()) {
+    if (row_ || !surface_weights_.empty()) {
       gather(leaf, rows, w.sums);
       return 0;
     }
@@ -411,8 +412,6 @@ private:
       store_factors(std::span(results).subspan(begin, end - begin));
     }
     store_pivots(results);
-    results = {};
-    base::release_freed_memory();
   }
 
   // Sets the offsets for factored weights, so that a cage at rest reproduces the model at rest.
@@ -460,6 +459,7 @@ private:
   }
 
   const mesh::Surface& model_;
+  KnownRow row_;  // weights along the surface, if they are known or interpolated from a proxy
   Weigher weigher_;
   base::WorkerPool& pool_;
   base::Progress* progress_;
@@ -569,13 +569,13 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
 
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance, base::Progress* progress,
-                        std::optional<Storage> storage) {
+                        std::optional<Storage> storage, const KnownRow& known) {
   const std::size_t n = model.positions.size(), k = handle_count(cage, weighting.elements);
-  if (entry(weighting.weights).on_surface) {
+  if (entry(weighting.weights).on_surface && !known) {
     const auto bytes = static_cast<double>(binding_bytes(n, k, EngineKind::fused, weighting));
     base::require_memory(binding_memory(bytes, n, k));
   }
-  return Binder(model, cage, weighting, pool, progress).bind(tolerance, storage);
+  return Binder(model, cage, weighting, pool, progress, known).bind(tolerance, storage);
 }
 
 }  // namespace viete::deform

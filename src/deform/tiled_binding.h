@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -109,13 +110,17 @@ bool compressible(std::size_t vertices, std::size_t handles);
 std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind engine = EngineKind::staged,
                           const Weighting& weighting = {});
 
+/// Writes the weights of a vertex. Thread-safe.
+using KnownRow = std::function<void(std::uint32_t vertex, std::span<double> row)>;
+
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Weights with a radius are
 /// stored as lists. All other weights are compressed if `tolerance` is not 0 and tests on some leaves show
-/// that this makes frames faster. `storage` overrides these choices. Results do not depend on the number of
-/// threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient or the model has no
-/// vertices.
+/// that this makes frames faster. `storage` overrides these choices. If `known` is not empty, it gives
+/// weights along the surface, which are then not solved for. Results do not depend on the number of threads.
+/// Throws base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
-                        base::Progress* progress = nullptr, std::optional<Storage> storage = {});
+                        base::Progress* progress = nullptr, std::optional<Storage> storage = {},
+                        const KnownRow& known = {});
 
 }  // namespace viete::deform

@@ -81,41 +81,62 @@ std::uint64_t morton_code(const Point& cell) {
 
 }  // namespace
 
-std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted) {
-  std::vector<Triangle> triangles;
+Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& used, double area,
+               std::size_t wanted) {
+  Draft draft;
   // On average, a plane of area A meets 1.5 * A / side^2 cells. There are about two triangles per cell.
   const double side = std::sqrt(3 * area / static_cast<double>(wanted));
-  if (!(side > 0)) return triangles;
-  const Point low = used_bounds(surface).low;
+  if (!(side > 0)) return draft;
   PointIndex index;
   std::vector<Point> cells;
-  std::vector<std::uint32_t> chosen, cell_of(surface.positions.size(), none);
-  const auto take = [&](std::uint32_t v) {
-    const auto place = [&](std::uint32_t w) { return (1 / side) * (surface.positions[w] - low); };
-    const Point at = place(v), cell{std::floor(at[0]), std::floor(at[1]), std::floor(at[2])};
-    const Point middle = cell + Vec3{0.5, 0.5, 0.5};
-    const std::uint32_t c = cell_of[v] = index.find_or_add(cell, cells);
+  std::vector<std::uint32_t>& chosen = draft.vertices;
+  std::vector<std::uint32_t> cell_of(surface.positions.size());
+  struct Nearest {  // to the middle of a cell
+    Vec3 normal;
+    double distance;  // squared
+  };
+  std::vector<Nearest> nearest;
+  for (std::uint32_t v = 0; v < cell_of.size(); ++v) {
+    const Point& p = surface.positions[v];
+    if (!meet(used, {p, p})) continue;  // an unused vertex
+    const Point at = (1 / side) * (p - used.low);
+    Point cell{std::floor(at[0]), std::floor(at[1]), std::floor(at[2])};
+    const double distance = squared_norm(at - cell - Vec3{0.5, 0.5, 0.5});
+    std::uint32_t c = index.find_or_add(cell, cells);
+    if (c < cells.size() && dot(nearest[c].normal, normals[v]) < 0) {  // the other side of a thin part
+      cell[0] += 0.5;
+      c = index.find_or_add(cell, cells);
+    }
+    cell_of[v] = c;
     if (c == cells.size()) {
       cells.push_back(cell);
       chosen.push_back(v);
-    } else if (squared_norm(at - middle) < squared_norm(place(chosen[c]) - middle)) {
+      nearest.push_back({normals[v], distance});
+    } else if (distance < nearest[c].distance) {
       chosen[c] = v;
+      nearest[c] = {normals[v], distance};
     }
-  };
-  for (const Triangle& t : surface.triangles)
-    for (const std::uint32_t v : t)
-      if (cell_of[v] == none) take(v);
-  for (const auto& [a, b, c] : surface.triangles) {
-    const Triangle cells_of{cell_of[a], cell_of[b], cell_of[c]};
-    if (!repeats_corner(cells_of)) triangles.push_back(cells_of);
   }
+  const auto block = [&](std::size_t begin, std::size_t end) {
+    std::vector<Triangle> between;
+    for (std::size_t i = begin; i < end; ++i) {
+      const auto& [a, b, c] = surface.triangles[i];
+      const Triangle cells_of{cell_of[a], cell_of[b], cell_of[c]};
+      if (!repeats_corner(cells_of)) between.push_back(cells_of);
+    }
+    return between;
+  };
+  const auto append = [](std::vector<Triangle> all, std::vector<Triangle> more) {
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  };
+  std::vector<Triangle> triangles = base::sum_of_blocks(surface.triangles.size(), block, append);
   // Near triangles follow each other, so that drawing computes their common vertices once.
   std::vector<std::uint64_t> codes;
   for (const Point& cell : cells) codes.push_back(morton_code(cell));
   std::ranges::sort(triangles, {}, [&](const Triangle& t) { return std::pair(codes[t[0]], t); });
-  for (Triangle& t : triangles)
-    for (std::uint32_t& v : t) v = chosen[v];
-  return triangles;
+  draft.surface = from_triangles(draft.picked(std::span(surface.positions)), triangles);
+  return draft;
 }
 
 }  // namespace viete::mesh

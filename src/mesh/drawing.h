@@ -1,4 +1,4 @@
-// Data for drawing a model, computed once: coarse triangles, and the shading of creases.
+// Data for drawing a model, computed once: a coarse model, and the shading of creases.
 #pragma once
 
 #include <cstddef>
@@ -16,10 +16,26 @@ namespace viete::mesh {
 std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const Point> normals,
                                std::span<const Triangle> triangles, Adjacency around, int levels = 4);
 
-/// Returns about `wanted` coarse triangles. In each cell of a grid, one vertex replaces all vertices
-/// (Rossignac and Borrel 1993). The corners are vertices of the surface, so deformed positions also apply to
-/// the coarse triangles. Near triangles follow each other. `area` is the area of the surface. If it is 0,
-/// returns no triangles. Linear time, and sorts the result.
-std::vector<Triangle> clustered_triangles(const Surface& surface, double area, std::size_t wanted);
+/// A coarse model: some vertices of a surface, and triangles between them.
+struct Draft {
+  Surface surface;
+  std::vector<std::uint32_t> vertices;  ///< for each vertex, its index in the model
+
+  template <class T>
+  std::vector<T> picked(std::span<const T> of_model) const {
+    std::vector<T> some;
+    some.reserve(vertices.size());
+    if (!of_model.empty())
+      for (const std::uint32_t v : vertices) some.push_back(of_model[v]);
+    return some;
+  }
+};
+
+/// Returns a draft with about `wanted` triangles. In each cell of a grid, one vertex replaces all vertices
+/// (Rossignac and Borrel 1993), or one on each side of a thin part. Near triangles follow each other. `area`
+/// is the area of the surface. If it is 0, returns an empty draft. `normals` are the vertex normals, and
+/// `used` is the box of used vertices. Linear time, and sorts the result.
+Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& used, double area,
+               std::size_t wanted);
 
 }  // namespace viete::mesh

@@ -30,10 +30,6 @@ void upload_image(const Gl& gl, const Texture& texture, const Image& image) {
     gl.TexParameteri(GL_TEXTURE_2D, anisotropy, std::min(most, 8));
 }
 
-bool takes_looks(Paint paint) {
-  return paint == Paint::file || paint == Paint::checker || paint == Paint::normals;
-}
-
 std::size_t material_kind(Paint paint) {
   switch (paint) {
     case Paint::porcelain: return 4;
@@ -49,7 +45,6 @@ SurfaceLayer::SurfaceLayer(const Gl& gl)
     : gl_(gl),
       vertex_array_(gl),
       indices_(gl, GL_R32UI),
-      coarse_(gl, GL_R32UI),
       vertices_(gl, GL_RGBA32UI),
       occlusion_(gl, GL_R16),
       scalars_(gl, GL_R32F),
@@ -68,16 +63,9 @@ void SurfaceLayer::set_triangles(std::span<const Triangle> triangles, std::size_
   triangle_count_ = triangles.size();
   vertex_count_ = vertex_count;
   has_vertices_ = false;
-  set_coarse_triangles({});
   set_looks({});
   set_occlusion({});
   set_scalars({});
-}
-
-void SurfaceLayer::set_coarse_triangles(std::span<const Triangle> triangles) {
-  require_indices("coarse triangles", triangles, vertex_count_);
-  coarse_.buffer.upload(triangles.data(), triangles.size_bytes(), GL_STATIC_DRAW);
-  coarse_count_ = triangles.size();
 }
 
 void SurfaceLayer::set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin) {
@@ -166,7 +154,7 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
                                           "#define PORCELAIN\n",
                                           "#define JADE\n",
                                           "#define ZEBRA\n"};
-  const bool looks = !style.scalars && takes_looks(style.paint);
+  const bool looks = style.takes_looks();
   const bool colors = looks && has_colors_ && style.paint == Paint::file, wired = style.wireframe > 0;
   const std::size_t kind = style.scalars ? 1 : looks ? (flat ? 3 : 2) : material_kind(style.paint);
   auto& program = programs_[4 * kind + (colors ? 2 : 0) + (wired ? 1 : 0)];
@@ -182,10 +170,7 @@ const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) c
 
 void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle& style) const {
   if (!has_vertices_ || triangle_count_ == 0) return;
-  const bool looks = !style.scalars && takes_looks(style.paint);
-  const bool coarse = style.coarse && coarse_count_ > 0 && !looks;
-  const BufferTexture& indices = coarse ? coarse_ : indices_;
-  indices.bind(0);
+  indices_.bind(0);
   vertices_.bind(1);
   occlusion_.bind(3);
   if (style.scalars) scalars_.bind(7);
@@ -194,10 +179,10 @@ void SurfaceLayer::draw(const View& view, const Theme& theme, const SurfaceStyle
   gl_.DepthFunc(GL_LESS);
   if (style.closed) gl_.Enable(GL_CULL_FACE);
   gl_.BindVertexArray(vertex_array_.id());
-  if (!looks) {
+  if (!style.takes_looks()) {
     use(program_for(style), view, theme, style);
-    const auto corners = static_cast<GLsizei>(3 * (coarse ? coarse_count_ : triangle_count_));
-    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices.buffer.id());
+    const auto corners = static_cast<GLsizei>(3 * triangle_count_);
+    gl_.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.buffer.id());
     if (style.wireframe > 0)
       gl_.DrawArrays(GL_TRIANGLES, 0, corners);
     else

@@ -43,13 +43,16 @@ struct SurfaceStyle {
   /// Skips back faces, for a closed surface that is oriented outward. Software rasterisers then need less
   /// than half the time. If a deformation turns a part inside out, this part looks transparent.
   bool closed = false;
-  bool coarse = false;    ///< draws the coarse triangles, if set; not for Paint::file, checker and normals
   float wireframe = 0;    ///< the opacity of triangle edges; fainter on tiny triangles; 0 draws no edges
   float occlusion = 1;    ///< the strength of the baked darkening, from 0 to 1
   bool scalars = false;   ///< uses the colours of set_scalars() and set_palette() instead of theme.model
   float scalar_low = 0;   ///< the scalar with the first palette colour
   float scalar_high = 1;  ///< the scalar with the last palette colour
 
+  /// True if the picture shows SurfaceLooks.
+  bool takes_looks() const {
+    return !scalars && (paint == Paint::file || paint == Paint::checker || paint == Paint::normals);
+  }
   friend bool operator==(const SurfaceStyle&, const SurfaceStyle&) = default;
 };
 
@@ -64,9 +67,6 @@ public:
   /// Sets the triangles. Discards positions, occlusion and scalars. Front faces are counter-clockwise; back
   /// faces are lit too.
   void set_triangles(std::span<const Triangle> triangles, std::size_t vertex_count);
-  /// Sets fewer triangles between the same vertices, for SurfaceStyle::coarse. If empty, `coarse` has no
-  /// effect. Call this after set_triangles(), which discards the coarse triangles.
-  void set_coarse_triangles(std::span<const Triangle> triangles);
   /// Sets the vertices of a frame, with positions relative to `origin`. Vertices that are not finite are
   /// drawn at the origin.
   void set_vertices(std::span<const SurfaceVertex> vertices, const Point& origin);
@@ -95,7 +95,6 @@ private:
   mutable std::array<std::optional<Program>, 32> programs_;
   VertexArray vertex_array_;
   BufferTexture indices_;   // three vertex indices per triangle
-  BufferTexture coarse_;    // three vertex indices per coarse triangle
   BufferTexture vertices_;  // one SurfaceVertex per texel
   BufferTexture occlusion_, scalars_;
   BufferTexture texture_points_;  // one per corner
@@ -105,7 +104,7 @@ private:
   bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;
   Texture palette_;
   float palette_size_ = 2;
-  std::size_t triangle_count_ = 0, coarse_count_ = 0, vertex_count_ = 0;
+  std::size_t triangle_count_ = 0, vertex_count_ = 0;
   Point origin_{0, 0, 0};
   bool has_vertices_ = false;
 };

@@ -12,6 +12,7 @@
 #include "deform/point_weights.h"
 #include "deform/tiled_binding.h"
 #include "deform/vertex_sample.h"
+#include "mesh/drawing.h"
 #include "mesh/triangle.h"
 
 using namespace viete;
@@ -300,4 +301,30 @@ TEST_CASE("tiles_and_samples_have_the_surface_weights_of_the_staged_engine") {
     }
     CHECK(BoundVertices(weigher, all, nullptr).part(vertices).weights == all.weights);
   }
+}
+
+TEST_CASE("a_part_with_known_weights_moves_like_the_whole_model") {
+  const Bound b(wavy_sphere(60, 50), tube(6, 8, 1.5, 3), biharmonics);
+  mesh::Draft draft;
+  for (std::uint32_t v = 0; v < b.model.positions.size(); v += 3) draft.vertices.push_back(v);
+  draft.surface = mesh::from_triangles(draft.picked(std::span(b.model.positions)), {});
+  const auto row = [&](std::uint32_t v, std::span<double> weights) {
+    std::copy_n(b.binding->weights.data() + draft.vertices[v] * weights.size(), weights.size(),
+                weights.data());
+  };
+  base::WorkerPool pool;
+  auto tiles = std::make_shared<const TiledBinding>(
+      bind_tiles(draft.surface, *b.cage, biharmonics, pool, usual_tolerance, nullptr, {}, row));
+  const auto part = std::make_shared<const Binding>(
+      deform::with_tiles(mesh::lent(draft.surface), *b.cage, std::move(tiles)));
+  FusedFrame whole(
+      b.cage,
+      with_tiles(b, std::make_shared<const TiledBinding>(bind_tiles(b.model, *b.cage, biharmonics, pool, 0))),
+      pool),
+      moved(b.cage, part, pool);
+  const Pose pose = b.pose(Twist{2, {0, 0, 0}, -1, 1, -60 * degree, 60 * degree});
+  whole.deform(pose), moved.deform(pose);
+  const auto expected = whole.positions();
+  CHECK(largest_distance(moved.positions(), draft.picked(std::span<const mesh::Point>(expected))) <
+        3 * usual_tolerance * b.cage->diagonal);
 }

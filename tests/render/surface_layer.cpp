@@ -138,21 +138,6 @@ TEST_CASE("non_finite_vertices_do_not_spread_and_an_empty_surface_is_not_drawn")
         doctest::Approx(M_PI * 4900).epsilon(0.02));
 }
 
-TEST_CASE("coarse_triangles_replace_the_others_only_if_the_style_wants_them") {
-  const test::Ball ball = test::ball(7);
-  Scene scene(ball);
-  const render::Image whole = scene.picture();
-  scene.surface.set_coarse_triangles(std::span(ball.triangles).first(900));
-  for (const float wireframe : {0.0F, 0.3F}) {
-    const auto drawn = test::count_not_black(scene.picture({.coarse = true, .wireframe = wireframe}));
-    CHECK(drawn > 100);
-    CHECK(3 * drawn < test::count_not_black(whole));
-  }
-  CHECK(test::difference(whole, scene.picture(), 0) == 0);
-  scene.surface.set_coarse_triangles({});
-  CHECK(test::difference(whole, scene.picture({.coarse = true}), 0) == 0);
-}
-
 TEST_CASE("too_large_surfaces_and_wrong_sizes_and_indices_are_refused") {
   test::Stage stage;
   stage.gl.max_texels = 8;
