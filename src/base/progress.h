@@ -2,7 +2,6 @@
 #pragma once
 
 #include <atomic>
-#include <cmath>
 #include <stdexcept>
 
 namespace viete::base {
@@ -19,53 +18,49 @@ class Progress {
 public:
   /// Reports the finished fraction of the section. Call this often. After cancel(), throws Cancelled.
   void report(double done) {
-    const double of_part = from_ + (to_ - from_) * done;
-    done_.store(part_from_ + (part_to_ - part_from_) * of_part, std::memory_order_relaxed);
+    done_.store(section_.at(done), std::memory_order_relaxed);
     if (cancelled_.load(std::memory_order_relaxed)) throw Cancelled();
   }
 
   /// Begins a section. Its reports move the progress from `from` to `to`, as fractions of the current part.
   void section(double from, double to) {
-    from_ = from;
-    to_ = to;
+    section_ = {part_.at(from), part_.at(to)};
     report(0);
-  }
-
-  /// Begins a part. Its sections move the progress from `from` to `to`, as fractions of the whole work.
-  void part(double from, double to) {
-    part_from_ = from;
-    part_to_ = to;
-    section(0, 1);
   }
 
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
   double done() const { return done_.load(std::memory_order_relaxed); }
 
 private:
-  friend class Subsection;
+  friend class ProgressPart;
+  struct Range {
+    double from = 0, to = 1;
+    double at(double share) const { return from + (to - from) * share; }
+  };
   std::atomic<double> done_{0.0};
   std::atomic<bool> cancelled_{false};
-  double from_ = 0, to_ = 1, part_from_ = 0, part_to_ = 1;
+  Range part_, section_;  // as fractions of the whole work
 };
 
-/// A part of the current section: during its lifetime, reports move the progress from `from` to `to`, as
-/// fractions of the section. `progress` may be null.
-class Subsection {
+/// A part of the current section of `progress`, which may be null. During its lifetime, sections and reports
+/// move the progress from `from` to `to`, as fractions of this section.
+class ProgressPart {
 public:
-  Subsection(Progress* progress, double from, double to) : progress_(progress) {
+  ProgressPart(Progress* progress, double from, double to) : progress_(progress) {
     if (!progress) return;
-    from_ = progress->from_, to_ = progress->to_;
-    progress->section(std::lerp(from_, to_, from), std::lerp(from_, to_, to));
+    part_ = progress->part_, section_ = progress->section_;
+    progress->part_ = {section_.at(from), section_.at(to)};
+    progress->section(0, 1);
   }
-  ~Subsection() {
-    if (progress_) progress_->from_ = from_, progress_->to_ = to_;
+  ~ProgressPart() {
+    if (progress_) progress_->part_ = part_, progress_->section_ = section_;
   }
-  Subsection(const Subsection&) = delete;
-  Subsection& operator=(const Subsection&) = delete;
+  ProgressPart(const ProgressPart&) = delete;
+  ProgressPart& operator=(const ProgressPart&) = delete;
 
 private:
   Progress* progress_;
-  double from_ = 0, to_ = 1;
+  Progress::Range part_, section_;
 };
 
 }  // namespace viete::base

@@ -53,7 +53,7 @@ Figures measure_figures(const ReportFiles& files, const ReportSizes& sizes, base
   double all = 0, done = 0;
   for (const auto& work : works) all += work.seconds;
   for (const auto& work : works) {
-    progress.part(done / all, (done + work.seconds) / all);
+    const base::ProgressPart part(&progress, done / all, (done + work.seconds) / all);
     done += work.seconds;
     work.measure();
   }

@@ -64,7 +64,7 @@ void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding
   if (b.vertices > most_solved_vertices) {
     constexpr double solved = 0.7;  // progress with the proxy's weights
     const ProxyWeights proxy = [&] {
-      const base::Subsection part(progress, 0, solved);
+      const base::ProgressPart part(progress, 0, solved);
       return ProxyWeights(model, cage, b.weighting, pool, progress);
     }();
     std::atomic<std::size_t> done{0};

@@ -422,11 +422,11 @@ void SurfaceProxy::terms(std::uint32_t vertex, std::vector<Term>& terms) const {
 ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                            base::WorkerPool& pool, base::Progress* progress, std::size_t clusters)
     : proxy_([&] {
-        const base::Subsection part(progress, 0, clustered_part);
+        const base::ProgressPart part(progress, 0, clustered_part);
         return SurfaceProxy(model, cage, weighting.elements, clusters, pool, progress);
       }()),
       handles_(handle_count(cage, weighting.elements)) {
-  const base::Subsection rest(progress, clustered_part, 1);
+  const base::ProgressPart rest(progress, clustered_part, 1);
   const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, proxy_.owned());
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);

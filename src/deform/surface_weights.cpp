@@ -152,7 +152,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
   if (weighting.weights == Weights::biharmonic) {
-    const base::Subsection part(progress, 0, factored_part);
+    const base::ProgressPart part(progress, 0, factored_part);
     plate_.emplace(laplacian_, held, is_owned, std::move(springs), loads(), pool, progress);
   } else {
     std::vector<bool> free(is_owned.size());

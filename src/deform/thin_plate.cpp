@@ -67,7 +67,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   base::require_memory({sizeof(double) * count * (3 * count + 2 * static_cast<double>(loads_.size())),
                         "biharmonic weights of " + std::to_string(loads_.size()) + " cage elements take",
                         "use a coarser cage, or other weights", ""});
-  const base::Subsection rest(progress, factored, 1);
+  const base::ProgressPart rest(progress, factored, 1);
   find_forces(stiffness_of_springs(pool, progress));
 }
 

@@ -96,7 +96,7 @@ public:
     const Costs shares = sample ? sampled_shares(tolerance) : Costs();
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
-    const base::Subsection leaves(progress_, solved_, 1);
+    const base::ProgressPart leaves(progress_, solved_, 1);
     switch (wanted.value_or(compress           ? Storage::factors
                             : shares.lists < 1 ? Storage::lists
                                                : Storage::dense)) {
@@ -143,7 +143,7 @@ private:
   // Computes the weights of all vertices: [group of sixteen handles][vertex][handle of the group].
   void solve_surface_weights() {
     const std::size_t n = b_.leaves.vertices, k = b_.handles;
-    const base::Subsection part(progress_, solved_, 0.7);
+    const base::ProgressPart part(progress_, solved_, 0.7);
     solved_ = 0.7;
     if (n > most_solved_vertices) return solve_on_proxy();
     const auto sampled = spread_vertices(n, error_sample);
