@@ -93,28 +93,21 @@ void FusedEngine::set_mask(const Mask& mask) {
 }
 
 void FusedEngine::set_shape(std::span<const Vec3> ways) {
-  drag_.placed = false;
-  knows_rest_ = false;
-  rest_.clear(), offsets_.clear();
+  drag_.placed = knows_rest_ = false;
   ways_ = ways;
+  rest_.clear(), offsets_.clear();
   if (ways.empty()) return;
   offsets_ = binding_->offsets;
-  const TileLines<float> offsets{offsets_.data(), 3};
-  for_slots([&](std::size_t slot, std::uint32_t v) {
-    offsets.set(slot, 0, offsets.three(slot, 0) + (1 / binding_->unit) * ways[v]);
-  });
+  add(offsets_, [&](std::uint32_t v) { return ways[v]; });
 }
 
 // Fills rest_, if the frame needs it.
 void FusedEngine::fill_rest() {
   const bool needed = !shares_.empty() || form_ == RowForm::maps || has_moments(form_);
   if (!needed || !rest_.empty()) return;
-  rest_.resize(binding_->offsets.size());
   const VertexBlock block{.binding = *bound_, .ways = ways_};
-  for_slots([&](std::size_t slot, std::uint32_t v) {
-    TileLines<float>{rest_.data(), 3}.set(slot, 0,
-                                          (1 / binding_->unit) * (block.rest(v) - bound_->rest_origin));
-  });
+  rest_.assign(binding_->offsets.size(), 0.0f);
+  add(rest_, [&](std::uint32_t v) { return block.rest(v) - bound_->rest_origin; });
 }
 
 std::size_t FusedEngine::bytes() const {
@@ -476,12 +469,13 @@ void FusedEngine::for_leaves(const Body& body) {
   pool_.for_blocks(binding_->leaves.count(), 1, [&](std::size_t leaf, std::size_t) { body(leaf); });
 }
 
-// Calls body(slot, vertex) for all slots.
-template <class Body>
-void FusedEngine::for_slots(const Body& body) {
-  const std::vector<std::uint32_t>& order = binding_->leaves.order;
-  pool_.for_blocks(order.size(), leaf_slots, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t slot = begin; slot < end; ++slot) body(slot, order[slot]);
+// Adds a vector per vertex to an array [tile][3][lane], in multiples of the binding's unit.
+template <class OfVertex>
+void FusedEngine::add(base::AlignedVector<float>& array, const OfVertex& vector) {
+  const TileLines<float> lines{array.data(), 3};
+  pool_.for_blocks(binding_->leaves.slot_count(), leaf_slots, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t slot = begin; slot < end; ++slot)
+      lines.set(slot, 0, lines.three(slot, 0) + (1 / binding_->unit) * vector(binding_->leaves.order[slot]));
   });
 }
 

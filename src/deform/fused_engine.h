@@ -75,8 +75,8 @@ private:
   void finish(base::Stopwatch& watch);
   template <class Body>
   void for_leaves(const Body& body);
-  template <class Body>
-  void for_slots(const Body& body);
+  template <class OfVertex>
+  void add(base::AlignedVector<float>& array, const OfVertex& vector);
   template <class Vector>
   auto row_of(Vector& table, std::size_t handle) const {
     return table.begin() + static_cast<std::ptrdiff_t>(handle * columns_);
