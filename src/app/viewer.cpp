@@ -115,7 +115,8 @@ void Viewer::frame(float seconds) {
   std::tie(workspace_.panels.has_user, view.tools) = shown;
   times.frame = whole.lap_ms();
   times.when = base::wall_seconds();
-  if ((deformed_ && !model_.prepared()) || (camera_moved && !deformed_)) view.split.views[0].stats.add(times);
+  const bool counts = deformed_ ? !model_.prepared() && !refines_ : camera_moved;
+  if (counts) view.split.views[0].stats.add(times);
   files_.keep(workspace_, !pointer_.active());
   follow_notices();
   analysis_.follow_frame(workspace_, model_, moves_);

@@ -22,12 +22,12 @@ using Budget = std::map<std::string, std::size_t>;
 // render lost its coarse triangles. deform has no copies of rest positions and factors. base has nested parts
 // of progress.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7306},      {"base", 2047},          {"bench", 5034},    {"blender", 591},
+    {"analysis", 616}, {"app", 7307},      {"base", 2047},          {"bench", 5034},    {"blender", 591},
     {"cages", 3521},   {"deform", 13306},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3816},
     {"formats", 8378}, {"interact", 2500}, {"library", 926},        {"mesh", 3021},     {"platform", 966},
     {"python", 1319},  {"render", 2253},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5895},
 };
-constexpr std::size_t all_lines_of_src = 80'181;
+constexpr std::size_t all_lines_of_src = 80'182;
 
 // mesh, deform and program test drafts.
 const Budget lines_of_tests = {
