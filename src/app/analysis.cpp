@@ -11,6 +11,7 @@
 #include "app/child_process.h"
 #include "base/clock.h"
 #include "base/median.h"
+#include "base/memory.h"
 #include "base/worker_pool.h"
 #include "deform/scheme.h"
 #include "deform/vertex_sample.h"
@@ -99,7 +100,9 @@ void Analysis::start_checks(const document::Document& document) {
   checked_model_ = document.model.surface;
   checked_cage_ = document.cage_file.surface;
   checks_.start([model = document.model, cage = document.cage_file](base::Progress& progress) {
-    return document::check(model, cage, &progress);
+    auto findings = document::check(model, cage, &progress);
+    base::release_freed_memory();
+    return findings;
   });
 }
 

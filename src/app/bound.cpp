@@ -1,5 +1,6 @@
 #include "app/bound.h"
 
+#include "base/memory.h"
 #include "base/worker_pool.h"
 #include "deform/bind.h"
 #include "deform/scheme.h"
@@ -16,7 +17,7 @@ std::shared_ptr<const deform::Binding> bind_draft(const std::shared_ptr<const me
   const auto row = [&](std::uint32_t v, std::span<double> weights) {
     whole.kept_row(slots[draft->vertices[v]], weights);
   };
-  progress.section(progress.done(), progress.done());
+  progress.section(progress.done(), 1);
   auto tiles = std::make_shared<const deform::TiledBinding>(deform::bind_tiles(
       draft->surface, cage, whole.weighting, pool, deform::usual_tolerance, &progress, {}, row));
   const std::shared_ptr<const mesh::Surface> surface(draft, &draft->surface);
@@ -53,6 +54,7 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
     bound.stitching = std::make_shared<const deform::Stitching>(
         deform::stitch(*model, *cage, pool, scheme.holding, &progress));
   }
+  base::release_freed_memory();
   return bound;
 }
 

@@ -172,7 +172,7 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
   });
   shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
   if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals);
-  if (mesh::Draft made = draft.get(); !made.vertices.empty())
+  if (mesh::Draft made = draft.get(); !made.surface.triangles.empty())
     shading.draft = std::make_shared<const mesh::Draft>(std::move(made));
   shading.surface = surface;
   return shading;

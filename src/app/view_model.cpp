@@ -57,12 +57,15 @@ LiveModel::Changed LiveModel::follow(workspace::Workspace& w, Bound made) {
   same_path_ = w.view.options.same_path;
   if (deformer_ && deformer_->all_staged() != same_path_) {
     deformer_->set_all_staged(same_path_);
+    if (draft_) draft_->set_all_staged(same_path_);
     derived_.reset();
     unprepared_ = true;
   }
-  // If the staged engine's weights or the stitching are missing, starts to compute the missing data. Until
-  // then, the method is `fast`, without stitching.
-  if (deformer_ && !binder_.running() && !deformer_->engine(document.method)) start_binding(document);
+  // If the staged engine's weights, the stitching or the draft are missing, starts to compute the missing
+  // data. Until then, the method is `fast`, without stitching.
+  const bool lacks_draft = !bound_.draft && draft_of(document) && undrafted_ != bound_.binding;
+  if (deformer_ && !binder_.running() && (!deformer_->engine(document.method) || lacks_draft))
+    start_binding(document);
   take_binding(w, false);
   w.jobs.binding = binder_.state();
   return {new_surfaces, new_cage};
@@ -86,7 +89,6 @@ void LiveModel::follow_blend(const deform::Scheme& scheme) {
   if (bound != scheme) return renew_deformer(scheme);
   deformer_->set_amounts(scheme.amounts);
   if (draft_) draft_->set_amounts(scheme.amounts);
-  derived_.reset(), drafted_.reset();
 }
 
 // Discards all data computed from the old surfaces.
@@ -121,7 +123,8 @@ constexpr workspace::Concern of_cage{"bind", workspace::Scope::cage};
 
 std::shared_ptr<const mesh::Draft> LiveModel::draft_of(const document::Document& document) {
   const ModelShading& shading = files_.shading();
-  return document.has_cage() && shading.surface == document.model.surface ? shading.draft : nullptr;
+  const bool moves = document.has_cage() && !document.scheme.stitched();
+  return moves && shading.surface == document.model.surface ? shading.draft : nullptr;
 }
 
 void LiveModel::install(workspace::Workspace& w, Bound bound) {
@@ -129,7 +132,6 @@ void LiveModel::install(workspace::Workspace& w, Bound bound) {
   w.messages.succeeded(of_cage.topic);
   bound_ = std::move(bound);
   renew_deformer(scheme_of(w.document));
-  if (!bound_.draft && draft_of(w.document)) start_binding(w.document);  // binds only the draft
 }
 
 void LiveModel::share(const std::shared_ptr<const deform::Binding>& binding) {
@@ -140,12 +142,14 @@ void LiveModel::renew_deformer(const deform::Scheme& scheme) {
   make_deformer(scheme, same_path_, pool_);
   draft_ =
       bound_.draft ? std::make_unique<deform::Deformer>(bound_.cage, bound_.draft, scheme, pool_) : nullptr;
+  if (draft_) draft_->set_all_staged(same_path_);
   derived_.reset(), drafted_.reset();
   unprepared_ = true;
 }
 
 void LiveModel::stop_binding(workspace::Workspace& w, const std::string& why, workspace::Severity severity) {
   binder_.cancel();
+  undrafted_ = bound_.binding;  // does not bind the draft again
   document::Document& document = w.document;
   if (!deformer_) given_up_ = document.revisions().pose;  // binds again after the next change of the pose
   if (deformer_ && document.has_cage()) {
@@ -180,7 +184,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
   if (!deformer_) return false;
   document::Document& document = w.document;
   const auto& drag = w.view.interaction.drag;
-  if (drag_.before(*deformer_, drag)) derived_.reset();  // computes a complete frame after the drag
+  if (!draft_ && drag_.before(*deformer_, drag)) derived_.reset();  // a complete frame after the drag
   const bool editing = changes_rest(w);
   if (editing) derived_ = derived_of(document);
   const bool deformed = !editing && deforms(document);
@@ -194,7 +198,7 @@ bool LiveModel::deform(workspace::Workspace& w, workspace::FrameTimes& times) {
     prepared_ = std::exchange(unprepared_, false);
     if (prepared_) derived_.reset();
   }
-  drag_.after(*deformer_, drag);
+  if (!draft_) drag_.after(*deformer_, drag);  // with a draft, drags do not deform the whole model
   return deformed;
 }
 
@@ -204,9 +208,9 @@ bool LiveModel::shows_draft(const document::Document& document) const {
 
 bool LiveModel::deform_draft(workspace::Workspace& w, workspace::FrameTimes& times) {
   const document::Document& document = w.document;
-  const bool plain = document.has_cage() && !document.mask && !document.shape && document.probes.all.empty();
-  if (!draft_ || !derived_ || !plain || changes_rest(w) || !draft_->engine(document.method))
-    return deform(w, times);
+  const bool plain = document.has_cage() && !document.kept_pose && !document.mask && !document.shape &&
+                     document.probes.all.empty();
+  if (!draft_ || !derived_ || !plain || !draft_->engine(document.method)) return deform(w, times);
   if (!deforms(document) || shows_draft(document)) return false;
   draft_->deform(document.pose, document.method);
   workspace::take_report(w, draft_->state().report());

@@ -209,6 +209,7 @@ private:
   std::optional<Derived> derived_, drafted_;
   std::unique_ptr<deform::Deformer> draft_;  // null without a draft
   bool draft_news_ = false;
+  std::shared_ptr<const deform::Binding> undrafted_;  // binding whose draft was given up
   mesh::Adjacency around_;                      // triangles at each vertex; empty until a pin needs them
   bool same_path_ = false;                      // true: all methods use the staged engine
   std::optional<document::Revision> given_up_;  // revision of the pose when the first binding was cancelled

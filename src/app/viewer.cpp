@@ -274,15 +274,13 @@ void Viewer::deform(workspace::FrameTimes& times) {
   workspace_.frame.posed = posed_in(workspace_.view.split.active);
 }
 
-bool Viewer::moves_coarsely() {
-  const bool usual = gl_.software || files_.shading().draft;
-  return options_.may_be_coarse && workspace_.preferences.coarse_motion.value_or(usual);
-}
-
-// True if the view may show only the draft in motion, until it is refined.
+// True if the view may show only the draft in motion, until it is refined. Maps, the vertex inspector and
+// the brush need the whole model.
 bool Viewer::may_draft() {
-  return moves_coarsely() && !refines_ && !take_screenshot_ && workspace_.view.options.deformed &&
-         !workspace_.view.split.on() && !workspace_.checks.shown && renderer_.draws_drafts(workspace_);
+  const auto& w = workspace_;
+  return options_.may_be_coarse && !refines_ && !take_screenshot_ && w.view.options.deformed &&
+         !w.view.split.on() && !w.checks.shown && !w.view.vertex.vertex && !workspace::shows_mask(w) &&
+         workspace::shown_field(w) == analysis::Field::none && renderer_.draws_drafts(w);
 }
 
 // The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.
@@ -392,8 +390,10 @@ Fineness Viewer::fineness(const ViewDrawing& wanted) {
   if (view_.shows(wanted)) return view_.fineness();
   last_change_ = base::wall_seconds();
   if (model_.shows_draft(workspace_.document)) return Fineness::coarse;
-  const bool repeated = last_frame_ - last_motion_ < still_seconds || files_.shading().draft;
-  return moves_ && repeated && moves_coarsely() ? Fineness::coarse : Fineness::plain;
+  const bool drafted = files_.shading().draft != nullptr;
+  const bool coarse =
+      drafted || (last_frame_ - last_motion_ < still_seconds && workspace::draws_coarsely(workspace_));
+  return options_.may_be_coarse && moves_ && coarse ? Fineness::coarse : Fineness::plain;
 }
 
 ViewDrawing Viewer::drawing() const {
@@ -412,8 +412,8 @@ void Viewer::draw(workspace::FrameTimes& times) {
   base::Stopwatch watch;
   has_drawn_ = false;
   const ViewDrawing wanted = drawing();
-  has_drawn_ =
-      view_.draw(renderer_, wanted, fineness(wanted)) || !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
+  has_drawn_ = view_.draw(renderer_, wanted, fineness(wanted), workspace::draws_coarsely(workspace_)) ||
+               !imgui_renderer_.has_drawn(*ImGui::GetDrawData());
   if (has_drawn_) draw_whole();
   if (moves_) last_motion_ = base::wall_seconds();
   times.draw = watch.lap_ms();
@@ -432,7 +432,7 @@ void Viewer::redraw() {
   cage_drawn_.reset();
   workspace::FrameTimes ignored;
   upload(ignored);
-  view_.draw(renderer_, drawing(), view_.fineness());
+  view_.draw(renderer_, drawing(), view_.fineness(), workspace::draws_coarsely(workspace_));
   draw_whole();
 }
 

@@ -111,7 +111,6 @@ private:
   void scope_messages();
   void follow_notices();
   void deform(workspace::FrameTimes& times);
-  bool moves_coarsely();
   bool may_draft();
   void enter_view_under_cursor();
   const ViewModel& model_of(std::size_t view) const;

@@ -275,12 +275,12 @@ void WorkspaceRenderer::draw_cage(const ViewDrawing& d, const render::View& view
   cage_vertices_.draw(view, {theme.outline, theme.hover, 0.35f});
 }
 
-bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness) {
+bool ViewCache::draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness, bool half) {
   if (shows(drawing) && fineness_ >= fineness) return false;
   const bool coarse = fineness == Fineness::coarse;
   ViewDrawing now = drawing;
-  if (coarse && halves_) now.size = (now.size + 1) / 2, now.scale /= 2;
-  const int samples[] = {halves_ ? 0 : samples_.plain, samples_.plain, samples_.smooth};
+  if (coarse && half) now.size = (now.size + 1) / 2, now.scale /= 2;
+  const int samples[] = {half ? 0 : samples_.plain, samples_.plain, samples_.smooth};
   picture_.begin(now.size, samples[static_cast<int>(fineness)]);
   renderer.draw(now, coarse);
   picture_.resolve();

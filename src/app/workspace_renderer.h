@@ -166,8 +166,8 @@ private:
   std::vector<render::Segment> shown_edges_;  // drawn edges of the cage
 };
 
-/// Quality of a picture. `coarse`: drafts of large models, with software rendering at half the resolution.
-/// `plain`: full resolution. `smooth`: full resolution with more samples.
+/// Quality of a picture. `coarse`: drafts of large models, and half the resolution if wanted. `plain`: full
+/// resolution. `smooth`: full resolution with more samples.
 enum class Fineness { coarse, plain, smooth };
 
 class ViewCache {
@@ -175,12 +175,12 @@ public:
   struct Samples {
     int plain = 0, smooth = 0;  ///< samples per pixel; plain 0: no multisampling; smooth 0: no refinement
   };
-  ViewCache(const render::Gl& gl, const Samples& samples)
-      : samples_(samples), halves_(gl.software), picture_(gl) {}
+  ViewCache(const render::Gl& gl, const Samples& samples) : samples_(samples), picture_(gl) {}
 
   bool shows(const ViewDrawing& drawing) const { return drawn_ == drawing; }
   /// If the picture does not show this drawing in this quality yet, draws the picture and returns true.
-  bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness);
+  /// `half`: coarse pictures have half the resolution, without multisampling.
+  bool draw(WorkspaceRenderer& renderer, const ViewDrawing& drawing, Fineness fineness, bool half);
   const render::Framebuffer& picture() const { return picture_; }
 
   /// The number of times the picture was drawn.
@@ -192,7 +192,6 @@ public:
 
 private:
   Samples samples_;
-  bool halves_;  // true: coarse pictures have half the resolution
   render::Framebuffer picture_;
   std::optional<ViewDrawing> drawn_;  // the drawing that picture_ shows
   Fineness fineness_ = Fineness::plain;

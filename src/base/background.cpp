@@ -1,6 +1,5 @@
 #include "base/background.h"
 
-#include "base/memory.h"
 #include "base/worker_pool.h"
 
 namespace viete::base {
@@ -35,7 +34,6 @@ void BackgroundQueue::serve() {
       lock.unlock();
       task();
     }  // destroys the finished task before the next task begins
-    release_freed_memory();
     lock.lock();
   }
 }

@@ -12,8 +12,8 @@ public:
   Cancelled() : std::runtime_error("cancelled") {}
 };
 
-/// The progress of long work. The thread that does the work calls report(), section() and part(). Any other
-/// thread may call cancel() and done().
+/// The progress of long work. The thread that does the work calls report() and section(). Any other thread
+/// may call cancel() and done().
 class Progress {
 public:
   /// Reports the finished fraction of the section. Call this often. After cancel(), throws Cancelled.

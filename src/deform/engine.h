@@ -23,7 +23,8 @@ public:
   /// All setters apply to the next frames. If there is a mask or weights are partial, call
   /// CageState::keep_origin(true).
   virtual void set_mask(const Mask& mask) = 0;
-  /// `ways`: displacement of each vertex from rest to the shape; empty if all are 0.
+  /// `ways`: displacement of each vertex from rest to the shape; empty if all are 0. Must stay valid until
+  /// the next call.
   virtual void set_shape(std::span<const Vec3> ways) = 0;
   /// `layer`: probes that move the model after the cage, or null.
   void set_layer(ProbeLayer* layer) { layer_ = layer; }

@@ -97,11 +97,13 @@ public:
     const double lossless = std::min(shares.lists, 1.0);
     const bool compress = shares.factors < worth_factoring * lossless;
     const base::ProgressPart leaves(progress_, solved_, 1);
+    // During binding, the pivots' rows exist twice.
+    const double pivot_rows = static_cast<double>(b_.handles) / static_cast<double>(b_.handles + leaf_slots);
     switch (wanted.value_or(compress           ? Storage::factors
                             : shares.lists < 1 ? Storage::lists
                                                : Storage::dense)) {
       case Storage::factors:
-        require(2 * shares.factors);
+        require((1 + pivot_rows) * shares.factors);
         b_.tolerance = tolerance;
         bind_factors(tolerance);
         break;
@@ -558,8 +560,9 @@ std::size_t binding_bytes(std::size_t vertices, std::size_t handles, EngineKind 
   const bool compressed = weighting.elements == Elements::face && compressible(vertices, handles);
   // The terms are bytes per vertex: weights, rest position, offset, a frame's results, triangles, adjacency.
   const double staged = 8 * k + 48 + 48 + 48 + 24 + 24 + 24 + 24 + 28;
-  // The terms are bytes of weights, offset, position, vertex, neighbours.
-  const double fused = (compressed ? 1.1 * k : 4 * k) + 12 + 20 + 32 + 20;
+  // The terms are bytes of weights, offset (with rest position, if shares need it), position, vertex,
+  // neighbours.
+  const double fused = (compressed ? 1.1 * k : 4 * k) + (weighting.partial() ? 24 : 12) + 20 + 32 + 20;
   double bytes = engine == EngineKind::staged ? n * staged : slots * fused;
   if (entry(weighting.weights).on_surface)
     bytes += surface_system_bytes(vertices) +

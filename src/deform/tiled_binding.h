@@ -96,7 +96,7 @@ struct TiledBinding {
 /// Returns the shares in the order of the model's vertices; empty unless weights are partial.
 Shares shares_of(const TiledBinding& binding);
 
-/// Returns a binding with all members except weights. Reports a sixth of the progress. Throws base::Error if
+/// Returns a binding with all members except weights. Reports progress up to 0.15. Throws base::Error if
 /// the model has no vertices.
 TiledBinding lay_out(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                      base::Progress* progress = nullptr);
@@ -116,8 +116,9 @@ using KnownRow = std::function<void(std::uint32_t vertex, std::span<double> row)
 /// Computes weights leaf by leaf, in parallel, without a full matrix of doubles. Weights with a radius are
 /// stored as lists. All other weights are compressed if `tolerance` is not 0 and tests on some leaves show
 /// that this makes frames faster. `storage` overrides these choices. If `known` is not empty, it gives
-/// weights along the surface, which are then not solved for. Results do not depend on the number of threads.
-/// Throws base::Cancelled. Throws base::Error if free memory is insufficient or the model has no vertices.
+/// weights along the surface, which are then not solved for; TiledBinding::sample stays empty. Results do not
+/// depend on the number of threads. Throws base::Cancelled. Throws base::Error if free memory is insufficient
+/// or the model has no vertices.
 TiledBinding bind_tiles(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
                         base::WorkerPool& pool, double tolerance = usual_tolerance,
                         base::Progress* progress = nullptr, std::optional<Storage> storage = {},

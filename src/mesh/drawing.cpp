@@ -81,7 +81,7 @@ std::uint64_t morton_code(const Point& cell) {
 
 }  // namespace
 
-Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& used, double area,
+Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& box, double area,
                std::size_t wanted) {
   Draft draft;
   // On average, a plane of area A meets 1.5 * A / side^2 cells. There are about two triangles per cell.
@@ -91,15 +91,16 @@ Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bou
   std::vector<Point> cells;
   std::vector<std::uint32_t>& chosen = draft.vertices;
   std::vector<std::uint32_t> cell_of(surface.positions.size());
+  std::vector<std::uint8_t> used(cell_of.size(), 0);
+  for (const auto& [a, b, c] : surface.triangles) used[a] = used[b] = used[c] = 1;
   struct Nearest {  // to the middle of a cell
     Vec3 normal;
     double distance;  // squared
   };
   std::vector<Nearest> nearest;
   for (std::uint32_t v = 0; v < cell_of.size(); ++v) {
-    const Point& p = surface.positions[v];
-    if (!meet(used, {p, p})) continue;  // an unused vertex
-    const Point at = (1 / side) * (p - used.low);
+    if (!used[v]) continue;
+    const Point at = (1 / side) * (surface.positions[v] - box.low);
     Point cell{std::floor(at[0]), std::floor(at[1]), std::floor(at[2])};
     const double distance = squared_norm(at - cell - Vec3{0.5, 0.5, 0.5});
     std::uint32_t c = index.find_or_add(cell, cells);

@@ -34,8 +34,8 @@ struct Draft {
 /// Returns a draft with about `wanted` triangles. In each cell of a grid, one vertex replaces all vertices
 /// (Rossignac and Borrel 1993), or one on each side of a thin part. Near triangles follow each other. `area`
 /// is the area of the surface. If it is 0, returns an empty draft. `normals` are the vertex normals, and
-/// `used` is the box of used vertices. Linear time, and sorts the result.
-Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& used, double area,
+/// `box` is the box of used vertices. Linear time, and sorts the result.
+Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bounds& box, double area,
                std::size_t wanted);
 
 }  // namespace viete::mesh

@@ -135,9 +135,8 @@ void add_view_commands(CommandTable& table) {
             {[](Workspace& w) { w.preferences.dark = w.view.options.dark = !w.view.options.dark; },
              [](const Workspace& w) { return w.view.options.dark; }});
   table.add("toggle_coarse_motion", "Half resolution in motion",
-            "Draw at half resolution, and large models with fewer triangles, while the view changes. Faster "
-            "with software rendering.",
-            always, {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
+            "Draw at half resolution while the view changes. Faster with software rendering.", always,
+            {[](Workspace& w) { w.preferences.coarse_motion = !draws_coarsely(w); }, draws_coarsely});
   table.add("toggle_panels", {"Show panels", "Panels"}, "Show or hide the panels.", {Key::f2}, always,
             switches(&document::ViewOptions::panels));
   table.add("toggle_full_screen", "Full screen", "Switch between full screen and window.", {Key::f11}, always,

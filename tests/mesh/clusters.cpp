@@ -22,11 +22,13 @@ mesh::Draft draft_of(const mesh::Surface& surface, double area, std::size_t want
 
 TEST_CASE("a_draft_covers_the_surface_with_about_the_wanted_number_of_triangles") {
   test::Surface ball = test::sphere(6);
-  ball.positions.insert(ball.positions.end(), {{3, 0, 0}, {0, 0, 0}});  // two unused vertices
+  const auto unused = static_cast<std::uint32_t>(ball.positions.size());
+  for (const double x : {3.0, 0.0, 0.99, 0.98}) ball.positions.push_back({x, 0, 0});
   const double area = mesh::summarize(ball).area;
   const mesh::Draft draft = draft_of(ball, area, 2000);
   CHECK(draft.surface.triangles.size() > 1000);
   CHECK(draft.surface.triangles.size() < 4000);
+  CHECK(*std::ranges::max_element(draft.vertices) < unused);
   CHECK(draft.surface.positions == draft.picked(std::span<const mesh::Point>(ball.positions)));
   const mesh::Summary coarse = mesh::summarize(draft.surface);
   CHECK(coarse.boundary_edges.empty());
@@ -55,5 +57,6 @@ TEST_CASE("the_sides_of_a_thin_part_stay_apart_in_a_draft") {
   std::size_t wrong = 0;
   for (std::size_t v = 0; v < normals.size(); ++v)
     wrong += std::abs(draft.positions[v][2]) > 5e-4 && normals[v][2] * draft.positions[v][2] < 0;
+  CHECK(normals.size() > 100);
   CHECK(wrong == 0);
 }

@@ -34,6 +34,13 @@ public:
     }
   }
 
+  void drag_vertex() {
+    const glm::vec2 from = near_vertex();
+    d.move(from);
+    d.button(0, true);
+    for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
+  }
+
 private:
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
   glm::vec2 anywhere() { return {below(700), below(420)}; }
@@ -66,6 +73,13 @@ private:
   std::mt19937 random_;
 };
 
+// The error of the whole model after a rest.
+double error_at_rest(Driver& d) {
+  std::this_thread::sleep_for(std::chrono::milliseconds(300));
+  d.frame(8);
+  return d.drawn_error();
+}
+
 double differs_from_a_fresh_one(Driver& d) {
   const render::Image kept = d.picture();
   d.viewer().redraw();
@@ -80,6 +94,7 @@ TEST_CASE("the_cached_view_always_equals_a_fresh_drawing" * doctest::test_suite(
   for (unsigned seed = 1; seed <= 4; ++seed) {
     auto options = small_options();
     options.may_be_coarse = seed % 2 == 0;
+    if (seed == 4) options.moving_triangles = 300;
     options.samples = seed == 3 ? 4 : 0;
     SmallScene scene(options, test::with_pixels);
     scene.d.workspace().preferences.coarse_motion = true;
@@ -156,6 +171,23 @@ TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
     CHECK(test::difference(few[0], all[0], 8) > 0.0005);
   CHECK(test::difference(few[0], all[0], 60) < 0.1);
   CHECK(test::difference(few[1], all[1], 10) == 0);  // the shadow is always that of the draft
+}
+
+TEST_CASE("after_any_drags_of_a_draft_the_model_has_the_current_pose") {
+  auto options = small_options();
+  options.may_be_coarse = true;
+  options.moving_triangles = 300;
+  SmallScene scene(options);
+  Driver& d = scene.d;
+  RandomInput hand(d, 1);
+  for (int i = 0; i < 6; ++i) {
+    CAPTURE(i);
+    hand.drag_vertex();
+    if (i % 2 == 0) CHECK(d.viewer().view_fineness() == app::Fineness::coarse);
+    CHECK(error_at_rest(d) < 1e-5);  // the button is still down
+    d.button(0, false);
+    if (i % 3 > 0) CHECK(error_at_rest(d) < 1e-5);
+  }
 }
 
 TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {

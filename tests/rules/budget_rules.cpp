@@ -22,25 +22,25 @@ using Budget = std::map<std::string, std::size_t>;
 // render lost its coarse triangles. deform has no copies of rest positions and factors. base has nested parts
 // of progress.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7307},      {"base", 2047},          {"bench", 5034},    {"blender", 591},
-    {"cages", 3521},   {"deform", 13306},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3816},
-    {"formats", 8378}, {"interact", 2500}, {"library", 926},        {"mesh", 3021},     {"platform", 966},
-    {"python", 1319},  {"render", 2253},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5895},
+    {"analysis", 616}, {"app", 7315},      {"base", 2045},          {"bench", 5034},    {"blender", 591},
+    {"cages", 3521},   {"deform", 13311},  {"deform/sparse", 1268}, {"document", 5030}, {"files", 3816},
+    {"formats", 8378}, {"interact", 2500}, {"library", 926},        {"mesh", 3022},     {"platform", 966},
+    {"python", 1319},  {"render", 2253},   {"sym3", 6336},          {"ui", 6052},       {"workspace", 5894},
 };
-constexpr std::size_t all_lines_of_src = 80'182;
+constexpr std::size_t all_lines_of_src = 80'193;
 
 // mesh, deform and program test drafts.
 const Budget lines_of_tests = {
     {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 795},      {"bench", 610},
     {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7074},   {"document", 3074},
-    {"files", 2283},   {"formats", 3347}, {"fuzz", 381},     {"interact", 1461}, {"mesh", 1742},
-    {"platform", 295}, {"program", 7017}, {"python", 758},   {"releases", 113},  {"render", 966},
+    {"files", 2283},   {"formats", 3347}, {"fuzz", 381},     {"interact", 1461}, {"mesh", 1745},
+    {"platform", 295}, {"program", 7049}, {"python", 758},   {"releases", 113},  {"render", 966},
     {"rules", 696},    {"support", 1344}, {"sym3", 3661},    {"ui", 13},         {"workspace", 2159},
 };
-constexpr std::size_t all_lines_of_tests = 41'303;
+constexpr std::size_t all_lines_of_tests = 41'338;
 
 // The README has the time of 12.8 million vertices since its last value.
-constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'678;
+constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'676;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
