@@ -276,7 +276,7 @@ void Viewer::deform(workspace::FrameTimes& times) {
 
 // True if the view may show only the draft in motion, until it is refined. Maps, the vertex inspector and
 // the brush need the whole model.
-bool Viewer::may_draft() {
+bool Viewer::may_draft() const {
   const auto& w = workspace_;
   return options_.may_be_coarse && !refines_ && !take_screenshot_ && w.view.options.deformed &&
          !w.view.split.on() && !w.checks.shown && !w.view.vertex.vertex && !workspace::shows_mask(w) &&

@@ -111,7 +111,7 @@ private:
   void scope_messages();
   void follow_notices();
   void deform(workspace::FrameTimes& times);
-  bool may_draft();
+  bool may_draft() const;
   void enter_view_under_cursor();
   const ViewModel& model_of(std::size_t view) const;
   document::PosedModel posed_in(std::size_t view) const;
