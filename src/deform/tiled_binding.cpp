@@ -512,10 +512,6 @@ std::size_t TiledBinding::bytes() const {
          sizeof(std::uint32_t) * listed.size();
 }
 
-std::size_t TiledBinding::dense_bytes() const {
-  return sizeof(float) * (leaves.slot_count() * handles + offsets.size());
-}
-
 std::size_t TiledBinding::listed_weights() const {
   std::size_t sum = 0;
   for (std::size_t leaf = 0; leaf < leaves.count(); ++leaf) {

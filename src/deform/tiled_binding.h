@@ -84,8 +84,7 @@ struct TiledBinding {
   std::size_t skeleton_slots() const { return handles ? skeleton.size() / handles : 0; }
   /// Copies the stored weights of the vertex in a slot, with compression errors. row.size() == handles.
   void kept_row(std::size_t slot, std::span<double> row) const;
-  std::size_t bytes() const;        ///< size of weights (or factors) and offsets, which a frame reads once
-  std::size_t dense_bytes() const;  ///< bytes() without compression
+  std::size_t bytes() const;  ///< size of weights (or factors) and offsets, which a frame reads once
   /// The factors of a leaf. The weights must be compressed.
   const float* factors_of(std::size_t leaf) const {
     return factors[leaf / portion_leaves].data() + factored[leaf].first;

@@ -34,12 +34,8 @@ public:
     }
   }
 
-  void drag_vertex() {
-    const glm::vec2 from = near_vertex();
-    d.move(from);
-    d.button(0, true);
-    for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
-  }
+  // Drags near a vertex, and leaves the button down.
+  void drag_vertex() { press_and_move(near_vertex(), 0); }
 
 private:
   int below(int n) { return static_cast<int>(random_() % static_cast<unsigned>(n)); }
@@ -51,10 +47,13 @@ private:
     const auto at = project(d.document().pose.positions[static_cast<std::size_t>(below(count))]);
     return at ? glm::round(glm::vec2(*at)) : anywhere();
   }
-  void drag(glm::vec2 from, int button) {
+  void press_and_move(glm::vec2 from, int button) {
     d.move(from);
     d.button(button, true);
     for (int i = 1; i <= 4; ++i) d.move(from + glm::vec2(9 * i, 5 * i - 12));
+  }
+  void drag(glm::vec2 from, int button) {
+    press_and_move(from, button);
     if (below(2) == 0) d.button(button, false);
   }
   // Runs a random command that is not in the File menu. Cancels requests, and leaves full screen.
