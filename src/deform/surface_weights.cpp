@@ -1,7 +1,6 @@
 #include "deform/surface_weights.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -220,14 +219,11 @@ void SurfaceSystem::solve_block(std::size_t begin, std::size_t end, std::span<do
 
 void SurfaceSystem::solve(const std::function<void(const Solved&)>& store, base::WorkerPool& pool,
                           base::Progress* progress) const {
-  std::atomic<std::size_t> solved{0};
-  pool.for_blocks(handles(), solved_columns, [&](std::size_t begin, std::size_t end) {
-    base::AlignedVector<double> block(solver().unknowns() * solved_columns, 0.0);
-    solve_block(begin, end, block);
-    store({begin, end - begin, block, offsets_});
-    const auto count = static_cast<double>(solved += end - begin);
-    if (progress) progress->report(std::lerp(factored_part, 1.0, count / static_cast<double>(handles())));
-  });
+  solver().for_blocks(handles(), pool, told(progress, factored_part, 1),
+                      [&](auto begin, auto end, auto block) {
+                        solve_block(begin, end, block);
+                        store({begin, end - begin, block, offsets_});
+                      });
 }
 
 double surface_system_bytes(std::size_t vertices) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <array>
-#include <atomic>
 #include <cmath>
 #include <string>
 
@@ -63,6 +62,7 @@ ThinPlate::ThinPlate(const IntrinsicLaplacian& laplacian, const HeldParts& parts
   for (std::uint32_t v = 0; v < has_spring.size(); ++v) {
     if (has_spring[v] && parts_.grounds[parts_.of_vertex[v]] != v) springs_.push_back(v);
   }
+  with_springs_ = solver_.part_with(springs_);
   const auto count = static_cast<double>(springs_.size());
   base::require_memory({sizeof(double) * count * (3 * count + 2 * static_cast<double>(loads_.size())),
                         "biharmonic weights of " + std::to_string(loads_.size()) + " cage elements take",
@@ -81,11 +81,12 @@ void ThinPlate::for_rows(std::span<double> block, const Change& change) const {
   }
 }
 
-// Replaces forces by the displacement w', see ThinPlate. If `part` is not null, computes w' only for the
-// unknowns of the supernodes in `part`.
-void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part) const {
+// Replaces forces, which are 0 outside of `given`, by the displacement w', see ThinPlate. If `wanted` is not
+// null, computes w' only for it.
+void ThinPlate::bend(std::span<double> block, const BlockSolver::Part& given,
+                     const BlockSolver::Part* wanted) const {
   const auto& kernel = sparse_kernel(sym3::kernel());
-  solver_.solve(block, kernel);
+  solver_.solve(block, kernel, &given);
   std::vector<Columns> means(parts_.grounds.size(), Columns{});
   for (std::uint32_t v = 0; v < masses_.size(); ++v) {
     if (!parts_.holds(v)) continue;
@@ -99,25 +100,23 @@ void ThinPlate::bend(std::span<double> block, const std::vector<Supernode>* part
     for (std::size_t c = 0; c < solved_columns; ++c) y[c] = mass * (y[c] - mean[c]);
   });
   for (const auto v : parts_.grounds) std::fill_n(block.data() + solver_.place(v), solved_columns, 0.0);
-  solver_.solve(block, kernel, part);
+  solver_.solve(block, kernel, nullptr, wanted);
 }
 
-// Returns the matrix K of ThinPlate, by columns.
+// Returns the lower triangle of the matrix K of ThinPlate, by columns.
 std::vector<double> ThinPlate::stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress) const {
   const std::size_t count = springs_.size();
+  const std::span springs(springs_);
   std::vector<double> stiffness(count * count);
-  const auto part = solver_.part_with(springs_);
-  std::atomic<std::size_t> solved{0};
-  pool.for_blocks(count, solved_columns, [&](std::size_t begin, std::size_t end) {
-    base::AlignedVector<double> block(solver_.unknowns() * solved_columns, 0.0);
+  solver_.for_blocks(count, pool, told(progress, 0, 1), [&](auto begin, auto end, auto block) {
     for (std::size_t i = begin; i < end; ++i) block[solver_.place(springs_[i]) + i - begin] = 1;
-    bend(block, &part);
+    const auto given = solver_.part_with(springs.subspan(begin, end - begin));
+    const auto wanted = solver_.part_with(springs.subspan(begin));
+    bend(block, given, &wanted);
     for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t j = 0; j < count; ++j)
+      for (std::size_t j = begin; j < count; ++j)
         stiffness[i * count + j] = block[solver_.place(springs_[j]) + i - begin];
     }
-    solved += end - begin;
-    if (progress) progress->report(static_cast<double>(solved) / static_cast<double>(count));
   });
   return stiffness;
 }
@@ -156,7 +155,7 @@ void ThinPlate::solve(std::size_t begin, std::size_t end, std::span<double> bloc
       at_ground[parts_.of_vertex[springs_[i]]][l - begin] -= force;
     }
   }
-  bend(block);
+  bend(block, with_springs_);
   for (std::size_t part = 0; part < at_ground.size(); ++part) {
     for (double& force : at_ground[part]) force /= -strengths_[parts_.grounds[part]];
   }

@@ -63,7 +63,8 @@ public:
 private:
   template <class Change>
   void for_rows(std::span<double> block, const Change& change) const;
-  void bend(std::span<double> block, const std::vector<Supernode>* part = nullptr) const;
+  void bend(std::span<double> block, const BlockSolver::Part& given,
+            const BlockSolver::Part* wanted = nullptr) const;
   std::vector<double> stiffness_of_springs(base::WorkerPool& pool, base::Progress* progress) const;
   void find_forces(std::vector<double> stiffness);
 
@@ -74,7 +75,8 @@ private:
   std::vector<Load> loads_;
   BlockSolver solver_;
   std::vector<std::uint32_t> springs_;  // vertices with springs, without the grounds
-  std::vector<double> forces_;          // [load][spring]: phi
+  BlockSolver::Part with_springs_;
+  std::vector<double> forces_;  // [load][spring]: phi
 };
 
 }  // namespace viete::deform

@@ -24,15 +24,6 @@ int longest_side(const Bounds& box) {
 
 }  // namespace
 
-// Returns a lower bound of the distances to the points in the ball.
-double PointTree::least(double to_center, const Ball& ball) {
-  return std::max(0.0, to_center * (1 - rounding) - ball.radius * (1 + rounding));
-}
-
-double PointTree::bound(const Point& p, const Ball& ball) {
-  return least(norm(ball.center - p), ball);
-}
-
 struct PointTree::Search {
   Point a, b, c;
   double squared_distance = std::numeric_limits<double>::infinity();
@@ -41,7 +32,11 @@ struct PointTree::Search {
   double squared_distance_to(const Point& p) const {
     return closest_on_triangle(p, a, b, c).squared_distance;
   }
-  double bound(const Ball& ball) const { return least(std::sqrt(squared_distance_to(ball.center)), ball); }
+  // Returns a lower bound of the distances to the points in the ball.
+  double bound(const Ball& ball) const {
+    const double to_center = std::sqrt(squared_distance_to(ball.center));
+    return std::max(0.0, to_center * (1 - rounding) - ball.radius * (1 + rounding));
+  }
   void visit(std::uint32_t i, const Point& p) {
     const double d = squared_distance_to(p);
     if (d > squared_distance || (d == squared_distance && i > best)) return;
@@ -94,24 +89,20 @@ std::uint32_t PointTree::nearest(const Point& a, const Point& b, const Point& c)
 
 void PointTree::for_within(const Point& p, double radius,
                            const std::function<void(std::uint32_t)>& visit) const {
-  struct Range {
-    std::size_t node, begin, end;
-  };
-  std::vector<Range> open{{0, 0, points_.size()}};
-  while (!open.empty()) {
-    const auto [node, begin, end] = open.back();
-    open.pop_back();
-    if (bound(p, balls_[node]) > radius) continue;
+  const auto go = [&](const auto& self, std::size_t node, std::size_t begin, std::size_t end) -> void {
+    const double reach = (radius + balls_[node].radius) * (1 + 2 * rounding);
+    if (squared_norm(balls_[node].center - p) > reach * reach) return;
     if (end - begin > points_per_leaf) {
       const std::size_t middle = middle_of(begin, end);
-      open.push_back({2 * node + 2, middle, end});
-      open.push_back({2 * node + 1, begin, middle});
-      continue;
+      self(self, 2 * node + 1, begin, middle);
+      self(self, 2 * node + 2, middle, end);
+      return;
     }
     for (std::size_t n = begin; n < end; ++n) {
       if (squared_norm(positions_[points_[n]] - p) <= radius * radius) visit(points_[n]);
     }
-  }
+  };
+  go(go, 0, 0, points_.size());
 }
 
 }  // namespace viete::mesh

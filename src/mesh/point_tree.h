@@ -28,8 +28,6 @@ private:
     Point center;
     double radius;
   };
-  static double least(double to_center, const Ball& ball);
-  static double bound(const Point& p, const Ball& ball);
   struct Search;
   void build(std::size_t node, std::size_t begin, std::size_t end);
   void search(std::size_t node, std::size_t begin, std::size_t end, Search& search) const;

@@ -370,13 +370,31 @@ BlockSolver::BlockSolver(const SparseMatrix& matrix, base::WorkerPool& pool, con
   }
 }
 
-void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel,
-                        const std::vector<Supernode>* part) const {
-  kernel.forward_columns(factor_.view(), block.data());
-  kernel.backward_columns(part ? factor_.view(*part) : factor_.view(), block.data());
+// Each thread has one block: making a new block for every act() would take as long as a solve.
+void BlockSolver::for_blocks(std::size_t columns, base::WorkerPool& pool, const FactorReport& report,
+                             const Act& act) const {
+  std::atomic<std::size_t> next{0}, done{0};
+  const std::size_t blocks = (columns + solved_columns - 1) / solved_columns;
+  pool.for_blocks(
+      std::min(blocks, static_cast<std::size_t>(pool.threads())), 1, [&](std::size_t, std::size_t) {
+        base::AlignedVector<double> block(unknowns() * solved_columns);
+        for (std::size_t i; (i = next++) < blocks;) {
+          const std::size_t begin = i * solved_columns, end = std::min(begin + solved_columns, columns);
+          std::ranges::fill(block, 0.0);
+          act(begin, end, block);
+          done += end - begin;
+          if (report) report(static_cast<double>(done) / static_cast<double>(columns));
+        }
+      });
 }
 
-std::vector<Supernode> BlockSolver::part_with(std::span<const std::uint32_t> unknowns) const {
+void BlockSolver::solve(std::span<double> block, const SparseKernel& kernel, const Part* given,
+                        const Part* wanted) const {
+  kernel.forward_columns(given ? factor_.view(*given) : factor_.view(), block.data());
+  kernel.backward_columns(wanted ? factor_.view(*wanted) : factor_.view(), block.data());
+}
+
+BlockSolver::Part BlockSolver::part_with(std::span<const std::uint32_t> unknowns) const {
   return factor_.part_above(unknowns, places_);
 }
 

@@ -91,13 +91,20 @@ public:
   const std::vector<std::uint32_t>& order() const { return factor_.order; }  ///< order of the rows of a block
   /// Returns the offset of an unknown's numbers in a block.
   std::size_t place(std::size_t unknown) const { return solved_columns * places_[unknown]; }
-  /// Replaces right-hand sides by solutions. The block has solved_columns numbers per unknown, beginning at
-  /// place(), and is aligned to a cache line. `part` may be a result of part_with(); then only its unknowns
-  /// are solved. Thread-safe.
-  void solve(std::span<double> block, const SparseKernel& kernel,
-             const std::vector<Supernode>* part = nullptr) const;
-  /// Returns the supernodes needed to solve for these unknowns.
-  std::vector<Supernode> part_with(std::span<const std::uint32_t> unknowns) const;
+  /// Solves for `columns` columns, sixteen at a time. From any thread of the pool, calls act(begin, end,
+  /// block) for columns [begin, end), with a block of zeros. A block has solved_columns numbers per unknown,
+  /// beginning at place(). Reports the fraction of columns that are done.
+  using Act = std::function<void(std::size_t begin, std::size_t end, std::span<double> block)>;
+  void for_blocks(std::size_t columns, base::WorkerPool& pool, const FactorReport& report,
+                  const Act& act) const;
+  /// Supernodes and all their ancestors.
+  using Part = std::vector<Supernode>;
+  /// Returns the supernodes of these unknowns, and all ancestors.
+  Part part_with(std::span<const std::uint32_t> unknowns) const;
+  /// Replaces the right-hand sides in a block by solutions. If `given` is not null, right-hand sides must be
+  /// 0 outside of this part. If `wanted` is not null, solves only for its unknowns. Thread-safe.
+  void solve(std::span<double> block, const SparseKernel& kernel, const Part* given = nullptr,
+             const Part* wanted = nullptr) const;
 
 private:
   SparseFactor factor_;
