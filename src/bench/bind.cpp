@@ -44,11 +44,6 @@ public:
       cases.push_back({name, size(), [what](std::size_t) { what(); }});
     };
     if (plain_) add("plain loops", [this] { plain_->compute(model_.positions, cage_); });
-    add("one vertex at a time", [this] {
-      weigh_one_by_one([](const auto& cage, const auto& p,
-                          std::span<double> row) { deform::inverse_distance_weights(cage, p, row); },
-                       elements());
-    });
     add("vectors", [this] { weigh(faces); });
     add("leaves and rings", [this] { lay_out(model_, cage_, faces); });
     add("bound, dense", [this] { dense_ = bind(faces, 0); });
@@ -56,8 +51,10 @@ public:
     add("harmonic, bound, compressed", [this] { bind(harmonics, deform::usual_tolerance); });
     add("biharmonic, bound, compressed", [this] { bind(biharmonics, deform::usual_tolerance); });
     if (plain_)
-      add("mean values, one at a time",
-          [this] { weigh_one_by_one(deform::mean_value_weights, cage_.surface.positions.size()); });
+      add("mean values, one at a time", [this] {
+        std::vector<double> row(cage_.surface.positions.size());
+        for (const auto& p : model_.positions) deform::mean_value_weights(cage_, p, row);
+      });
     add("mean values, vectors", [this] { weigh(mean_values); });
     add("mean values, bound", [this] { bind(mean_values, 0); });
     base::Progress progress;
@@ -70,12 +67,6 @@ public:
   const deform::TiledBinding& compressed() const { return compressed_; }
 
 private:
-  template <class Weights>
-  void weigh_one_by_one(const Weights& weights, std::size_t handles) {
-    std::vector<double> row(handles);
-    for (const auto& p : model_.positions) weights(cage_, p, row);
-  }
-
   // Computes weights leaf by leaf, as compression does, so that the full matrix is never in memory.
   void weigh(const deform::Weighting& weighting) {
     const deform::Weigher weigher(cage_, weighting);

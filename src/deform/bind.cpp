@@ -1,5 +1,7 @@
 #include "deform/bind.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <new>
@@ -7,7 +9,6 @@
 
 #include "base/error.h"
 #include "deform/cage_state.h"
-#include "deform/maps.h"
 #include "deform/point_weights.h"
 #include "deform/surface_proxy.h"
 #include "deform/surface_weights.h"
@@ -36,25 +37,32 @@ void allocate(Binding& binding) {
   }
 }
 
-// Writes weights, shares and offsets of the vertices [begin, end) to `b`. Returns the number of vertices
-// without mean value coordinates. `handles` are the handles' rest centres relative to `origin`.
-std::size_t fill_rows(const Cage& cage, std::span<const Vec3> handles, const Vec3& origin, std::size_t begin,
-                      std::size_t end, Binding& b) {
+// Returns a binding without weights and offsets.
+Binding unweighed(SharedShape rest, const Cage& cage, const Weighting& weighting) {
+  Binding b;
+  b.weighting = weighting;
+  b.vertices = rest->size();
+  b.handles = handle_count(cage, weighting.elements);
+  b.rest = std::move(rest);
+  b.rest_origin = middle(cage.surface.positions);
+  return b;
+}
+
+// Adds weights and shares. Returns the number of vertices without mean value coordinates.
+std::size_t weigh(const Weigher& weigher, Binding& b) {
+  std::vector<double> weights(weigher.scratch_size());
   std::size_t failed = 0;
-  for (std::size_t i = begin; i < end; ++i) {
-    const std::span<double> row(b.weights.data() + i * b.handles, b.handles);
-    switch (b.weighting.weights) {
-      case Weights::inverse: inverse_distance_weights(cage, (*b.rest)[i], row, b.weighting.elements); break;
-      case Weights::cut_off:
-        b.shares[i] = share_of_motion(cut_off_weights(cage, (*b.rest)[i], b.weighting, row));
-        break;
-      case Weights::mean_value: failed += !mean_value_weights(cage, (*b.rest)[i], row); break;
-      case Weights::harmonic:
-      case Weights::biharmonic:  // `row` is already solved; with a proxy, its sum is 1
-        if (b.vertices <= most_solved_vertices) normalise(row, b.weighting.clamped());
-        break;
+  for (std::size_t s = 0; s < b.vertices; s += bind_lanes) {
+    const std::size_t count = std::min(bind_lanes, b.vertices - s);
+    std::array<mesh::Point, bind_lanes> points;
+    for (std::size_t l = 0; l < bind_lanes; ++l) points[l] = (*b.rest)[s + std::min(l, count - 1)];
+    Weigher::LaneShares shares;
+    const unsigned lost = weigher.weigh(points, weights, shares);
+    for (std::size_t l = 0; l < count; ++l) {
+      for (std::size_t j = 0; j < b.handles; ++j) b.weights.push_back(weights[j * bind_lanes + l]);
+      if (b.weighting.partial()) b.shares.push_back(shares[l]);
+      failed += lost >> l & 1;
     }
-    b.offsets[i] = rest_offset(cage, handles, (*b.rest)[i] - origin, row);
   }
   return failed;
 }
@@ -83,31 +91,43 @@ void solve_surface_weights(const mesh::Surface& model, const Cage& cage, Binding
   system.solve(store, pool, progress);
 }
 
-std::size_t fill(const Cage& cage, Binding& binding, base::WorkerPool& pool, base::Progress* progress) {
+// Sets weights, shares and offsets. Weights along the surface are already solved; with a proxy, their sum
+// is 1. Returns the number of vertices without mean value coordinates.
+std::size_t fill(const Cage& cage, Binding& b, base::WorkerPool& pool, base::Progress* progress) {
+  const Weigher weigher(cage, b.weighting);
+  const bool on_surface = entry(b.weighting.weights).on_surface;
   std::atomic<std::size_t> done{0}, failed{0};
-  const auto centers = handle_centers(cage, binding.weighting.elements);
-  const Vec3 origin = binding.rest_origin;
-  const auto handles = relative_to(origin, {centers.begin(), centers.end()});
-  pool.for_blocks(binding.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
-    failed += fill_rows(cage, handles, origin, begin, end, binding);
+  pool.for_blocks(b.vertices, rows_per_block, [&](std::size_t begin, std::size_t end) {
+    const auto rows = b.weights.begin() + std::ptrdiff_t(begin * b.handles);
+    std::vector<double> solved;
+    if (on_surface) solved.assign(rows, rows + std::ptrdiff_t((end - begin) * b.handles));
+    for (std::size_t i = 0; i < solved.size() && b.vertices <= most_solved_vertices; i += b.handles)
+      normalise(std::span(solved).subspan(i, b.handles), b.weighting.clamped());
+    const auto part = bind_part(weigher, std::span(*b.rest).subspan(begin, end - begin), std::move(solved));
+    std::ranges::copy(part.binding.weights, rows);
+    std::ranges::copy(part.binding.offsets, b.offsets.begin() + std::ptrdiff_t(begin));
+    std::ranges::copy(part.binding.shares, b.shares.begin() + std::ptrdiff_t(begin));
+    failed += part.failed;
     done += end - begin;
-    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(binding.vertices));
+    if (progress) progress->report(static_cast<double>(done) / static_cast<double>(b.vertices));
   });
   return failed;
 }
 
-Binding unweighed(const std::shared_ptr<const mesh::Surface>& model, const Cage& cage,
-                  const Weighting& weighting) {
-  Binding binding;
-  binding.weighting = weighting;
-  binding.vertices = model->positions.size();
-  binding.handles = handle_count(cage, weighting.elements);
-  binding.rest = {model, &model->positions};
-  binding.rest_origin = middle(cage.surface.positions);
-  return binding;
-}
-
 }  // namespace
+
+BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
+                    std::vector<double> weights) {
+  BoundPart part{unweighed(std::make_shared<std::vector<mesh::Point>>(points.begin(), points.end()),
+                           weigher.cage(), weigher.weighting())};
+  Binding& b = part.binding;
+  b.weights = std::move(weights);
+  if (b.weights.empty()) part.failed = weigh(weigher, b);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    b.offsets.push_back(rest_offset(weigher.cage(), weigher.handle_positions(), points[i] - weigher.origin(),
+                                    std::span(b.weights).subspan(i * b.handles, b.handles)));
+  return part;
+}
 
 Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weighting, base::WorkerPool& pool,
              base::Progress* progress) {
@@ -128,7 +148,7 @@ Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const
           bind_tiles(*model, cage, weighting, pool, usual_tolerance, progress));
     return with_tiles(std::move(model), cage, std::move(tiles));
   }
-  Binding binding = unweighed(model, cage, weighting);
+  Binding binding = unweighed({model, &model->positions}, cage, weighting);
   binding.tiles = std::move(tiles);
   allocate(binding);
   binding.around = mesh::vertex_triangles(binding.vertices, model->triangles);
@@ -143,7 +163,7 @@ Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const
 
 Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,
                    std::shared_ptr<const TiledBinding> tiles) {
-  Binding binding = unweighed(model, cage, tiles->weighting);
+  Binding binding = unweighed({model, &model->positions}, cage, tiles->weighting);
   binding.warnings = weight_warnings(cage, binding.weighting.weights, tiles->failed, binding.vertices);
   binding.tiles = std::move(tiles);
   return binding;

@@ -1,9 +1,13 @@
 // Binds a model to a cage.
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "base/progress.h"
 #include "base/worker_pool.h"
 #include "deform/binding.h"
+#include "deform/weigher.h"
 
 namespace viete::deform {
 
@@ -18,6 +22,15 @@ Binding bind(const mesh::Surface& model, const Cage& cage, const Weighting& weig
 Binding bind(std::shared_ptr<const mesh::Surface> model, const Cage& cage, const Weighting& weighting,
              EngineKind engine, const Binding* known, base::WorkerPool& pool,
              base::Progress* progress = nullptr);
+
+/// A binding of points for place_vertices().
+struct BoundPart {
+  Binding binding;
+  std::size_t failed = 0;  ///< vertices without mean value coordinates
+};
+/// Binds points. If `weights` is empty, computes them; otherwise they are [point][handle], normalised.
+BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
+                    std::vector<double> weights = {});
 
 /// Makes a binding for the fused engine from tiles of this model and cage.
 Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,

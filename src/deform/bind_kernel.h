@@ -9,12 +9,15 @@
 namespace viete::deform {
 
 struct BindKernel {
-  /// Writes inverse_distance_weights() of eight points to weights [triangle][8 lanes].
+  /// Writes inverse distance weights of eight points to weights [triangle][8 lanes]: 1 / d^2 of each handle,
+  /// divided by the sum. d is the distance from the point to the handle; distances below the contact distance
+  /// count as the contact distance. Uses only ratios of distances, so no length scale overflows.
   void (*inverse_distance)(const WeightJob<double>& job, double* weights);
   /// Fills `rows` with inverse distance weights of 16 points. If a distance is too small or too large for
   /// float precision, returns false and leaves `rows` undefined.
   bool (*inverse_distance_rows)(const WeightJob<float>& job, const RowJob& rows);
-  /// Writes cut_off_weights() of eight points to weights [triangle][lane], and their totals to totals [lane].
+  /// Writes cut-off weights of eight points to weights [triangle][lane]: (1 - d / radius)^2 if d < radius,
+  /// otherwise 0, divided by the sum. Writes the sums to totals [lane]; if a sum is 0, all weights are 0.
   void (*cut_off)(const WeightJob<double>& job, double* weights, double* totals);
   /// Fills `rows`, including RowJob::totals, with cut-off weights of 16 points. If a distance or a total is
   /// too small for float precision, returns false and leaves `rows` undefined.

@@ -6,7 +6,6 @@
 
 #include "base/error.h"
 #include "base/memory.h"
-#include "deform/bind.h"
 #include "deform/staged_engine.h"
 #include "deform/stitched_engine.h"
 
@@ -19,23 +18,6 @@ namespace {
 std::size_t handle_block(std::size_t handles) {
   constexpr std::size_t weights = 1 << 17, most = 4096;
   return std::clamp(weights / std::max<std::size_t>(handles, 1) / bind_lanes * bind_lanes, bind_lanes, most);
-}
-
-// Returns the part of a binding for the vertices [begin, end), without triangles.
-Binding part_of(const Binding& whole, std::size_t begin, std::size_t end) {
-  const auto rows = [&](const auto& values, std::size_t length) {
-    const auto at = [&](std::size_t i) { return values.begin() + static_cast<std::ptrdiff_t>(i * length); };
-    return std::remove_cvref_t<decltype(values)>(at(begin), at(end));
-  };
-  Binding part;
-  part.weighting = whole.weighting;
-  part.vertices = end - begin;
-  part.handles = whole.handles;
-  part.rest_origin = whole.rest_origin;
-  part.rest = std::make_shared<const std::vector<mesh::Point>>(rows(*whole.rest, 1));
-  part.weights = rows(whole.weights, whole.handles);
-  part.offsets = rows(whole.offsets, 1);
-  return part;
 }
 
 bool holds_shares(const Mask& mask, const Weighting& weighting) {
@@ -84,9 +66,11 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
 }
 
 BoundPart ExactDeformer::part(std::size_t begin, std::size_t count) const {
-  BoundPart part = surface_weights_.weights.empty()
-                       ? bind_part(weigher_, std::span(model_.positions).subspan(begin, count))
-                       : BoundPart{part_of(surface_weights_, begin, begin + count)};
+  const std::size_t k = weigher_.handles();
+  std::vector<double> solved;
+  if (const auto& all = surface_weights_.weights; !all.empty())
+    solved.assign(all.begin() + std::ptrdiff_t(begin * k), all.begin() + std::ptrdiff_t((begin + count) * k));
+  BoundPart part = bind_part(weigher_, std::span(model_.positions).subspan(begin, count), std::move(solved));
   if (mask_)
     part.binding.shares = product(std::move(part.binding.shares), values(mask_).subspan(begin, count));
   return part;

@@ -9,13 +9,12 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
-#include "deform/binding.h"
+#include "deform/bind.h"
 #include "deform/cage_state.h"
 #include "deform/probe.h"
 #include "deform/probe_layer.h"
 #include "deform/shape_follower.h"
 #include "deform/stitching.h"
-#include "deform/vertex_sample.h"
 #include "deform/weigher.h"
 #include "sym3/exp.h"
 

@@ -98,24 +98,6 @@ Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin) {
   return {along(triangle.axes[0]), along(triangle.axes[1]), along(triangle.axes[2])};
 }
 
-void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
-                              Elements elements) {
-  const auto& x = cage.surface.positions;
-  const double contact2 = cage.contact * cage.contact;
-  double nearest2 = std::numeric_limits<double>::infinity();
-  for (std::size_t e = 0; e < weights.size(); ++e) {
-    weights[e] = std::numeric_limits<double>::infinity();
-    const auto [t, weighs] = handle_shape(cage, elements, e);
-    if (!weighs) continue;
-    weights[e] = std::max(contact2, mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance);
-    nearest2 = std::min(nearest2, weights[e]);
-  }
-  for (double& w : weights) w = nearest2 / w;
-  double sum = 0;
-  for (const double w : weights) sum += w;
-  for (double& w : weights) w /= sum;
-}
-
 HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle) {
   const auto h = static_cast<std::uint32_t>(handle);
   if (elements == Elements::face) return {cage.surface.triangles[h], !cage.degenerate[h]};
@@ -128,26 +110,6 @@ Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
   for (std::size_t j = 0; j < handles.size(); ++j) sum = sum + weights[j] * handles[j];
   const Vec3 left = x - sum;
   return largest_abs(left) > 4e-15 * cage.diagonal ? left : Vec3{0, 0, 0};
-}
-
-double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
-                       std::span<double> weights) {
-  const auto& x = cage.surface.positions;
-  const double radius = weighting.radius * cage.size;
-  double total = 0;
-  for (std::size_t h = 0; h < weights.size(); ++h) {
-    const auto [t, weighs] = handle_shape(cage, weighting.elements, h);
-    weights[h] = 0;
-    if (!weighs) continue;
-    const double d2 = mesh::closest_on_triangle(p, x[t[0]], x[t[1]], x[t[2]]).squared_distance;
-    const double left = std::max(0.0, 1 - std::sqrt(d2) / radius);
-    weights[h] = left * left;
-    total += weights[h];
-  }
-  if (total > 0) {
-    for (double& w : weights) w /= total;
-  }
-  return total;
 }
 
 namespace {

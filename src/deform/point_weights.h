@@ -1,7 +1,6 @@
-// Weights of cage elements at a point: inverse distance, cut-off and mean value weights.
+// For weights of handles at a point: handles as triangles, and mean value coordinates by their definition.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <span>
 
@@ -31,13 +30,6 @@ DistanceTriangle<float> in_float(const DistanceTriangle<double>& triangle);
 /// Returns axes * origin. The triangle's coordinates of a point p are axes * p minus this shift.
 Vec3 shift_of(const DistanceTriangle<double>& triangle, const Vec3& origin);
 
-/// Sets weights[i] = w_i / (sum of all w_j), where w_i is 1 / (squared distance from p to handle i). Weights
-/// are in [0, 1] and sum to 1. Uses only ratios of distances, so no length scale overflows. Distances below
-/// cage.contact count as cage.contact. If p is on the cage, the handles that touch p get equal weights, and
-/// other handles get nearly 0. `weights` has one entry per handle: 0 if HandleShape::weighs is false.
-void inverse_distance_weights(const Cage& cage, const mesh::Point& p, std::span<double> weights,
-                              Elements elements = Elements::face);
-
 /// A handle as a triangle, for distances.
 struct HandleShape {
   mesh::Triangle corners;  ///< for a vertex, the same index three times
@@ -51,22 +43,6 @@ HandleShape handle_shape(const Cage& cage, Elements elements, std::size_t handle
 /// origin.
 Vec3 rest_offset(const Cage& cage, std::span<const Vec3> handles, const Vec3& x,
                  std::span<const double> weights);
-
-/// Returns the part of the blended motion that a point follows, 0 to 1. `total` is the sum of the point's
-/// weights before normalisation: less than 1 if the distance to all handles is almost the radius.
-inline double share_of_motion(double total) {
-  return std::min(total, 1.0);
-}
-
-/// Sets weights[i] = w_i / t, where t is the sum of all weights w and
-///
-///     w = (1 - d / r)^2 if d < r, otherwise 0.
-///
-/// d is the exact unsigned distance from p to the handle, and r = weighting.radius * cage.size. Returns t.
-/// The point's share is share_of_motion(t). If no handle is within the radius, t and all weights are 0.
-/// `weights` has one entry per handle: 0 if HandleShape::weighs is false.
-double cut_off_weights(const Cage& cage, const mesh::Point& p, const Weighting& weighting,
-                       std::span<double> weights);
 
 /// Computes mean value weights of the cage's vertices at p, with sum 1. With these weights, blended positions
 /// reproduce affine poses of closed cages (Ju, Schaefer, Warren 2005; Floater, Kos, Reimers 2005). The mean

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "deform/bind.h"
 #include "deform/maps.h"
-#include "deform/point_weights.h"
 #include "deform/scheme.h"
 #include "deform/staged_engine.h"
 #include "deform/tiled_binding.h"
@@ -38,75 +38,24 @@ VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask&
   return sum;
 }
 
-namespace {
-
-// Returns a binding of the points with all members except weights and offsets.
-Binding unweighed_part(const Weigher& weigher, std::span<const mesh::Point> points) {
-  Binding b;
-  b.weighting = weigher.weighting();
-  b.vertices = points.size();
-  b.handles = weigher.handles();
-  b.rest = std::make_shared<const std::vector<mesh::Point>>(points.begin(), points.end());
-  b.rest_origin = weigher.origin();
-  b.weights.reserve(b.vertices * b.handles);
-  b.offsets.reserve(b.vertices);
-  return b;
-}
-
-void add_row(const Weigher& weigher, std::span<const double> weights, Binding& b) {
-  b.weights.insert(b.weights.end(), weights.begin(), weights.end());
-  b.offsets.push_back(rest_offset(weigher.cage(), weigher.handle_positions(),
-                                  (*b.rest)[b.offsets.size()] - weigher.origin(), weights));
-}
-
-}  // namespace
-
-BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points) {
-  BoundPart part{unweighed_part(weigher, points)};
-  std::vector<double> weights(weigher.scratch_size()), row(weigher.handles());
-  for (std::size_t s = 0; s < points.size(); s += bind_lanes) {
-    const std::size_t count = std::min(bind_lanes, points.size() - s);
-    std::array<mesh::Point, bind_lanes> lanes;
-    for (std::size_t l = 0; l < bind_lanes; ++l) lanes[l] = points[s + std::min(l, count - 1)];
-    Weigher::LaneShares shares;
-    const unsigned lost = weigher.weigh(lanes, weights, shares);
-    for (std::size_t l = 0; l < count; ++l) {
-      for (std::size_t j = 0; j < row.size(); ++j) row[j] = weights[j * bind_lanes + l];
-      add_row(weigher, row, part.binding);
-      if (weigher.weighting().partial()) part.binding.shares.push_back(shares[l]);
-      part.failed += lost >> l & 1;
-    }
-  }
-  return part;
-}
-
 BoundVertices::BoundVertices(const Weigher& weigher, const Binding& binding, const Mask& mask)
     : weigher_(weigher), binding_(binding), mask_(mask) {
   if (entry(binding.weighting.weights).on_surface && binding.weights.empty())
     slots_ = slots_of(binding.tiles->leaves);
 }
 
-namespace {
-
-// Binds points. Computes weights in space, but reads weights along the surface from row(i).
-template <class Row>
-Binding weighed_part(const Weigher& weigher, std::span<const mesh::Point> points, const Row& row) {
-  if (!entry(weigher.weighting().weights).on_surface) return bind_part(weigher, points).binding;
-  Binding part = unweighed_part(weigher, points);
-  for (std::size_t i = 0; i < points.size(); ++i) add_row(weigher, row(i), part);
-  return part;
-}
-
-}  // namespace
-
 Binding BoundVertices::part(std::span<const std::size_t> vertices) const {
-  std::vector<double> kept(weigher_.handles());
-  const auto row = [&](std::size_t i) -> std::span<const double> {
-    if (slots_.empty()) return std::span(binding_.weights).subspan(vertices[i] * kept.size(), kept.size());
-    binding_.tiles->kept_row(slots_[vertices[i]], kept);
-    return kept;
-  };
-  Binding part = weighed_part(weigher_, picked(std::span(*binding_.rest), vertices), row);
+  const std::size_t k = weigher_.handles();
+  std::vector<double> rows;
+  if (entry(binding_.weighting.weights).on_surface) rows.resize(vertices.size() * k);
+  for (std::size_t i = 0; i * k < rows.size(); ++i) {
+    const std::span row = std::span(rows).subspan(i * k, k);
+    if (slots_.empty())
+      std::copy_n(binding_.weights.data() + vertices[i] * k, k, row.begin());
+    else
+      binding_.tiles->kept_row(slots_[vertices[i]], row);
+  }
+  Binding part = bind_part(weigher_, picked(std::span(*binding_.rest), vertices), std::move(rows)).binding;
   part.shares = product(std::move(part.shares), picked(values(mask_), vertices));
   return part;
 }
@@ -127,9 +76,7 @@ double sampled_error(const Weigher& weigher, const Binding& binding, const Mask&
                      std::span<const Vec3> shown) {
   const auto vertices = spread_vertices(binding.vertices, error_sample);
   auto exact = picked(std::span(*binding.rest), vertices);
-  const Binding part = weighed_part(weigher, exact, [&](std::size_t i) {
-    return std::span(binding.tiles->sample).subspan(i * weigher.handles(), weigher.handles());
-  });
+  const Binding part = bind_part(weigher, exact, binding.tiles->sample).binding;
   const Shares shares = product(part.shares, picked(values(mask), vertices));
   place_vertices({part, shares, picked(ways, vertices)}, rows, sym3::Method::fast, exact);
   if (layer && layer->moves()) move_by(*layer, vertices, rows.origin, exact);

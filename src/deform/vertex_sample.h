@@ -34,13 +34,6 @@ struct VertexSum {
 VertexSum vertex_sum(const Weigher& weigher, const Binding& binding, const Mask& mask, const Rows& rows,
                      std::size_t vertex);
 
-/// A binding of given points, with weights and offsets as in the staged frame.
-struct BoundPart {
-  Binding binding;
-  std::size_t failed = 0;  ///< vertices without mean value coordinates
-};
-BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points);
-
 /// Binds selected vertices of a binding, with shares multiplied by the mask. Reads weights along the surface
 /// from the staged engine's data or, if these are missing, from the tiles. Keeps references to arguments.
 class BoundVertices {

@@ -111,7 +111,7 @@ unsigned Weigher::weigh(std::span<const mesh::Point, bind_lanes> points, std::sp
     case Weights::inverse: kernel_.inverse_distance(job(at), scratch.data()); return 0;
     case Weights::cut_off:
       kernel_.cut_off(job(at), scratch.data(), shares.data());
-      for (double& share : shares) share = share_of_motion(share);
+      for (double& share : shares) share = std::min(share, 1.0);
       return 0;
     case Weights::mean_value: return weigh_mean_values(points, at, scratch);
     case Weights::harmonic:

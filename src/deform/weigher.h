@@ -13,9 +13,9 @@
 
 namespace viete::deform {
 
-/// Computes weights for any points, as in Binding. The error is 1e-13, or the error of
-/// inverse_distance_weights() and mean_value_weights() if that is larger. Weights along the surface exist
-/// only at vertices and are not computed here. Keeps a reference to the cage. Thread-safe.
+/// Computes weights for any points, as in Binding. For definitions, see BindKernel and mean_value_weights().
+/// The error is 1e-13; near an element, rounding in the distance can add more. Weights along the surface
+/// exist only at vertices and are not computed here. Keeps a reference to the cage. Thread-safe.
 class Weigher {
 public:
   Weigher(const Cage& cage, const Weighting& weighting, const sym3::Kernel& kernel = sym3::kernel());

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
 constexpr double pole_width = std::numbers::pi / 3;
-constexpr double small_angle = 0.05;
 
 // Returns a factor that keeps E bounded: 0 at 360, 720 ... degrees, 1 if these are pole_width or more away.
 double kept(double angle) {
@@ -24,14 +23,6 @@ double kept(double angle) {
 
 double kept(const Mat3<double>& log, const Vec3<double>& turn) {
   return norm(turn) > 3 ? kept(angle_of(log)) : 1;
-}
-
-// Returns the eigenvalue of E perpendicular to the axis: (angle / 2) cot(angle / 2) * kept(angle).
-double across(double angle) {
-  const double square = angle * angle;
-  if (angle < small_angle) return 1 - square / 12 * (1 + square / 60 * (1 + square / 42));
-  const double share = kept(angle);
-  return share > 0 ? share * (angle / 2) / std::tan(angle / 2) : 0;
 }
 
 Mat3<double> projector(const Vec3<double>& axis) {
@@ -97,15 +88,6 @@ Mat3<double> by_rows(const std::array<Vec3<double>, 3>& m) {
 
 }  // namespace
 
-Sym3<double> even_part(const Vec3<double>& y) {
-  const double angle = norm(y), g = across(angle);
-  if (angle == 0) return identity<double>();
-  // For tiny angles, rounding decides the axis, but then 1 - g is also tiny.
-  const double along = (1 - g) / dot(y, y);
-  return {g + along * y[0] * y[0], along * y[0] * y[1], along * y[0] * y[2],
-          g + along * y[1] * y[1], along * y[1] * y[2], g + along * y[2] * y[2]};
-}
-
 Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& y) {
   const double share = kept(log, y);
   Mat3<double> e{};
@@ -119,16 +101,6 @@ Mat3<double> even_part(const Mat3<double>& log, const Vec3<double>& y) {
 
 Vec3<double> phi_times(const Mat3<double>& log, const Vec3<double>& x) {
   return Phi(log) * x;
-}
-
-// With t = |y|, returns phi(Y) x for phi(Y) = I + (1 - cos t) / t^2 * Y + (t - sin t) / t^3 * Y^2.
-Vec3<double> phi_times(const Vec3<double>& y, const Vec3<double>& x) {
-  const double square = dot(y, y), angle = std::sqrt(square);
-  const double half_sine = angle > 0 ? std::sin(angle / 2) / angle : 0.5,
-               sinc = 2 * std::cos(angle / 2) * half_sine;
-  const double along = angle < small_angle ? (1 - square / 20 * (1 - square / 42 * (1 - square / 72))) / 6
-                                           : (1 - sinc) / square;
-  return plus(plus(times(sinc, x), 2 * half_sine * half_sine, cross(y, x)), along * dot(y, x), y);
 }
 
 Vec3<double> inverse_phi_times(const Mat3<double>& log, const Vec3<double>& turn, const Vec3<double>& x) {

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/bound.h"
 #include "deform/point_weights.h"
 #include "deform/shapes.h"
@@ -13,9 +14,14 @@ using namespace viete::test;
 namespace {
 
 std::vector<double> weights_at(const Cage& cage, const Vec3& p) {
-  std::vector<double> w(cage.element_count());
-  inverse_distance_weights(cage, p, w);
-  return w;
+  return bind_part(Weigher(cage, faces), std::array{p}).binding.weights;
+}
+
+// Returns the cut-off weights and the share.
+std::vector<double> cut_off_at(const Cage& cage, const Vec3& p, double radius) {
+  Binding part = bind_part(Weigher(cage, viete::test::cut_off(radius)), std::array{p}).binding;
+  part.weights.push_back(part.shares[0]);
+  return part.weights;
 }
 
 using Long3 = std::array<long double, 3>;
@@ -98,11 +104,7 @@ TEST_CASE("near_an_element_weights_approach_the_limit_without_a_jump") {
 }
 
 TEST_CASE("weights_are_the_same_at_every_length_scale_and_finite_everywhere") {
-  const auto cut_off_at = [](const Cage& cage, const Vec3& p) {
-    std::vector<double> w(cage.element_count());
-    w.push_back(cut_off_weights(cage, p, viete::test::cut_off(0.1), w));
-    return w;
-  };
+  const auto cut_offs_at = [](const Cage& cage, const Vec3& p) { return cut_off_at(cage, p, 0.1); };
   const auto mean_values_at = [](const Cage& cage, const Vec3& p) { return at(cage, p).weights; };
   const Cage cage = make_cage(box({1, 2, 3}));
   Random random(5);
@@ -114,7 +116,7 @@ TEST_CASE("weights_are_the_same_at_every_length_scale_and_finite_everywhere") {
     };
     for (int n = 0; n < 50; ++n) {
       const Vec3 p = random.vector(4);
-      check(weights_at, p), check(cut_off_at, p), check(mean_values_at, p);
+      check(weights_at, p), check(cut_offs_at, p), check(mean_values_at, p);
     }
     for (const auto& p : other.surface.positions) CHECK(sum(weights_at(other, p)) == doctest::Approx(1));
   }
@@ -150,26 +152,27 @@ TEST_CASE("weights_match_their_definition_in_long_double") {
   }
 }
 
-TEST_CASE("cut_off_weights_match_their_definition_and_return_their_total") {
+TEST_CASE("cut_off_weights_and_shares_match_their_definition") {
   const Cage cage = make_cage(box({1, 2, 3}));
   Random random(5);
-  std::vector<double> w(cage.element_count());
   std::size_t none = 0, some = 0, all = 0;
   for (int n = 0; n < 500; ++n) {
     const Vec3 p = random.vector(4);
-    const Weighting weighting = viete::test::cut_off(0.2);
-    const double total = cut_off_weights(cage, p, weighting, w);
-    long double expected = 0, sum = 0;
+    auto w = cut_off_at(cage, p, 0.2);
+    const double share = w.back();
+    w.pop_back();
+    std::vector<long double> own;
     for (std::uint32_t e = 0; e < w.size(); ++e) {
       const long double d = std::sqrt(squared_distance(cage, e, p)) / (0.2L * cage.size);
-      const long double own = d < 1 ? (1 - d) * (1 - d) : 0;
-      expected += own, sum += w[e];
-      CHECK(std::abs(w[e] * total - double(own)) < 1e-14);
-      if (d >= 1) CHECK(w[e] == 0);
+      own.push_back(d < 1 ? (1 - d) * (1 - d) : 0);
     }
-    CHECK(total == doctest::Approx(double(expected)).epsilon(1e-12));
-    CHECK(share_of_motion(total) == std::min(total, 1.0));
-    if (total > 0) CHECK(double(sum) == doctest::Approx(1).epsilon(1e-14));
+    const double total = double(std::accumulate(own.begin(), own.end(), 0.0L));
+    for (std::uint32_t e = 0; e < w.size(); ++e) {
+      CHECK(std::abs(w[e] * total - double(own[e])) < 1e-14);
+      if (own[e] == 0) CHECK(w[e] == 0);
+    }
+    CHECK(share == doctest::Approx(std::min(total, 1.0)).epsilon(1e-12));
+    if (total > 0) CHECK(sum(w) == doctest::Approx(1).epsilon(1e-14));
     none += total == 0, some += total > 0 && total < 1, all += total >= 1;
   }
   CHECK(std::min({none, some, all}) > 50);
@@ -177,14 +180,12 @@ TEST_CASE("cut_off_weights_match_their_definition_and_return_their_total") {
 
 TEST_CASE("on_an_element_and_on_both_sides_a_cut_off_weight_is_finite") {
   const Cage cage = make_cage(box({1, 2, 3}));
-  std::vector<double> w(cage.element_count());
-  const double inside = cut_off_weights(cage, {0.9, 0, 0}, viete::test::cut_off(0.05), w);
-  CHECK(cut_off_weights(cage, {1.1, 0, 0}, viete::test::cut_off(0.05), w) == doctest::Approx(inside));
-  const Weighting weighting = viete::test::cut_off(0.01);
-  CHECK(cut_off_weights(cage, cage.centers[0], weighting, w) == doctest::Approx(1));
-  CHECK(w[0] == doctest::Approx(1));
-  CHECK(cut_off_weights(cage, {0, 0, 0}, weighting, w) == 0);
-  for (const double x : w) CHECK(x == 0);
+  CHECK(cut_off_at(cage, {1.1, 0, 0}, 0.05).back() ==
+        doctest::Approx(cut_off_at(cage, {0.9, 0, 0}, 0.05).back()));
+  const auto on = cut_off_at(cage, cage.centers[0], 0.01);
+  CHECK(on.front() == doctest::Approx(1));
+  CHECK(on.back() == doctest::Approx(1));
+  for (const double x : cut_off_at(cage, {0, 0, 0}, 0.01)) CHECK(x == 0);
 }
 
 TEST_CASE("weights_reproduce_points_inside_and_outside_a_closed_cage") {
