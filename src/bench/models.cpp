@@ -178,10 +178,6 @@ bool has_area(std::span<const Point> p, const mesh::Triangle& t) {
   return mesh::has_area(p[t[0]], p[t[1]], p[t[2]]);
 }
 
-double area_of(std::span<const Point> p, const mesh::Triangle& t) {
-  return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
-}
-
 // The common apex of all tetrahedra is a vertex, so that models far from 0 lose no digits.
 double volume_of(std::span<const Point> p, std::span<const mesh::Triangle> triangles) {
   const Point& apex = p[triangles[0][0]];
@@ -237,7 +233,7 @@ void RestModel::add_hinges(const mesh::Surface& model) {
     if (!has_area(positions_, first) || !has_area(positions_, second)) continue;
     Hinge hinge{{edge[0], edge[1], opposite(first, edge), opposite(second, edge)}, 0, 0};
     hinge.weight = 3 * squared_norm(positions_[edge[1]] - positions_[edge[0]]) /
-                   (area_of(positions_, first) + area_of(positions_, second));
+                   (mesh::area(positions_, first) + mesh::area(positions_, second));
     hinge.angle = hinge_angle(positions_, hinge.corners);
     hinges_.push_back(hinge);
   }

@@ -4,8 +4,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
-#include <new>
-#include <stdexcept>
+#include <exception>
 
 #include "base/error.h"
 #include "deform/cage_state.h"
@@ -30,9 +29,7 @@ void allocate(Binding& binding) {
     binding.weights.resize(binding.vertices * binding.handles);
     binding.offsets.resize(binding.vertices);
     if (binding.weighting.partial()) binding.shares.resize(binding.vertices);
-  } catch (const std::bad_alloc&) {
-    base::refuse_memory(need);
-  } catch (const std::length_error&) {
+  } catch (const std::exception&) {  // of a failed allocation
     base::refuse_memory(need);
   }
 }

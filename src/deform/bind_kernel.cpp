@@ -1,6 +1,5 @@
 #include "deform/bind_kernel.h"
 
-#include "deform/sparse/sparse_kernel.h"
 #include "sym3/highway_targets.h"
 
 #define HWY_TARGET_INCLUDE "deform/bind_kernel.cpp"

@@ -11,6 +11,7 @@
 #include "base/text.h"
 #include "deform/maps.h"
 #include "deform/plane_kernel.h"
+#include "mesh/triangle.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/kernel.h"
 #include "sym3/polar.h"
@@ -70,8 +71,7 @@ ExamplePosing::ExamplePosing(const ShapeSpace& space, std::vector<const LogVecto
     for (const Vec3& leftover : example->leftovers) own.push_back(times(turn, leftover));
     leftovers_.push_back(std::move(own));
   }
-  for (const auto& [a, b, c] : space_.logs().corners())
-    area_ += norm(cross(rest[b] - rest[a], rest[c] - rest[a])) / 2;
+  for (const auto& t : space_.logs().corners()) area_ += mesh::area(rest, t);
   fill_groups();
   restart();
 }

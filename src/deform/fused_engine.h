@@ -14,7 +14,8 @@
 namespace viete::deform {
 
 /// Computes the frame of the staged engine with method `fast`, but in float and in one pass over the weights.
-/// The engines' positions differ by at most 1e-6 of the diagonal, plus twice the compression tolerance.
+/// The engines' positions differ by at most 1e-6 of the diagonal (2e-6 for moments with cut-off weights),
+/// plus twice the compression tolerance.
 ///
 /// If at most a quarter of the handles move in a drag, and weights have more factors than rows have columns,
 /// the cost is proportional to the number of moved handles. The first frame of the drag stores the sums of

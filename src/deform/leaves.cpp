@@ -236,11 +236,6 @@ private:
 
 }  // namespace
 
-std::size_t Rings::bytes() const {
-  return sizeof(std::uint32_t) * (position_starts.size() + ghosts.size() + neighbour_starts.size()) +
-         sizeof(std::uint16_t) * (neighbours.size() + lengths.size());
-}
-
 Rings make_rings(const Leaves& leaves, std::span<const mesh::Triangle> triangles) {
   return Builder(leaves, triangles).build();
 }

@@ -68,7 +68,6 @@ struct Rings {
   std::vector<HighValence> high_valence;
 
   std::size_t position_count() const { return position_starts.back(); }
-  std::size_t bytes() const;
 };
 
 /// Takes linear time. Ignores triangles that repeat a corner.

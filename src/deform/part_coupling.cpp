@@ -101,10 +101,9 @@ private:
 };
 
 double area_of(const mesh::Surface& surface) {
-  const auto& p = surface.positions;
-  double doubled = 0;
-  for (const auto& [a, b, c] : surface.triangles) doubled += norm(cross(p[b] - p[a], p[c] - p[a]));
-  return doubled / 2;
+  double sum = 0;
+  for (const auto& t : surface.triangles) sum += mesh::area(surface.positions, t);
+  return sum;
 }
 
 }  // namespace

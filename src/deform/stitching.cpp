@@ -1,7 +1,6 @@
 #include "deform/stitching.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <new>

@@ -49,11 +49,6 @@ std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::
   return open;
 }
 
-double area(const mesh::Surface& model, const mesh::Triangle& t) {
-  const auto& p = model.positions;
-  return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
-}
-
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 template <class T>
@@ -91,7 +86,7 @@ public:
       : model_(model), triangles_(triangles), level_(model.positions.size(), 0), masses_(level_.size(), 0) {
     low_ = mesh::bounds(model.positions).low;
     for (const auto& t : triangles) {
-      const double third = area(model, t) / 3;
+      const double third = mesh::area(model.positions, t) / 3;
       area_ += 3 * third;
       for (const auto v : t) masses_[v] += third;
     }

@@ -1,7 +1,6 @@
 #include "deform/surface_weights.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "base/error.h"

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <array>
-#include <cmath>
 #include <string>
 
 #include "base/error.h"

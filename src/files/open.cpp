@@ -11,7 +11,6 @@
 #include "document/animation.h"
 #include "document/cage_making.h"
 #include "document/document.h"
-#include "document/edit.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
 #include "document/record.h"

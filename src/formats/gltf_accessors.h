@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "formats/gltf_file.h"
-#include "mesh/vector.h"
 
 namespace viete::formats {
 

@@ -6,7 +6,6 @@
 #include "base/progress.h"
 #include "formats/original.h"
 #include "formats/source.h"
-#include "mesh/surface.h"
 
 namespace viete::formats {
 

@@ -1,6 +1,5 @@
 #include "formats/write.h"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>

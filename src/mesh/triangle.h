@@ -20,6 +20,9 @@ std::vector<Triangle> proper_triangles(const Surface& surface);
 /// True if 2 * area > 1e-12 * L^2, where L is the largest absolute coordinate of a side vector. False for
 /// lines and points, even after rounding. Lengths must be from 1e-300 to 1e300.
 bool has_area(const Point& a, const Point& b, const Point& c);
+inline double area(std::span<const Point> p, const Triangle& t) {
+  return norm(cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]])) / 2;
+}
 
 struct Closest {
   double squared_distance;

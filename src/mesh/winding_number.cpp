@@ -1,6 +1,5 @@
 #include "mesh/winding_number.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -107,9 +107,6 @@ void Program::set(const char* name, const glm::vec3& value) const {
 void Program::set(const char* name, const glm::vec4& value) const {
   gl_.Uniform4f(location(name), value.x, value.y, value.z, value.w);
 }
-void Program::set(const char* name, const glm::mat3& value) const {
-  gl_.UniformMatrix3fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
-}
 void Program::set(const char* name, const glm::mat4& value) const {
   gl_.UniformMatrix4fv(location(name), 1, GL_FALSE, glm::value_ptr(value));
 }

@@ -6,7 +6,6 @@
 #include <span>
 #include <vector>
 
-#include "base/choice.h"
 #include "base/drawn_vertex.h"
 #include "render/gl.h"
 #include "render/image.h"

@@ -29,3 +29,16 @@
 #define HWY_DISABLED_TARGETS                                                                        \
   (HWY_SSSE3 | HWY_SSE4 | VIETE_HWY_SSE2 | HWY_AVX3_DL | VIETE_HWY_AVX3_ZEN4 | VIETE_HWY_AVX3_SPR | \
    HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | (VIETE_KERNELS_LEFT_OUT))
+
+// The scalar version, or null if each computer that the build supports has a better instruction set.
+#if HWY_TARGETS & HWY_SCALAR
+#define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
+#else
+#define VIETE_CHOOSE_SCALAR(name) nullptr
+#endif
+// Use after Highway's foreach_target: returns the object `name` of the namespace of `target`.
+#define VIETE_RETURN_COMPILED(name, target)               \
+  return *((target) == HWY_AVX3   ? HWY_CHOOSE_AVX3(name) \
+           : (target) == HWY_AVX2 ? HWY_CHOOSE_AVX2(name) \
+           : (target) == HWY_NEON ? HWY_CHOOSE_NEON(name) \
+                                  : VIETE_CHOOSE_SCALAR(name))

@@ -178,16 +178,4 @@ void apply_opened(Workspace& w, files::Opened&& opened) {
   frame_all(w, false);
 }
 
-bool open_now(Workspace& w, const files::OpenRequest& request) {
-  try {
-    files::Opened opened = open_files(request, w.document);
-    check_drawable(opened);
-    apply_opened(w, std::move(opened));
-    return true;
-  } catch (const std::exception& error) {
-    w.messages.error(error.what(), {"open"});
-    return false;
-  }
-}
-
 }  // namespace viete::workspace

@@ -10,7 +10,4 @@ namespace viete::workspace {
 /// If the file is the example, plays the animation.
 void apply_opened(Workspace& workspace, files::Opened&& opened);
 
-/// Reads the files and calls apply_opened(). On failure, shows the error, changes nothing and returns false.
-bool open_now(Workspace& workspace, const files::OpenRequest& request);
-
 }  // namespace viete::workspace

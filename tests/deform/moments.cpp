@@ -1,4 +1,3 @@
-#include "deform/moments.h"
 
 #include <doctest/doctest.h>
 

@@ -11,7 +11,6 @@
 #include "support/cube.h"
 #include "support/files.h"
 #include "support/open.h"
-#include "workspace/apply_opened.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -64,16 +63,6 @@ TEST_CASE("sizes_that_float_can_draw_and_double_can_deform_are_told_from_those_t
   CHECK_THROWS_AS(check_deformable(open_document(model, {})), base::Error);
 }
 
-TEST_CASE("a_pose_that_cannot_be_drawn_is_refused_and_the_old_one_stays") {
-  const test::CubeFiles files;
-  Workspace w = test::opened({files.model, files.cage});
-  formats::write(files / "far.obj", test::cube(1e40));
-  const auto before = w.document.pose.positions;
-  CHECK_FALSE(open_now(w, {OpenRequest::What::pose, {files / "far.obj"}}));
-  CHECK(w.messages.all().back().text.find("cannot be drawn") != std::string::npos);
-  CHECK(w.document.pose.positions == before);
-}
-
 TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   const test::CubeFiles files;
   Workspace w = test::opened({files.model, files.cage});
@@ -86,11 +75,13 @@ TEST_CASE("a_broken_file_leaves_the_open_document_as_it_was_and_says_why") {
   CHECK_FALSE(test::load_cage(w, files.broken));
   CHECK_FALSE(test::load_cage(w, files / "missing.obj"));
   CHECK_FALSE(test::load_pose(w, files.broken));
+  formats::write(files / "far.obj", test::cube(1e40));
+  CHECK_FALSE(test::load_pose(w, files / "far.obj"));
   CHECK(w.document.model.surface.get() == surface);
   CHECK(w.document.pose.positions == pose);
   CHECK(w.document.revisions().surfaces == topology);
   CHECK(w.messages.all().back().severity == Severity::error);
-  for (const char* name : {"broken.obj", "missing.obj"})
+  for (const char* name : {"broken.obj", "missing.obj", "cannot be drawn"})
     CHECK(std::ranges::any_of(w.messages.all(),
                               [&](const Message& m) { return m.text.find(name) != std::string::npos; }));
 }

@@ -15,7 +15,6 @@
 #include "support/files.h"
 #include "support/grips.h"
 #include "support/open.h"
-#include "workspace/apply_opened.h"
 #include "workspace/pointer.h"
 #include "workspace/saving.h"
 
@@ -282,10 +281,10 @@ TEST_CASE("probes_and_mask_are_unsaved_until_their_session_is_and_stay_with_anot
     };
     CHECK(is_kept());
     CHECK_FALSE(has_unsaved_edits(back));
-    REQUIRE(open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
+    REQUIRE(test::open_now(back, {OpenRequest::What::cage, {p.files.cage}}));
     CHECK(is_kept());
     CHECK(has_unsaved_edits(back));  // no session file has both the probes and this cage
-    REQUIRE(open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
+    REQUIRE(test::open_now(back, {OpenRequest::What::model, {p.files.model, p.files.cage}}));
     CHECK(back.document.probes.empty());
     CHECK_FALSE(back.document.mask);
     CHECK_FALSE(has_unsaved_edits(back));

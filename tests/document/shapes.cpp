@@ -15,7 +15,6 @@
 #include "support/folder.h"
 #include "support/open.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
 
@@ -79,8 +78,8 @@ struct BarFiles : test::TemporaryFolder {
 
   void open(const fs::path& cage = {}) { REQUIRE(test::load_model(w, model, cage)); }
   void add_bends() {
-    REQUIRE(
-        open_now(w, {What::shapes, {write("left.obj", bent(quarter_turn)), write("right.obj", bent(-1))}}));
+    REQUIRE(test::open_now(
+        w, {What::shapes, {write("left.obj", bent(quarter_turn)), write("right.obj", bent(-1))}}));
     REQUIRE(document().library.poses.size() == 2);
   }
   bool weigh(std::size_t pose, double weight) {
@@ -171,20 +170,20 @@ TEST_CASE("files_that_fit_are_shapes_when_dropped_and_the_model_itself_is_opened
   f.open();
   const fs::path left = f.write("left.obj", f.bent(1)), right = f.write("right.ply", f.bent(-1)),
                  third = f.write("third.off", f.bent(2));
-  REQUIRE(open_now(f.w, {What::dropped, {left}}));
+  REQUIRE(test::open_now(f.w, {What::dropped, {left}}));
   CHECK(f.document().library.poses.size() == 1);
   CHECK(mentions(f.w.messages.all().front().text, "as a shape"));
-  REQUIRE(open_now(f.w, {What::dropped, {third, right}}));
-  REQUIRE(open_now(f.w, {What::dropped, {left, right, third}}));
+  REQUIRE(test::open_now(f.w, {What::dropped, {third, right}}));
+  REQUIRE(test::open_now(f.w, {What::dropped, {left, right, third}}));
   CHECK(f.document().library.poses.size() == 6);
   CHECK(f.document().library.poses[5].name == "third 2");
-  CHECK(!open_now(f.w, {What::shapes, {f.cage_file()}}));
+  CHECK(!test::open_now(f.w, {What::shapes, {f.cage_file()}}));
   CHECK(mentions(f.w.messages.all().back().text, "the file has 8 vertices, the model has 68"));
   CHECK(f.document().library.poses.size() == 6);
-  REQUIRE(open_now(f.w, {What::dropped, {f.model}}));
+  REQUIRE(test::open_now(f.w, {What::dropped, {f.model}}));
   CHECK(f.document().library.poses.empty());
   // Imports all suitable files of a folder, except the model itself.
-  REQUIRE(open_now(f.w, {What::shapes, {f / "."}}));
+  REQUIRE(test::open_now(f.w, {What::shapes, {f / "."}}));
   CHECK(f.document().library.poses.size() == 3);
 }
 

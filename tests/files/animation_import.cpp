@@ -10,8 +10,8 @@
 #include "formats/point_cache.h"
 #include "support/animated_cube.h"
 #include "support/distance.h"
+#include "support/open.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 
 using namespace viete;
 using namespace viete::document;
@@ -139,17 +139,17 @@ TEST_CASE("poses_and_animations_are_opened_as_edits") {
   m.write_poses();
   Workspace w;
   using What = OpenRequest::What;
-  REQUIRE(open_now(w, {What::model, {m.model, m.cage}}));
-  REQUIRE(open_now(w, {What::poses, {m / "p_9.obj", m / "p_17.obj"}}));
+  REQUIRE(test::open_now(w, {What::model, {m.model, m.cage}}));
+  REQUIRE(test::open_now(w, {What::poses, {m / "p_9.obj", m / "p_17.obj"}}));
   CHECK(w.document.library.poses.size() == 2);
-  REQUIRE(open_now(w, {What::animation, {m / "p_9.obj"}}));
+  REQUIRE(test::open_now(w, {What::animation, {m / "p_9.obj"}}));
   CHECK(w.document.timeline.keys.size() == 3);
   CHECK(w.document.timeline.first == 1);
   CHECK(w.document.timeline.last == 17);
-  CHECK_FALSE(open_now(w, {What::animation, {m.cage}}));
+  CHECK_FALSE(test::open_now(w, {What::animation, {m.cage}}));
   CHECK(w.document.timeline.keys.size() == 3);
   m.write(m / "dropped.pc2");
-  REQUIRE(open_now(w, {What::dropped, {m / "dropped.pc2"}}));
+  REQUIRE(test::open_now(w, {What::dropped, {m / "dropped.pc2"}}));
   CHECK(w.document.timeline.keys.size() == 17);
   undo(w.document);
   CHECK(w.document.timeline.keys.size() == 3);

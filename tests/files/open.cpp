@@ -17,7 +17,6 @@
 #include "support/open.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -30,7 +29,7 @@ using What = OpenRequest::What;
 namespace {
 
 bool drop(Workspace& w, std::vector<fs::path> files) {
-  return open_now(w, {What::dropped, std::move(files)});
+  return test::open_now(w, {What::dropped, std::move(files)});
 }
 
 bool said(const Workspace& w, const std::string& part) {
@@ -162,7 +161,7 @@ TEST_CASE("a_model_can_be_opened_with_its_cage_and_a_pose_as_the_start") {
   CHECK(w.document.pose.positions == test::cube(2).positions);
   CHECK_FALSE(w.document.history.can_undo());
   CHECK_FALSE(has_unsaved_edits(w));
-  CHECK_FALSE(open_now(w, {What::model, {files.model, {}, files.pose}}));
+  CHECK_FALSE(test::open_now(w, {What::model, {files.model, {}, files.pose}}));
   CHECK(said(w, "open the cage too"));
 }
 
@@ -215,13 +214,13 @@ TEST_CASE(
   RequestedSettings asked;
   asked.method = sym3::Method::diag;
   Workspace other_method;
-  REQUIRE(open_now(other_method, {What::model, {files / "a.viete"}, asked}));
+  REQUIRE(test::open_now(other_method, {What::model, {files / "a.viete"}, asked}));
   CHECK(other_method.document.method == sym3::Method::diag);
   CHECK_FALSE(has_unsaved_edits(other_method));
 
   asked.choice.blend = deform::Blend::linear;
   Workspace other_blend;
-  REQUIRE(open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
+  REQUIRE(test::open_now(other_blend, {What::model, {files / "a.viete"}, asked}));
   CHECK(other_blend.document.scheme.blend == deform::Blend::linear);
   CHECK(other_blend.document.scheme.weighting.radius == 0.3);
   CHECK(has_unsaved_edits(other_blend));
@@ -229,12 +228,12 @@ TEST_CASE(
   asked = {};
   asked.iterations = 2;
   Workspace stitched;
-  REQUIRE(open_now(stitched, {What::model, {files / "a.viete"}, asked}));
+  REQUIRE(test::open_now(stitched, {What::model, {files / "a.viete"}, asked}));
   CHECK(stitched.document.scheme.iterations == 2);
   CHECK(has_unsaved_edits(stitched));
   asked.choice.weights = deform::Weights::mean_value;
   Workspace refused;
-  CHECK_FALSE(open_now(refused, {What::model, {files / "a.viete"}, asked}));
+  CHECK_FALSE(test::open_now(refused, {What::model, {files / "a.viete"}, asked}));
   CHECK_FALSE(refused.document.model.surface);
 }
 
@@ -259,12 +258,12 @@ TEST_CASE("a_model_keeps_the_settings_of_what_was_open_unless_others_are_asked_f
   w.document.put_method(sym3::Method::sd);
   set_scheme(w.document, deform::scheme_of(deform::Way::local));
   set_radius(w.document, 0.3);
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage}}));
+  REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}}));
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.radius == 0.3);
   RequestedSettings asked;
   asked.radius = 0.4;
-  REQUIRE(open_now(w, {What::model, {files.model, files.cage}, asked}));
+  REQUIRE(test::open_now(w, {What::model, {files.model, files.cage}, asked}));
   CHECK(w.document.method == sym3::Method::sd);
   CHECK(w.document.scheme.weighting.radius == 0.4);
   CHECK_FALSE(has_unsaved_edits(w));
@@ -380,18 +379,18 @@ TEST_CASE("another_cage_says_which_sets_and_poses_go_with_the_one_before_and_whe
   keep_pose(w.document, "stand");
   SUBCASE("in_a_session") {
     REQUIRE(save_session(w, files / "kept.viete"));
-    REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
+    REQUIRE(test::open_now(w, {OpenRequest::What::cage, {files.pose}}));
     CHECK(said(
         w, "Selection sets of the previous cage were removed: \"Set 1\"; kept.viete still contains them"));
     CHECK(said(w, "Poses of the previous cage were removed: 1 pose; kept.viete still contains them"));
   }
   SUBCASE("nowhere") {
-    REQUIRE(open_now(w, {OpenRequest::What::cage, {files.pose}}));
+    REQUIRE(test::open_now(w, {OpenRequest::What::cage, {files.pose}}));
     CHECK(said(w, "Poses of the previous cage were removed: 1 pose"));
     CHECK_FALSE(said(w, "has them"));
   }
   SUBCASE("another_model_is_no_loss_that_would_have_to_be_told") {
-    REQUIRE(open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
+    REQUIRE(test::open_now(w, {OpenRequest::What::model, {files.model, files.cage}}));
     CHECK_FALSE(said(w, "were removed"));
   }
   CHECK(w.document.groups.sets.empty());
@@ -408,7 +407,7 @@ TEST_CASE("the_example_animation_plays_and_save_asks_for_a_name") {
   CHECK_FALSE(test::run_command(own, "open_example"));  // own.files.example is not set
   own.files.example = files / "loop.viete";
   REQUIRE(test::run_command(own, "open_example"));
-  REQUIRE(open_now(own, *own.jobs.requests.open));
+  REQUIRE(test::open_now(own, *own.jobs.requests.open));
   CHECK(own.playback.playing);
   CHECK(own.document.library.poses.size() == 2);
   CHECK(own.preferences.layout.timeline);

@@ -16,7 +16,6 @@
 #include "support/open.h"
 #include "support/posed_cube.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 #include "workspace/command.h"
 
 using namespace viete;
@@ -154,7 +153,7 @@ TEST_CASE("recovered_work_knows_whether_its_session_has_changed_since") {
     CAPTURE(changed);
     if (changed) test::put_file(session, test::file_bytes(session) + " ");
     Workspace back;
-    REQUIRE(open_now(back, {OpenRequest::What::recovery, {kept}}));
+    REQUIRE(test::open_now(back, {OpenRequest::What::recovery, {kept}}));
     CHECK(changed_on_disk(back, back.files.saved.session) == changed);
   }
 }
@@ -180,7 +179,7 @@ TEST_CASE("saving_overwrites_no_open_file_except_its_own_source") {
   test::put_file(files / "key_9.obj", test::file_bytes(files.cage));
   Workspace w = test::opened({files.model, files.cage});
   REQUIRE(test::load_pose(w, files.pose));
-  REQUIRE(open_now(w, {OpenRequest::What::animation, {files / "key_1.obj"}}));
+  REQUIRE(test::open_now(w, {OpenRequest::What::animation, {files / "key_1.obj"}}));
   fs::create_hard_link(files.model, files / "model.viete");
   const std::string model = test::file_bytes(files.model), cage = test::file_bytes(files.cage);
   const auto refuses = [&](bool (*save)(Workspace&, const fs::path&), const fs::path& file) {

@@ -22,7 +22,6 @@
 #include "support/posed_cube.h"
 #include "support/skip.h"
 #include "support/text.h"
-#include "workspace/apply_opened.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
 #include "workspace/split.h"
@@ -146,7 +145,7 @@ void check_same(const Workspace& a, const Workspace& b) {
 
 std::string refusal(const fs::path& file) {
   Workspace w;
-  CHECK_FALSE(open_now(w, {OpenRequest::What::model, {file}}));
+  CHECK_FALSE(test::open_now(w, {OpenRequest::What::model, {file}}));
   CHECK_FALSE(w.document.model.surface);
   return w.messages.all().back().text;
 }
@@ -212,7 +211,7 @@ TEST_CASE("recovered_work_has_absolute_names_and_all_of_a_session") {
   CHECK(session.model.path == fs::canonical(files.model));
   CHECK(session.origin == fs::canonical(files.path()) / "mine.viete");
   Workspace again;
-  REQUIRE(open_now(again, {OpenRequest::What::recovery, {files / "r.viete"}}));
+  REQUIRE(test::open_now(again, {OpenRequest::What::recovery, {files / "r.viete"}}));
   check_same(w, again);
   CHECK(has_unsaved_edits(again));
   CHECK(again.files.saved.session == session.origin);
@@ -503,7 +502,7 @@ TEST_CASE("damaged_sessions_are_refused_or_play_and_can_be_saved" * doctest::tes
     }
     test::put_file(files / "b.viete", damaged);
     Workspace back;
-    if (!open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) {
+    if (!test::open_now(back, {OpenRequest::What::model, {files / "b.viete"}})) {
       ++refused;
       CHECK(mentions(back.messages.all().back().text, "b.viete"));
       CHECK_FALSE(back.document.model.surface);
@@ -530,7 +529,7 @@ TEST_CASE("names_of_files_and_poses_that_are_not_utf_8_are_saved") {
   fs::rename(files.cage, folder / "c\xff.obj");
   Workspace w;
   REQUIRE(test::load_model(w, folder / "m\xff.obj", folder / "c\xff.obj"));
-  REQUIRE(open_now(w, {OpenRequest::What::poses, {folder / "c\xff.obj"}}));
+  REQUIRE(test::open_now(w, {OpenRequest::What::poses, {folder / "c\xff.obj"}}));
   for (const fs::path& session : {folder / "s\xff.viete", files / "s.viete"}) {
     REQUIRE(save_session(w, session));
     Workspace back = test::opened({session});
@@ -560,8 +559,8 @@ TEST_CASE("undo_leads_back_to_poses_in_no_key_in_a_session_that_is_opened_or_rec
     CAPTURE(recovered);
     Workspace again;
     again.playback.auto_key = true;
-    REQUIRE(recovered ? open_now(again, {OpenRequest::What::recovery, {files / "left.viete"}})
-                      : open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
+    REQUIRE(recovered ? test::open_now(again, {OpenRequest::What::recovery, {files / "left.viete"}})
+                      : test::open_now(again, {OpenRequest::What::model, {files / "a.viete"}}));
     follow_time(again, 0);
     CHECK(has_unsaved_edits(again) == recovered);
     CHECK(again.document.timeline.keys.size() == 3);
@@ -583,7 +582,7 @@ TEST_CASE("another_document_that_is_opened_does_not_play_on") {
   w.playback.auto_key = true;
   start_playing(w);
   CHECK(w.playback.playing);
-  REQUIRE(open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
+  REQUIRE(test::open_now(w, {OpenRequest::What::model, {files / "a.viete"}}));
   CHECK_FALSE(w.playback.playing);
   CHECK(w.playback.auto_key);
   const auto positions = w.document.pose.positions;

@@ -8,9 +8,9 @@
 #include "formats/read.h"
 #include "program/command_line.h"
 #include "support/files.h"
+#include "support/open.h"
 #include "support/pictures.h"
 #include "support/posed_cube.h"
-#include "workspace/apply_opened.h"
 #include "workspace/command.h"
 #include "workspace/playing.h"
 #include "workspace/saving.h"
@@ -235,7 +235,7 @@ TEST_CASE("pose_says_what_is_wrong_with_its_pins") {
 TEST_CASE("a_session_with_shapes_is_deformed_animated_and_drawn_as_the_window_has_it") {
   const ShapeFiles f;
   workspace::Workspace w;
-  REQUIRE(workspace::open_now(w, {files::OpenRequest::What::model, {f / "rest.obj"}}));
+  REQUIRE(open_now(w, {files::OpenRequest::What::model, {f / "rest.obj"}}));
   document::add_shapes(w.document, {{"a", std::make_shared<const Points>(f.shape(100))}});
   REQUIRE(document::set_weight(w.document, w.playback.vectors, 0, 0.5));
   REQUIRE(workspace::save_session(w, f / "mixed.viete"));

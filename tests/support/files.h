@@ -10,7 +10,7 @@
 #include "formats/write.h"
 #include "support/cube.h"
 #include "support/folder.h"
-#include "workspace/apply_opened.h"
+#include "support/open.h"
 
 namespace viete::test {
 
@@ -60,7 +60,7 @@ inline void write_cache(const std::filesystem::path& file,
 // Opens a session, or a model and its cage.
 inline workspace::Workspace opened(std::vector<std::filesystem::path> files) {
   workspace::Workspace workspace;
-  REQUIRE(workspace::open_now(workspace, {files::OpenRequest::What::model, std::move(files)}));
+  REQUIRE(open_now(workspace, {files::OpenRequest::What::model, std::move(files)}));
   return workspace;
 }
 

@@ -4,7 +4,6 @@
 #include <atomic>
 #include <cmath>
 #include <functional>
-#include <numeric>
 #include <span>
 #include <string>
 #include <utility>

@@ -4,21 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "sym3/highway_targets.h"
-
-// The scalar version, or null if each computer that the build supports has a better instruction set.
-#if HWY_TARGETS & HWY_SCALAR
-#define VIETE_CHOOSE_SCALAR(name) &N_SCALAR::name
-#else
-#define VIETE_CHOOSE_SCALAR(name) nullptr
-#endif
-// Use after Highway's foreach_target: returns the object `name` of the namespace of `target`.
-#define VIETE_RETURN_COMPILED(name, target)               \
-  return *((target) == HWY_AVX3   ? HWY_CHOOSE_AVX3(name) \
-           : (target) == HWY_AVX2 ? HWY_CHOOSE_AVX2(name) \
-           : (target) == HWY_NEON ? HWY_CHOOSE_NEON(name) \
-                                  : VIETE_CHOOSE_SCALAR(name))
-
 namespace viete::deform {
 
 inline constexpr std::size_t solved_columns = 16;  ///< right-hand sides that are solved together

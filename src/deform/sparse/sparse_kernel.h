@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "deform/sparse/sparse_jobs.h"
 #include "sym3/kernel.h"
