@@ -18,9 +18,7 @@ struct Bound {
   std::shared_ptr<const deform::Stitching> stitching{};  ///< null until a stitched scheme is bound
   std::shared_ptr<const deform::Binding> draft{};        ///< binding of the model's draft, or null
 
-  bool stitches(const deform::Scheme& scheme) const {
-    return stitching && stitching->holding == scheme.holding;
-  }
+  bool stitches(const deform::Scheme& scheme) const { return stitching && stitching->serves(scheme); }
   /// True if this is a binding of the document's model to the document's cage, with any weights.
   bool binds(const document::Document& document) const {
     return binding && model == document.model.surface && cage == document.cage;

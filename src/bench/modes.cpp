@@ -266,11 +266,10 @@ private:
     return bound_.back();
   }
 
-  // The first call computes the constraints. All later calls return the same constraints.
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
-    if (!stitching_)
-      stitching_ =
-          std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, scheme.holding));
+    if (!stitching_ || !stitching_->serves(scheme))
+      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(
+          surface_, *cage_, all_, scheme.holding, nullptr, fused(scheme.weighting).binding->tiles.get()));
     return stitching_;
   }
 

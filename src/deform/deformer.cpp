@@ -127,7 +127,7 @@ LinkTimes Deformer::times() const {
 std::vector<mesh::Point> Deformer::positions() const {
   if (ran_ == EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
-  if (ran_ == EngineKind::stitched && !layer_.moves()) {
+  if (ran_ == EngineKind::stitched && !layer_.moves() && !stitched_->positions().empty()) {
     for (const Vec3& p : stitched_->positions()) all.push_back(origin() + p);
     return all;
   }
@@ -150,12 +150,11 @@ std::vector<sym3::Sym3<double>> Deformer::sample_matrices(std::size_t limit) con
 
 double Deformer::sampled_error() const {
   if (!ran_ || ran_ == EngineKind::staged) return 0;
-  const auto sample = spread_vertices(binding_->vertices, error_sample);
   const auto measured = [&](const ProbeLayer* layer, std::span<const Vec3> shown) {
     return deform::sampled_error(weigher_, *binding_, mask_, shown_ways_, state_.rows(), layer, shown);
   };
-  if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended(sample));
-  return measured(&layer_, positions_at(vertices(), sample));
+  if (ran_ == EngineKind::stitched) return measured(nullptr, stitched_->blended_sample());
+  return measured(&layer_, positions_at(vertices(), spread_vertices(binding_->vertices, error_sample)));
 }
 
 }  // namespace viete::deform

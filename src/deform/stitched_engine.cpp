@@ -255,9 +255,11 @@ Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, d
 StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
                                std::shared_ptr<const Stitching> stitching, RowForm form, int iterations,
                                base::WorkerPool& pool)
-    : bound_(std::move(binding)),
+    : bound_(stitching->coarse ? stitching->bound : binding),
       binding_(bound_->tiles),
       stitching_(std::move(stitching)),
+      whole_(stitching_->coarse ? std::make_unique<FusedEngine>(binding, form, pool) : nullptr),
+      pool_(pool),
       form_(form),
       iterations_(iterations),
       blender_(bound_, form, pool),
@@ -269,12 +271,23 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
 }
 
 void StitchedEngine::set_mask(const Mask& mask) {
-  blender_.set_mask(mask);
-  shares_ = product(shares_of(*binding_), values(mask));
+  Mask own = mask;
+  if (whole_) whole_->set_mask(mask);
+  if (whole_ && mask)
+    own = std::make_shared<const std::vector<float>>(stitching_->coarse->draft().picked(values(mask)));
+  blender_.set_mask(own);
+  shares_ = product(shares_of(*binding_), values(own));
   stitcher_.set_shares(shares_);
 }
 
 void StitchedEngine::set_shape(std::span<const Vec3> ways) {
+  if (whole_) {
+    whole_->set_shape(ways);
+    coarse_ways_.clear();
+    if (!ways.empty())
+      coarse_ways_ = stitching_->coarse->means(pool_, [&](std::uint32_t v) { return ways[v]; });
+    ways = coarse_ways_;
+  }
   ways_ = ways;
   blender_.set_shape(ways);
   stitcher_.set_shape(ways);
@@ -286,12 +299,34 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   const auto held = blended(held_, method);
   const double held_ms = watch.lap_ms();
   stitcher_.run(state.rows(), sums_, held, method, iterations_);
-  blender_.set_layer(layer_);
-  blender_.show(stitcher_.positions());
-  times_ = blender_.times();
+  if (whole_) {
+    show_whole(state);
+    times_ = whole_->times();
+    times_ += blender_.times();
+  } else {
+    blender_.set_layer(layer_);
+    blender_.show(stitcher_.positions());
+    times_ = blender_.times();
+  }
   times_[Link::blend] += held_ms;
   times_[Link::triangle_maps] = stitcher_.loads_ms();
   times_[Link::solve] = stitcher_.solve_ms();
+}
+
+// Moves the blended vertices by the interpolated displacements of the coarse model.
+void StitchedEngine::show_whole(const CageState& state) {
+  const CoarseModel& coarse = *stitching_->coarse;
+  whole_->place(state);
+  sample_ = whole_->placed(spread_vertices(whole_->vertices().size(), error_sample));
+  std::vector<Vec3> moves = coarse.means(pool_, [&](std::uint32_t v) { return whole_->placed_at(v); });
+  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
+  whole_->set_layer(layer_);
+  whole_->show_moved([&](std::uint32_t v) { return coarse.move(v, moves); });
+}
+
+std::vector<Vec3> StitchedEngine::blended_sample() const {
+  if (whole_) return sample_;
+  return blended(spread_vertices(bound_->vertices, error_sample), sym3::Method::fast);
 }
 
 std::vector<Vec3> StitchedEngine::blended(std::span<const std::size_t> vertices, sym3::Method method) const {

@@ -4,14 +4,17 @@
 #include <cmath>
 #include <limits>
 #include <new>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
+#include "deform/bind.h"
 #include "deform/laplacian.h"
 #include "deform/leaves.h"
 #include "deform/maps.h"
 #include "deform/part_coupling.h"
 #include "deform/staged_engine.h"
+#include "deform/surface_weights.h"
 #include "mesh/edge_paths.h"
 #include "mesh/point_index.h"
 #include "mesh/repair.h"
@@ -238,20 +241,33 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides.
-  const auto n = static_cast<double>(vertices);
-  return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80));
+  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides; for large
+  // models, also clusters and terms of interpolation.
+  const auto n = static_cast<double>(std::min(vertices, most_solved_vertices));
+  const double coarse = vertices > most_solved_vertices ? 200 * static_cast<double>(vertices) : 0;
+  return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80) +
+                                  coarse);
 }
 
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Holding& holding,
-                 base::Progress* progress) {
+                 base::Progress* progress, const TiledBinding* whole) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
                               "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
+  const bool small = model.positions.size() <= most_solved_vertices ||
+                     std::ranges::all_of(model.triangles, mesh::repeats_corner);
   try {
-    return StitchMaker(model, cage, holding, pool, progress).make();
+    if (small) return StitchMaker(model, cage, holding, pool, progress).make();
+    std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
+    const auto coarse = std::make_shared<const CoarseModel>(model, cage, pool, progress);
+    part.emplace(progress, 0.5, whole ? 0.75 : 1);
+    Stitching stitching = StitchMaker(coarse->draft().surface, cage, holding, pool, progress).make();
+    stitching.coarse = coarse;
+    part.emplace(progress, 0.75, 1);
+    if (whole) stitching.bound = bind_draft({coarse, &coarse->draft()}, cage, *whole, pool, progress);
+    return stitching;
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);
   }

@@ -190,7 +190,8 @@ private:
 }  // namespace
 
 SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements,
-                           std::size_t target, base::WorkerPool& pool, base::Progress* progress)
+                           std::size_t target, base::WorkerPool& pool, base::Progress* progress,
+                           bool at_means)
     : model_(model) {
   const auto place = mesh::lowest_in_place(model.positions);
   for (auto t : model.triangles) {
@@ -200,10 +201,10 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
   if (progress) progress->report(0.1);
   const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
   cluster(target, place, owned, progress);
-  place_clusters();
+  place_clusters(at_means);
   triangles_ = {};
   if (progress) progress->report(0.9);
-  move_to(owned);
+  if (!at_means) move_to(owned);
   adopt_loose_vertices();
   find_neighbours();
 }
@@ -237,13 +238,13 @@ void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>&
   surface_.positions.resize(count);
 }
 
-void SurfaceProxy::place_clusters() {
+void SurfaceProxy::place_clusters(bool at_means) {
   const std::size_t n = surface_.positions.size();
   const auto open = on_open_edges(triangles_, of_vertex_.size());
   std::vector<std::uint32_t> members(n, 0);
   std::vector<bool> has_open(n, false);
   for (std::size_t v = 0; v < of_vertex_.size(); ++v)
-    if (of_vertex_[v] != none && open[v]) has_open[of_vertex_[v]] = true;
+    if (of_vertex_[v] != none && open[v] && !at_means) has_open[of_vertex_[v]] = true;
   for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
     const auto c = of_vertex_[v];
     if (c == none || (has_open[c] && !open[v])) continue;

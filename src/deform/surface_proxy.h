@@ -24,7 +24,8 @@ namespace viete::deform {
 ///   - contains several vertices that handles own (see OwnedVertices), or
 ///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
 /// A cluster's position is the mean of its vertices or, if some of them are on open edges, the mean of the
-/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex.
+/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex. If
+/// `at_means` is true, all clusters are at the means of their vertices.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
 /// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
@@ -33,12 +34,14 @@ public:
   /// Makes at most about `target` clusters. The model must outlive the proxy. Throws base::Error if the model
   /// has no triangles. Throws base::Cancelled.
   SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements, std::size_t target,
-               base::WorkerPool& pool, base::Progress* progress = nullptr);
+               base::WorkerPool& pool, base::Progress* progress = nullptr, bool at_means = false);
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
   /// The clusters that contain a vertex owned by a handle, ascending.
   const std::vector<std::uint32_t>& owned() const { return owned_; }
+  /// The cluster of each vertex. Vertices without triangles are in the nearest cluster.
+  const std::vector<std::uint32_t>& of_vertex() const { return of_vertex_; }
 
   struct Term {
     std::uint32_t cluster;
@@ -51,7 +54,7 @@ public:
 private:
   void cluster(std::size_t target, const std::vector<std::uint32_t>& place,
                std::span<const std::uint32_t> apart, base::Progress* progress);
-  void place_clusters();
+  void place_clusters(bool at_means);
   void find_neighbours();
   void move_to(std::span<const std::uint32_t> owned);
   void adopt_loose_vertices();
