@@ -8,6 +8,24 @@
 
 namespace viete::app {
 
+namespace {
+
+std::shared_ptr<const deform::Binding> bind_draft(const std::shared_ptr<const mesh::Draft>& draft,
+                                                  const deform::Cage& cage, const deform::TiledBinding& whole,
+                                                  base::WorkerPool& pool, base::Progress& progress) {
+  const auto slots = deform::slots_of(whole.leaves);
+  const auto row = [&](std::uint32_t v, std::span<double> weights) {
+    whole.kept_row(slots[draft->vertices[v]], weights);
+  };
+  progress.section(progress.done(), 1);
+  auto tiles = std::make_shared<const deform::TiledBinding>(deform::bind_tiles(
+      draft->surface, cage, whole.weighting, pool, deform::usual_tolerance, &progress, {}, row));
+  const std::shared_ptr<const mesh::Surface> surface(draft, &draft->surface);
+  return std::make_shared<const deform::Binding>(deform::with_tiles(surface, cage, std::move(tiles)));
+}
+
+}  // namespace
+
 Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const deform::Cage> cage,
            const deform::Scheme& scheme, sym3::Method method, const Bound& known, base::Progress& progress,
            const std::shared_ptr<const mesh::Draft>& draft) {
@@ -30,14 +48,11 @@ Bound bind(std::shared_ptr<const mesh::Surface> model, std::shared_ptr<const def
     binding = std::make_shared<const deform::Binding>(
         deform::bind(model, *cage, weighting, EngineKind::staged, binding.get(), pool, &progress));
   }
-  if (draft && !bound.draft) {
-    progress.section(progress.done(), 1);
-    bound.draft = deform::bind_draft(draft, *cage, *binding->tiles, pool, &progress);
-  }
+  if (draft && !bound.draft) bound.draft = bind_draft(draft, *cage, *binding->tiles, pool, progress);
   if (scheme.stitched() && !bound.stitches(scheme)) {
     progress.section(progress.done(), 1);
-    bound.stitching = std::make_shared<const deform::Stitching>(
-        deform::stitch(*model, *cage, pool, scheme.holding, &progress, binding->tiles.get()));
+    bound.stitching =
+        std::make_shared<const deform::Stitching>(deform::stitch(*model, *cage, pool, scheme, &progress));
   }
   base::release_freed_memory();
   return bound;

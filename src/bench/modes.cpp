@@ -268,8 +268,7 @@ private:
 
   std::shared_ptr<const deform::Stitching> stitching(const deform::Scheme& scheme) {
     if (!stitching_ || !stitching_->serves(scheme))
-      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(
-          surface_, *cage_, all_, scheme.holding, nullptr, fused(scheme.weighting).binding->tiles.get()));
+      stitching_ = std::make_shared<const deform::Stitching>(deform::stitch(surface_, *cage_, all_, scheme));
     return stitching_;
   }
 

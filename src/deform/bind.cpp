@@ -166,17 +166,4 @@ Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,
   return binding;
 }
 
-std::shared_ptr<const Binding> bind_draft(const std::shared_ptr<const mesh::Draft>& draft, const Cage& cage,
-                                          const TiledBinding& whole, base::WorkerPool& pool,
-                                          base::Progress* progress) {
-  const auto slots = slots_of(whole.leaves);
-  const auto row = [&](std::uint32_t v, std::span<double> weights) {
-    whole.kept_row(slots[draft->vertices[v]], weights);
-  };
-  auto tiles = std::make_shared<const TiledBinding>(
-      bind_tiles(draft->surface, cage, whole.weighting, pool, usual_tolerance, progress, {}, row));
-  const std::shared_ptr<const mesh::Surface> surface(draft, &draft->surface);
-  return std::make_shared<const Binding>(with_tiles(surface, cage, std::move(tiles)));
-}
-
 }  // namespace viete::deform

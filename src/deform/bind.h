@@ -8,7 +8,6 @@
 #include "base/worker_pool.h"
 #include "deform/binding.h"
 #include "deform/weigher.h"
-#include "mesh/drawing.h"
 
 namespace viete::deform {
 
@@ -32,11 +31,6 @@ struct BoundPart {
 /// Binds points. If `weights` is empty, computes them; otherwise they are [point][handle], normalised.
 BoundPart bind_part(const Weigher& weigher, std::span<const mesh::Point> points,
                     std::vector<double> weights = {});
-
-/// Binds a draft for the fused engine, with the weights of its vertices in the whole model.
-std::shared_ptr<const Binding> bind_draft(const std::shared_ptr<const mesh::Draft>& draft, const Cage& cage,
-                                          const TiledBinding& whole, base::WorkerPool& pool,
-                                          base::Progress* progress = nullptr);
 
 /// Makes a binding for the fused engine from tiles of this model and cage.
 Binding with_tiles(std::shared_ptr<const mesh::Surface> model, const Cage& cage,

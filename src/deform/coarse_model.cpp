@@ -3,34 +3,35 @@
 #include <algorithm>
 
 #include "deform/surface_proxy.h"
+#include "mesh/triangle.h"
 
 namespace viete::deform {
 
 namespace {
 
-constexpr std::size_t vertices_per_block = 512;
+constexpr std::size_t vertices_per_block = 512, clusters_per_block = 64;
 
 }  // namespace
+
+bool needs_coarse_model(const mesh::Surface& model) {
+  return model.positions.size() > most_solved_vertices &&
+         !std::ranges::all_of(model.triangles, mesh::repeats_corner);
+}
 
 CoarseModel::CoarseModel(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                          base::Progress* progress)
     : blocks_((model.positions.size() + vertices_per_block - 1) / vertices_per_block) {
   const SurfaceProxy proxy(model, cage, Elements::face, proxy_vertices, pool, progress, true);
-  draft_.surface = proxy.surface();
-  members_ = mesh::make_adjacency(draft_.surface.positions.size(), [&](const auto& add) {
+  surface_ = proxy.surface();
+  members_ = mesh::make_adjacency(surface_.positions.size(), [&](const auto& add) {
     for (std::uint32_t v = 0; v < proxy.of_vertex().size(); ++v) add(proxy.of_vertex()[v], v);
   });
-  draft_.surface.positions = means(pool, [&](std::uint32_t v) { return model.positions[v]; });
-  for (std::size_t c = 0; c < draft_.surface.positions.size(); ++c) {
-    draft_.vertices.push_back(*std::ranges::min_element(members_.of(c), {}, [&](std::uint32_t v) {
-      return squared_norm(model.positions[v] - draft_.surface.positions[c]);
-    }));
-  }
+  surface_.positions = means(model.positions, pool);
   pool.for_blocks(model.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
     std::vector<SurfaceProxy::Term> terms;
-    for (auto v = static_cast<std::uint32_t>(begin); v < end; ++v) {
-      proxy.terms(v, terms);
+    for (std::size_t v = begin; v < end; ++v) {
+      proxy.terms(static_cast<std::uint32_t>(v), terms);
       block.starts.push_back(block.terms.size());
       for (const auto& [cluster, factor] : terms)
         block.terms.push_back({cluster, static_cast<float>(factor)});
@@ -40,13 +41,37 @@ CoarseModel::CoarseModel(const mesh::Surface& model, const Cage& cage, base::Wor
   });
 }
 
-Vec3 CoarseModel::move(std::uint32_t vertex, std::span<const Vec3> moves) const {
-  const Block& block = blocks_[vertex / vertices_per_block];
-  const std::size_t i = vertex % vertices_per_block;
-  Vec3 sum{0, 0, 0};
-  for (std::size_t t = block.starts[i]; t < block.starts[i + 1]; ++t)
-    sum = sum + static_cast<double>(block.terms[t].factor) * moves[block.terms[t].cluster];
-  return sum;
+std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const {
+  std::vector<Vec3> means(of_vertices.empty() ? 0 : surface_.positions.size(), Vec3{0, 0, 0});
+  pool.for_blocks(means.size(), clusters_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      for (const auto v : members_.of(c)) means[c] = means[c] + of_vertices[v];
+      means[c] = (1 / static_cast<double>(members_.of(c).size())) * means[c];
+    }
+  });
+  return means;
+}
+
+Mask CoarseModel::means(const Mask& mask) const {
+  if (!mask) return nullptr;
+  std::vector<float> means;
+  for (std::size_t c = 0; c < surface_.positions.size(); ++c) {
+    float sum = 0;
+    for (const auto v : members_.of(c)) sum += (*mask)[v];
+    means.push_back(sum / static_cast<float>(members_.of(c).size()));
+  }
+  return std::make_shared<const std::vector<float>>(std::move(means));
+}
+
+void CoarseModel::move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const {
+  pool.for_blocks(positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
+    const Block& block = blocks_[begin / vertices_per_block];
+    for (std::size_t v = begin; v < end; ++v) {
+      for (std::size_t t = block.starts[v - begin]; t < block.starts[v - begin + 1]; ++t)
+        positions[v] =
+            positions[v] + static_cast<double>(block.terms[t].factor) * moves[block.terms[t].cluster];
+    }
+  });
 }
 
 }  // namespace viete::deform

@@ -7,35 +7,30 @@
 
 #include "base/progress.h"
 #include "base/worker_pool.h"
+#include "deform/binding.h"
 #include "deform/cage.h"
 #include "mesh/adjacency.h"
-#include "mesh/drawing.h"
+#include "mesh/surface.h"
 
 namespace viete::deform {
 
-/// About proxy_vertices clusters of neighbouring vertices, see SurfaceProxy. Thread-safe.
+/// Returns true if the model has more than most_solved_vertices vertices, and a triangle.
+bool needs_coarse_model(const mesh::Surface& model);
+
+/// The clusters of a SurfaceProxy, at the means of their vertices. Interpolates displacements of clusters at
+/// the model's vertices. Thread-safe.
 class CoarseModel {
 public:
   /// Throws base::Error if the model has no triangles. Throws base::Cancelled.
   CoarseModel(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
               base::Progress* progress = nullptr);
 
-  /// Clusters at the means of their vertices. Draft::vertices has the vertex nearest to each cluster.
-  const mesh::Draft& draft() const { return draft_; }
-  /// Returns for each cluster the mean of value(vertex).
-  template <class Value>
-  auto means(base::WorkerPool& pool, const Value& value) const {
-    std::vector<decltype(value(0u))> means(draft_.surface.positions.size());
-    pool.for_blocks(means.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t c = begin; c < end; ++c) {
-        for (const auto v : members_.of(c)) means[c] = means[c] + value(v);
-        means[c] = (1.0 / static_cast<double>(members_.of(c).size())) * means[c];
-      }
-    });
-    return means;
-  }
-  /// Interpolates displacements of clusters at a vertex of the model.
-  Vec3 move(std::uint32_t vertex, std::span<const Vec3> moves) const;
+  const mesh::Surface& surface() const { return surface_; }
+  /// Return the mean of each cluster. If the argument is empty or null, the result is too.
+  std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
+  Mask means(const Mask& mask) const;
+  /// Adds the displacements of clusters, `moves`, to the positions of all vertices.
+  void move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const;
 
 private:
   struct Term {
@@ -47,8 +42,8 @@ private:
     std::vector<Term> terms;
   };
 
-  mesh::Draft draft_;
-  mesh::Adjacency members_;
+  mesh::Surface surface_;
+  mesh::Adjacency members_;  // the vertices of each cluster
   std::vector<Block> blocks_;
 };
 

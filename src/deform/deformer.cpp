@@ -127,7 +127,7 @@ LinkTimes Deformer::times() const {
 std::vector<mesh::Point> Deformer::positions() const {
   if (ran_ == EngineKind::staged) return {staged_->positions().begin(), staged_->positions().end()};
   std::vector<mesh::Point> all;
-  if (ran_ == EngineKind::stitched && !layer_.moves() && !stitched_->positions().empty()) {
+  if (ran_ == EngineKind::stitched && !layer_.moves()) {
     for (const Vec3& p : stitched_->positions()) all.push_back(origin() + p);
     return all;
   }

@@ -51,13 +51,18 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   const std::size_t n = model_.positions.size();
   state_.set_amounts(scheme.amounts);
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
-  if (scheme.stitched()) {
-    stitching_ = stitch(model_, *cage_, pool_, scheme.holding);
-    const bool all = !stitching_->coarse;
-    sums_.resize(all ? n * state_.rows().columns() : 0);
-    if (all && holds_shares(mask_, scheme.weighting)) shares_.resize(n);
+  if (scheme.stitched() && needs_coarse_model(model_)) {
+    const base::ProgressPart part(progress, 0, 0.5);
+    coarse_model_.emplace(model_, *cage_, pool_, progress);
+    coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, scheme, method, pool, weights,
+                                              coarse_model_->means(mask));
+  } else if (scheme.stitched()) {
+    stitching_ = stitch(model_, *cage_, pool_, scheme);
+    sums_.resize(n * state_.rows().columns());
+    if (holds_shares(mask_, scheme.weighting)) shares_.resize(n);
   }
   if (entry(scheme.weighting.weights).on_surface) {
+    const base::ProgressPart part(progress, coarse_ ? 0.5 : 0, 1);
     surface_weights_ = deform::bind(mesh::lent(model_), *cage_, scheme.weighting, EngineKind::staged, nullptr,
                                     pool_, progress);
   } else if (weights == Weights::kept && has_room_to_keep(n, weigher_.handles())) {
@@ -89,50 +94,21 @@ double ExactDeformer::place(const Binding& part, const SharedShape& shape, std::
                             std::span<mesh::Point> positions) {
   const std::size_t columns = state_.rows().columns();
   if (!shares_.empty()) std::ranges::copy(part.shares, shares_.begin() + std::ptrdiff_t(begin));
-  const auto sums = !sums_.empty() ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
-                                   : std::span<double>();
+  const auto sums = stitching_ ? std::span(sums_).subspan(begin * columns, positions.size() * columns)
+                               : std::span<double>();
   const std::vector<Vec3> ways = this->ways(part, shape, begin);
   return place_vertices({part, part.shares, ways}, state_.rows(), method_, positions, sums);
 }
 
 void ExactDeformer::stitch_positions(std::span<const Vec3> ways, std::span<mesh::Point> positions) const {
   const Rows rows = state_.rows();
+  std::vector<Vec3> held;
+  for (const auto& hold : stitching_->holds) held.push_back(positions[hold.vertex] - rows.origin);
   Stitcher stitcher(*stitching_, rows.form, pool_);
-  const auto run = [&](std::span<const mesh::Point> blended, std::span<const double> sums) {
-    std::vector<Vec3> held;
-    for (const auto& hold : stitching_->holds) held.push_back(blended[hold.vertex] - rows.origin);
-    stitcher.run(rows, sums, held, method_, scheme_.iterations);
-  };
-  if (!stitching_->coarse) {
-    stitcher.set_shares(shares_);
-    stitcher.set_shape(ways);
-    run(positions, sums_);
-    for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
-    return;
-  }
-  const CoarseModel& coarse = *stitching_->coarse;
-  const mesh::Draft& draft = coarse.draft();
-  std::vector<double> solved;
-  for (const auto v : draft.vertices) {
-    if (surface_weights_.weights.empty()) break;
-    const auto row = surface_weights_.weights.begin() + std::ptrdiff_t(v * weigher_.handles());
-    solved.insert(solved.end(), row, row + std::ptrdiff_t(weigher_.handles()));
-  }
-  const Binding part = bind_part(weigher_, draft.surface.positions, std::move(solved)).binding;
-  const Shares shares = product(part.shares, draft.picked(values(mask_)));
-  std::vector<Vec3> own_ways, blended(part.vertices);
-  if (!ways.empty()) own_ways = coarse.means(pool_, [&](std::uint32_t v) { return ways[v]; });
-  std::vector<double> sums(part.vertices * rows.columns());
-  place_vertices({part, shares, own_ways}, rows, method_, blended, sums);
-  stitcher.set_shares(shares);
-  stitcher.set_shape(own_ways);
-  run(blended, sums);
-  std::vector<Vec3> moves = coarse.means(pool_, [&](std::uint32_t v) { return positions[v] - rows.origin; });
-  for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher.positions()[c] - moves[c];
-  pool_.for_blocks(positions.size(), 512, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v)
-      positions[v] = positions[v] + coarse.move(static_cast<std::uint32_t>(v), moves);
-  });
+  stitcher.set_shares(shares_);
+  stitcher.set_shape(ways);
+  stitcher.run(rows, sums_, held, method_, scheme_.iterations);
+  for (std::size_t v = 0; v < positions.size(); ++v) positions[v] = rows.origin + stitcher.positions()[v];
 }
 
 ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const SharedShape& shape,
@@ -161,6 +137,14 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(n));
   });
   if (stitching_) stitch_positions(ways_of(shape, model_.positions), exact.positions);
+  if (coarse_) {
+    const auto of_shape = coarse_model_->means(shape ? std::span(*shape) : std::span<const Vec3>(), pool_);
+    auto moves =
+        coarse_->deform(pose, {}, shape ? std::make_shared<std::vector<Vec3>>(of_shape) : nullptr).positions;
+    const auto means = coarse_model_->means(exact.positions, pool_);
+    for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
+    coarse_model_->move(moves, exact.positions, pool_);
+  }
   layer_.set(probes, mask_);
   if (layer_.moves()) layer_.move_all(exact.positions, method_);
   exact.warnings = weight_warnings(*cage_, scheme_.weighting.weights, failed, n);

@@ -63,6 +63,8 @@ private:
   CageState state_;
   Weigher weigher_;
   std::optional<Stitching> stitching_;
+  std::optional<CoarseModel> coarse_model_;  // stitched instead of the model, by coarse_
+  std::unique_ptr<ExactDeformer> coarse_;
   std::vector<double> sums_;      // weighted sums of rows for all vertices, only for stitching
   Shares shares_;                 // shares of all vertices, only for stitching
   Binding surface_weights_;       // harmonic or biharmonic weights of all vertices; empty for other weights

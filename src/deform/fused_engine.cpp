@@ -117,37 +117,10 @@ std::size_t FusedEngine::bytes() const {
 }
 
 void FusedEngine::run(const CageState& state, sym3::Method) {
-  place(state);
-  base::Stopwatch watch;
-  finish(watch);
-}
-
-void FusedEngine::place(const CageState& state) {
   base::Stopwatch watch;
   prepare(state);
   place_vertices();
   times_[Link::fused] = watch.lap_ms() - times_[Link::skeleton];
-}
-
-Vec3 FusedEngine::placed_at(std::size_t vertex) const {
-  const std::size_t slot = slots_[vertex], leaf = slot / leaf_slots;
-  const float* p = positions_.data() + 4 * (binding_->rings.position_starts[leaf] + slot % leaf_slots);
-  return binding_->unit * Vec3{p[0], p[1], p[2]};
-}
-
-void FusedEngine::show_moved(const std::function<Vec3(std::uint32_t)>& move) {
-  base::Stopwatch watch;
-  drag_.placed = false;
-  for_leaves([&](std::size_t leaf) {
-    leaf_moved_[leaf] = 1;
-    float* to = positions_of(leaf);
-    for (std::size_t slot = binding_->leaves.begin(leaf); slot < binding_->leaves.end(leaf);
-         ++slot, to += 4) {
-      const Vec3 by = (1 / binding_->unit) * move(binding_->leaves.order[slot]);
-      for (int i = 0; i < 4; ++i) to[i] += static_cast<float>(by[i % 3]);
-    }
-  });
-  times_[Link::apply] = watch.lap_ms();
   finish(watch);
 }
 
@@ -214,7 +187,7 @@ void FusedEngine::show(std::span<const Vec3> positions) {
   for_leaves([&](std::size_t leaf) {
     leaf_moved_[leaf] = 1;
     const std::size_t begin = binding_->leaves.begin(leaf);
-    float* to = positions_of(leaf);
+    float* to = positions_.data() + 4 * std::size_t(binding_->rings.position_starts[leaf]);
     for (std::size_t slot = begin; slot < binding_->leaves.end(leaf); ++slot, to += 4) {
       const Vec3& p = positions[binding_->leaves.order[slot]];
       for (int i = 0; i < 4; ++i) to[i] = static_cast<float>(scale * p[i % 3]);
@@ -448,17 +421,27 @@ void FusedEngine::place_vertices() {
     run.mean = mean_.data();
     if (!shares_.empty()) run.shares = shares_.data() + begin;
     tiles_.place(run, rest_.empty() ? nullptr : rest_.data() + begin * 3, offsets().data() + begin * 3,
-                 positions_of(leaf));
+                 positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]));
   });
 }
 
 void FusedEngine::move_by_probes() {
   const TiledBinding& b = *binding_;
-  layer_->carry(placed(layer_->anchors()), origin_);
+  const auto first = [&](std::size_t leaf) {
+    return positions_.data() + 4 * std::size_t(b.rings.position_starts[leaf]);
+  };
+  if (slots_.empty()) slots_ = slots_of(b.leaves);
+  std::vector<Vec3> anchors;
+  for (const auto v : layer_->anchors()) {
+    const std::size_t slot = slots_[v], leaf = slot / leaf_slots;
+    const float* p = first(leaf) + 4 * (slot - b.leaves.begin(leaf));
+    anchors.push_back(b.unit * Vec3{p[0], p[1], p[2]});
+  }
+  layer_->carry(anchors, origin_);
   probes_.follow(*layer_, b.leaves, pool_);
   const TileKernel& logs = kernel_.forms[static_cast<std::size_t>(RowForm::logs)];
   for_leaves([&](std::size_t leaf) {
-    if (probes_.moves(*layer_, leaf)) probes_.move(*layer_, leaf, logs, b.unit, positions_of(leaf));
+    if (probes_.moves(*layer_, leaf)) probes_.move(*layer_, leaf, logs, b.unit, first(leaf));
   });
 }
 

@@ -1,10 +1,8 @@
 // The fastest engine: computes vertices from cage rows in one pass, without intermediate arrays.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "base/clock.h"
 #include "base/worker_pool.h"
@@ -45,19 +43,6 @@ public:
   void blend(const CageState& state, std::span<double> sums);
   /// Second half of a frame: fills vertices() from positions relative to the origin of the rows.
   void show(std::span<const Vec3> positions);
-  /// A frame in two parts. place() computes positions; show_moved() adds move(vertex) to each position, moves
-  /// them by probes and fills vertices(). In between, placed() returns positions relative to the rows'
-  /// origin.
-  void place(const CageState& state);
-  template <class Indices>
-  std::vector<Vec3> placed(const Indices& vertices) {
-    if (slots_.empty()) slots_ = slots_of(binding_->leaves);
-    std::vector<Vec3> positions;
-    for (const auto v : vertices) positions.push_back(placed_at(v));
-    return positions;
-  }
-  Vec3 placed_at(std::size_t vertex) const;  ///< for any vertex, after placed()
-  void show_moved(const std::function<Vec3(std::uint32_t vertex)>& move);
   /// Returns true if the last frame used cached sums and added only the moved handles.
   bool dragging() const { return dragging_; }
   /// Returns the bytes of weights, factors and cached data that the last frame read.
@@ -71,9 +56,6 @@ private:
   }
   void prepare(const CageState& state);
   void fill_table(const Rows& rows);
-  float* positions_of(std::size_t leaf) {
-    return positions_.data() + 4 * std::size_t(binding_->rings.position_starts[leaf]);
-  }
   void fill_rest();
   void fill_rest_moments(const Rows& rows);
   void fill_rest_moments(std::size_t leaf, double unit);
@@ -122,7 +104,7 @@ private:
   base::AlignedVector<float> offsets_;  // the binding's offsets plus the shape; empty without a shape
   base::AlignedVector<float> rest_;     // as offsets_, but from the middle of the rest cage; see fill_rest()
   std::vector<std::uint8_t> leaf_moved_;  // [leaf]: 1 if slots of the leaf moved in this frame
-  std::vector<std::uint32_t> slots_;      // slot of each vertex; only filled if placed_at() needs it
+  std::vector<std::uint32_t> slots_;      // slot of each vertex; only filled if there are probes
   ProbeTiles probes_;
   bool dragging_ = false;
   Vec3 origin_{0, 0, 0};  // origin of the frame's rows

@@ -255,11 +255,11 @@ Vec3 vector_of_slot(const base::AlignedVector<float>& array, std::size_t slot, d
 StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
                                std::shared_ptr<const Stitching> stitching, RowForm form, int iterations,
                                base::WorkerPool& pool)
-    : bound_(stitching->coarse ? stitching->bound : binding),
+    : whole_(stitching->coarse ? std::make_unique<FusedEngine>(binding, form, pool) : nullptr),
+      pool_(pool),
+      bound_(stitching->coarse ? stitching->bound : std::move(binding)),
       binding_(bound_->tiles),
       stitching_(std::move(stitching)),
-      whole_(stitching_->coarse ? std::make_unique<FusedEngine>(binding, form, pool) : nullptr),
-      pool_(pool),
       form_(form),
       iterations_(iterations),
       blender_(bound_, form, pool),
@@ -271,10 +271,8 @@ StitchedEngine::StitchedEngine(std::shared_ptr<const Binding> binding,
 }
 
 void StitchedEngine::set_mask(const Mask& mask) {
-  Mask own = mask;
   if (whole_) whole_->set_mask(mask);
-  if (whole_ && mask)
-    own = std::make_shared<const std::vector<float>>(stitching_->coarse->draft().picked(values(mask)));
+  const Mask own = whole_ ? stitching_->coarse->means(mask) : mask;
   blender_.set_mask(own);
   shares_ = product(shares_of(*binding_), values(own));
   stitcher_.set_shares(shares_);
@@ -283,10 +281,7 @@ void StitchedEngine::set_mask(const Mask& mask) {
 void StitchedEngine::set_shape(std::span<const Vec3> ways) {
   if (whole_) {
     whole_->set_shape(ways);
-    coarse_ways_.clear();
-    if (!ways.empty())
-      coarse_ways_ = stitching_->coarse->means(pool_, [&](std::uint32_t v) { return ways[v]; });
-    ways = coarse_ways_;
+    ways = coarse_ways_ = stitching_->coarse->means(ways, pool_);
   }
   ways_ = ways;
   blender_.set_shape(ways);
@@ -299,10 +294,9 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   const auto held = blended(held_, method);
   const double held_ms = watch.lap_ms();
   stitcher_.run(state.rows(), sums_, held, method, iterations_);
+  times_ = blender_.times();
   if (whole_) {
-    show_whole(state);
-    times_ = whole_->times();
-    times_ += blender_.times();
+    times_ += move_whole(state);
   } else {
     blender_.set_layer(layer_);
     blender_.show(stitcher_.positions());
@@ -313,15 +307,29 @@ void StitchedEngine::run(const CageState& state, sym3::Method method) {
   times_[Link::solve] = stitcher_.solve_ms();
 }
 
-// Moves the blended vertices by the interpolated displacements of the coarse model.
-void StitchedEngine::show_whole(const CageState& state) {
+// Blends the whole model, and moves it as stitching moved the coarse model. Returns the times of both.
+LinkTimes StitchedEngine::move_whole(const CageState& state) {
   const CoarseModel& coarse = *stitching_->coarse;
-  whole_->place(state);
-  sample_ = whole_->placed(spread_vertices(whole_->vertices().size(), error_sample));
-  std::vector<Vec3> moves = coarse.means(pool_, [&](std::uint32_t v) { return whole_->placed_at(v); });
+  whole_->set_layer(nullptr);
+  whole_->run(state);
+  LinkTimes times = whole_->times();
+  base::Stopwatch watch;
+  positions_.resize(whole_->vertices().size());
+  pool_.for_blocks(positions_.size(), gathered_per_block, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto& p = whole_->vertices()[v].position;
+      positions_[v] = {p[0], p[1], p[2]};
+    }
+  });
+  sample_ = picked(std::span<const Vec3>(positions_), spread_vertices(positions_.size(), error_sample));
+  std::vector<Vec3> moves = coarse.means(positions_, pool_);
   for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = stitcher_.positions()[c] - moves[c];
+  coarse.move(moves, positions_, pool_);
+  times[Link::apply] = watch.lap_ms();
   whole_->set_layer(layer_);
-  whole_->show_moved([&](std::uint32_t v) { return coarse.move(v, moves); });
+  whole_->show(positions_);
+  for (const Link link : {Link::normals, Link::probes}) times[link] += whole_->times()[link];
+  return times;
 }
 
 std::vector<Vec3> StitchedEngine::blended_sample() const {

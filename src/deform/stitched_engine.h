@@ -66,9 +66,8 @@ private:
 };
 
 /// Computes stitched frames. The fused engine computes the sums in float. All later steps
-/// have double precision, but for large models (see Stitching). Poses need no factorisation. The result
-/// agrees with deform_exactly() up to the error of the sums: 1e-6 of the diagonal, or the fused engine's
-/// error with compressed weights.
+/// have double precision. Poses need no factorisation. The result agrees with deform_exactly() up to the
+/// error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// `binding` must have tiles. `binding` and `stitching` must belong to the same model, cage and kind of
@@ -79,26 +78,25 @@ public:
   void set_mask(const Mask& mask) override;
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
-  std::span<const FrameVertex> vertices() const override {
-    return whole_ ? whole_->vertices() : blender_.vertices();
-  }
-  /// Positions of the last frame, in double precision, relative to the rows' origin; empty for large models.
-  std::span<const Vec3> positions() const { return whole_ ? std::span<const Vec3>() : stitcher_.positions(); }
+  std::span<const FrameVertex> vertices() const override { return (whole_ ? *whole_ : blender_).vertices(); }
+  /// Positions of the last frame, in double precision, relative to the rows' origin.
+  std::span<const Vec3> positions() const { return whole_ ? positions_ : stitcher_.positions(); }
 
-  /// Returns positions of the last frame, before stitching, relative to the rows' origin, at
+  /// Returns positions of the last frame, before stitching, relative to the rows' origin, at the vertices
   /// spread_vertices(n, error_sample).
   std::vector<Vec3> blended_sample() const;
 
 private:
-  void show_whole(const CageState& state);
   std::vector<Vec3> blended(std::span<const std::size_t> vertices, sym3::Method method) const;
+  LinkTimes move_whole(const CageState& state);
 
-  // For large models, bound_ and all that depends on it are of the coarse model.
+  // If there is a coarse model, all members are of this model, except for whole_, positions_ and sample_.
+  std::unique_ptr<FusedEngine> whole_;
+  std::vector<Vec3> positions_, sample_, coarse_ways_;
+  base::WorkerPool& pool_;
   std::shared_ptr<const Binding> bound_;
   std::shared_ptr<const TiledBinding> binding_;
   std::shared_ptr<const Stitching> stitching_;
-  std::unique_ptr<FusedEngine> whole_;  // null unless the model is large
-  base::WorkerPool& pool_;
   RowForm form_;
   int iterations_;
   FusedEngine blender_;
@@ -108,7 +106,6 @@ private:
   Shares shares_;
   std::span<const Vec3> ways_;  // displacements of the shape
   std::vector<double> sums_;
-  std::vector<Vec3> coarse_ways_, sample_;  // only for large models; sample_: see blended_sample()
 };
 
 }  // namespace viete::deform

@@ -241,32 +241,32 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
 }
 
 std::size_t stitching_bytes(std::size_t vertices) {
-  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides; for large
-  // models, also clusters and terms of interpolation.
+  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides. Large
+  // models have clusters and terms of interpolation instead.
+  constexpr double coarse = 200;
   const auto n = static_cast<double>(std::min(vertices, most_solved_vertices));
-  const double coarse = vertices > most_solved_vertices ? 200 * static_cast<double>(vertices) : 0;
-  return static_cast<std::size_t>(n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80) +
-                                  coarse);
+  return static_cast<std::size_t>(
+      n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80) +
+      (vertices > most_solved_vertices ? coarse * static_cast<double>(vertices) : 0));
 }
 
-Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Holding& holding,
-                 base::Progress* progress, const TiledBinding* whole) {
+Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Scheme& scheme,
+                 base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
                               "stitching " + std::to_string(model.positions.size()) + " vertices takes",
                               "use a coarser model, or turn stitching off", ""};
   base::require_memory(need);
-  const bool small = model.positions.size() <= most_solved_vertices ||
-                     std::ranges::all_of(model.triangles, mesh::repeats_corner);
   try {
-    if (small) return StitchMaker(model, cage, holding, pool, progress).make();
+    if (!needs_coarse_model(model)) return StitchMaker(model, cage, scheme.holding, pool, progress).make();
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
     const auto coarse = std::make_shared<const CoarseModel>(model, cage, pool, progress);
-    part.emplace(progress, 0.5, whole ? 0.75 : 1);
-    Stitching stitching = StitchMaker(coarse->draft().surface, cage, holding, pool, progress).make();
-    stitching.coarse = coarse;
+    part.emplace(progress, 0.5, 0.75);
+    Stitching stitching = StitchMaker(coarse->surface(), cage, scheme.holding, pool, progress).make();
     part.emplace(progress, 0.75, 1);
-    if (whole) stitching.bound = bind_draft({coarse, &coarse->draft()}, cage, *whole, pool, progress);
+    stitching.bound = std::make_shared<const Binding>(deform::bind(
+        {coarse, &coarse->surface()}, cage, scheme.weighting, EngineKind::fused, nullptr, pool, progress));
+    stitching.coarse = coarse;
     return stitching;
   } catch (const std::bad_alloc&) {
     base::refuse_memory(need);

@@ -34,8 +34,8 @@ inline constexpr double pin_strength = 0.03;
 /// is stored as triangle (a, b, b). Parts without a pin have a hold with weight 1e-4 at each vertex. A vertex
 /// with only thin triangles (see half_cotangents()), or without triangles, has a hold with weight 1.
 ///
-/// A model with more than most_solved_vertices vertices is stitched with the vertices of a CoarseModel. Their
-/// displacements from the blended positions are interpolated at all vertices.
+/// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
+/// positions are interpolated.
 ///
 /// Results do not depend on the scene's size or its distance from the origin.
 struct Stitching {
@@ -63,8 +63,8 @@ struct Stitching {
   Binding pinned;  ///< the pins' rest, rest_origin and offsets from handles' centres; no weights
   std::vector<Hold> holds;
   SparseCholesky factors;
-  std::shared_ptr<const CoarseModel> coarse{};  ///< null if all vertices of the model are stitched
-  std::shared_ptr<const Binding> bound{};       ///< binding of coarse->draft() with the weights of `whole`
+  std::shared_ptr<const CoarseModel> coarse{};  ///< null if the model itself is stitched
+  std::shared_ptr<const Binding> bound{};       ///< binding of the coarse model
 
   std::size_t vertices() const { return factors.size(); }
   bool serves(const Scheme& scheme) const {
@@ -78,13 +78,12 @@ std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const 
 /// Returns the approximate memory of a stitching for this many vertices.
 std::size_t stitching_bytes(std::size_t vertices);
 
-/// Stitches the model to the cage's faces. StitchedEngine needs `whole`, the model's binding. Each handle
-/// pins its nearest triangle, and also the vertices at distances d < r from its centre: r is holding.radius *
-/// cage.size, and the weight of these pins is pin_strength * ((r - d) / r)^2. All vertices get a hold with
-/// weight holding.weight. Throws base::Error if the model has no vertices, or if its size is above 1e75 or
-/// below 1e-75. Throws base::Cancelled. Results do not depend on the number of threads.
+/// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
+/// distances d < r from its centre: r is scheme.holding.radius * cage.size, and the weight of these pins is
+/// pin_strength * ((r - d) / r)^2. All vertices get a hold with weight scheme.holding.weight. Throws
+/// base::Error if the model has no vertices, or if its size is above 1e75 or below 1e-75. Throws
+/// base::Cancelled. Results do not depend on the number of threads.
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                 const Holding& holding = {}, base::Progress* progress = nullptr,
-                 const TiledBinding* whole = nullptr);
+                 const Scheme& scheme = {}, base::Progress* progress = nullptr);
 
 }  // namespace viete::deform

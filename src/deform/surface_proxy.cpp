@@ -29,26 +29,6 @@ constexpr double fit_reach = 1.9;    // radius of influence, in mean distances t
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
 constexpr double least_facing = 0.1;  // lower limit of the cosine between normals of cluster and vertex
 
-std::uint64_t mixed(std::uint64_t x) {
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
-  return x ^ (x >> 31);
-}
-
-// Returns for each vertex whether it is on an open edge. The terms of a closed edge cancel in `sums`.
-std::vector<bool> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
-  std::vector<std::uint64_t> sums(vertices, 0);
-  for (const auto& t : triangles) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto a = t[k], b = t[(k + 1) % 3];
-      sums[a] += mixed(b + 1), sums[b] -= mixed(a + 1);
-    }
-  }
-  std::vector<bool> open(vertices);
-  for (std::size_t v = 0; v < vertices; ++v) open[v] = sums[v] != 0;
-  return open;
-}
-
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 template <class T>
@@ -201,7 +181,7 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
   if (progress) progress->report(0.1);
   const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
   cluster(target, place, owned, progress);
-  place_clusters(at_means);
+  place_clusters();
   triangles_ = {};
   if (progress) progress->report(0.9);
   if (!at_means) move_to(owned);
@@ -238,16 +218,12 @@ void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>&
   surface_.positions.resize(count);
 }
 
-void SurfaceProxy::place_clusters(bool at_means) {
+void SurfaceProxy::place_clusters() {
   const std::size_t n = surface_.positions.size();
-  const auto open = on_open_edges(triangles_, of_vertex_.size());
   std::vector<std::uint32_t> members(n, 0);
-  std::vector<bool> has_open(n, false);
-  for (std::size_t v = 0; v < of_vertex_.size(); ++v)
-    if (of_vertex_[v] != none && open[v] && !at_means) has_open[of_vertex_[v]] = true;
   for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
     const auto c = of_vertex_[v];
-    if (c == none || (has_open[c] && !open[v])) continue;
+    if (c == none) continue;
     surface_.positions[c] = surface_.positions[c] + model_.positions[v];
     ++members[c];
   }

@@ -23,9 +23,8 @@ namespace viete::deform {
 ///   - is in no triangle of the proxy,
 ///   - contains several vertices that handles own (see OwnedVertices), or
 ///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
-/// A cluster's position is the mean of its vertices or, if some of them are on open edges, the mean of the
-/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex. If
-/// `at_means` is true, all clusters are at the means of their vertices.
+/// A cluster's position is the mean of its vertices. If a handle owns a vertex of the cluster, the cluster is
+/// at this vertex, unless `at_means` is true.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
 /// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
@@ -54,7 +53,7 @@ public:
 private:
   void cluster(std::size_t target, const std::vector<std::uint32_t>& place,
                std::span<const std::uint32_t> apart, base::Progress* progress);
-  void place_clusters(bool at_means);
+  void place_clusters();
   void find_neighbours();
   void move_to(std::span<const std::uint32_t> owned);
   void adopt_loose_vertices();

@@ -128,8 +128,8 @@ struct Deformer::Impl {
                        pool, progress));
     std::shared_ptr<const deform::Stitching> stitching;
     if (scheme.stitched())
-      stitching = std::make_shared<const deform::Stitching>(
-          deform::stitch(model, *cage, pool, scheme.holding, progress, binding->tiles.get()));
+      stitching =
+          std::make_shared<const deform::Stitching>(deform::stitch(model, *cage, pool, scheme, progress));
     live_ = std::make_unique<deform::Deformer>(cage, std::move(binding), scheme, pool, std::move(stitching));
     live_->set_mask(mask), live_->set_shape(shape);
     return *live_;

@@ -256,7 +256,7 @@ TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
   const Stitching usual = stitch(s.model, *s.cage, pool);
   CHECK(usual.pins.size() == 3 * s.cage->element_count());
   CHECK(usual.holds.empty());
-  const Stitching wide = stitch(s.model, *s.cage, pool, {.radius = 0.2});
+  const Stitching wide = stitch(s.model, *s.cage, pool, {.weighting = {}, .holding = {.radius = 0.2}});
   CHECK(wide.pins.size() > usual.pins.size());
   for (const auto& pin : wide.pins) {
     CHECK(pin.weight > 0);
@@ -264,7 +264,8 @@ TEST_CASE("pins_within_a_radius_pull_more_and_translation_pulls_everything") {
     CHECK((pin.weight == pin_strength ||
            norm(s.model.positions[pin.vertex] - s.cage->centers[pin.handle]) < 0.2 * s.cage->diagonal));
   }
-  CHECK(stitch(s.model, *s.cage, pool, {.weight = 1}).holds.size() == s.model.positions.size());
+  CHECK(stitch(s.model, *s.cage, pool, {.weighting = {}, .holding = {.weight = 1}}).holds.size() ==
+        s.model.positions.size());
 }
 
 TEST_CASE("elements_without_area_pin_nothing") {

@@ -18,14 +18,15 @@ namespace fs = std::filesystem;
 
 using Budget = std::map<std::string, std::size_t>;
 
+// Since their last rows: deform stitches coarse copies of large models, but has one way to compute weights.
 // deform/sparse has the loop over blocks of right-hand sides, which was in deform twice.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7298},      {"base", 2045},          {"bench", 5020},    {"blender", 591},
-    {"cages", 3521},   {"deform", 13446},  {"deform/sparse", 1276}, {"document", 5030}, {"files", 3815},
+    {"analysis", 616}, {"app", 7313},      {"base", 2045},          {"bench", 5019},    {"blender", 591},
+    {"cages", 3521},   {"deform", 13377},  {"deform/sparse", 1276}, {"document", 5030}, {"files", 3815},
     {"formats", 8375}, {"interact", 2500}, {"library", 926},        {"mesh", 3013},     {"platform", 966},
     {"python", 1319},  {"render", 2248},   {"sym3", 6310},          {"ui", 6052},       {"workspace", 5879},
 };
-constexpr std::size_t all_lines_of_src = 80'246;
+constexpr std::size_t all_lines_of_src = 80'191;
 
 // support opens files at once, which was in src. deform tests the weights of the vector code.
 const Budget lines_of_tests = {
@@ -37,7 +38,7 @@ const Budget lines_of_tests = {
 };
 constexpr std::size_t all_lines_of_tests = 41'361;
 
-constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'673;
+constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'680;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
