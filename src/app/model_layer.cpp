@@ -189,7 +189,7 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   shadow_.set_triangles(seen.triangles, seen.positions);
   if (draft_) {
     coarse_.set_triangles(seen.triangles, seen.positions.size());
-    coarse_.set_occlusion(draft_->picked(std::span(shading.occlusion)));
+    coarse_.set_occlusion(mesh::picked(std::span(shading.occlusion), draft_->vertices));
   }
   vertices_ = model.positions.size();
   colored_.reset();
@@ -199,12 +199,14 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
 void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
   surface_.set_positions(document.model.surface->positions, shading.normals);
   shadow_.set_positions(draft_ ? draft_->surface.positions : document.model.surface->positions);
-  if (draft_) coarse_.set_positions(draft_->surface.positions, draft_->picked(std::span(shading.normals)));
+  if (draft_)
+    coarse_.set_positions(draft_->surface.positions,
+                          mesh::picked(std::span(shading.normals), draft_->vertices));
 }
 
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
   surface_.set_vertices(vertices, origin);
-  if (draft_) return set_draft(draft_->picked(vertices), origin);
+  if (draft_) return set_draft(mesh::picked(vertices, draft_->vertices), origin);
   shadow_.set_vertices(vertices, origin);
 }
 
@@ -226,7 +228,8 @@ bool ModelLayer::set_colors(const workspace::Workspace& w, analysis::Field field
   if (!wanted.by_mask && wanted.field) scalars = *wanted.field;
   surface_.set_palette(palette), surface_.set_scalars(scalars);
   if (draft_)
-    coarse_.set_palette(palette), coarse_.set_scalars(draft_->picked(std::span(std::as_const(scalars))));
+    coarse_.set_palette(palette),
+        coarse_.set_scalars(mesh::picked(std::span(std::as_const(scalars)), draft_->vertices));
   return true;
 }
 

@@ -19,6 +19,8 @@ namespace viete::deform {
 
 struct TiledBinding;
 
+using mesh::picked;
+
 /// One factor s per vertex, in the model's order: 0 keeps the vertex at rest, 1 is full motion. If the vector
 /// is empty, all factors are 1. The factor multiplies the vertex's offset and its blended sums (see RowForm).
 /// Then (1 - s) * x is added to the blended centre, where x is the vertex at rest. This requires that the
@@ -65,14 +67,6 @@ private:
     return ways.empty() ? at_rest[i] : at_rest[i] + ways[i];
   }
 };
-
-template <class T, class Indices>
-std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
-  std::vector<T> some;
-  if (values.empty()) return some;
-  for (const auto v : vertices) some.push_back(values[v]);
-  return some;
-}
 
 template <class Vector>
 void drop_whole(Vector& shares) {

@@ -284,12 +284,8 @@ void SurfaceProxy::find_neighbours() {
 void SurfaceProxy::move_to(std::span<const std::uint32_t> owned) {
   std::vector<bool> used(surface_.positions.size(), false);
   for (const auto& t : surface_.triangles) used[t[0]] = used[t[1]] = used[t[2]] = true;
-  for (const auto v : owned) {
-    if (!used[of_vertex_[v]]) continue;
-    owned_.push_back(of_vertex_[v]);
-    surface_.positions[of_vertex_[v]] = model_.positions[v];
-  }
-  sort_unique(owned_);
+  for (const auto v : owned)
+    if (used[of_vertex_[v]]) surface_.positions[of_vertex_[v]] = model_.positions[v];
 }
 
 // Assigns vertices without a triangle to the nearest cluster.
@@ -399,7 +395,7 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
       }()),
       handles_(handle_count(cage, weighting.elements)) {
   const base::ProgressPart rest(progress, clustered_part, 1);
-  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress, proxy_.owned());
+  const SurfaceSystem system(proxy_.surface(), cage, weighting, pool, progress);
   const std::size_t n = proxy_.surface().positions.size();
   weights_.resize(n * handles_);
   const auto store = [&](const SurfaceSystem::Solved& solved) {

@@ -37,8 +37,6 @@ public:
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
-  /// The clusters that contain a vertex owned by a handle, ascending.
-  const std::vector<std::uint32_t>& owned() const { return owned_; }
   /// The cluster of each vertex. Vertices without triangles are in the nearest cluster.
   const std::vector<std::uint32_t>& of_vertex() const { return of_vertex_; }
 
@@ -62,7 +60,6 @@ private:
   std::vector<mesh::Triangle> triangles_;  // the model's triangles, welded; empty after construction
   std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
   mesh::Surface surface_;
-  std::vector<std::uint32_t> owned_;
   std::vector<Vec3> normals_;  // one per cluster, unit length or 0
   std::vector<double> radii_;  // radius of influence per cluster
   std::vector<std::uint32_t> nearby_,

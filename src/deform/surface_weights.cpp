@@ -68,9 +68,8 @@ std::vector<std::uint32_t> sources(const mesh::Surface& model, const SparseMatri
 }  // namespace
 
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
-                             base::WorkerPool& pool, std::span<const std::uint32_t> candidates) {
-  auto used = candidates.empty() ? used_vertices(model)
-                                 : std::vector<std::uint32_t>(candidates.begin(), candidates.end());
+                             base::WorkerPool& pool) {
+  auto used = used_vertices(model);
   if (used.empty()) {
     throw base::Error("", "the model has no triangles; these weights need a surface",
                       "choose the weights \"inverse\", or another model");
@@ -93,7 +92,7 @@ OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Eleme
 }
 
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
-                   Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates) {
+                   Elements elements, base::WorkerPool& pool) {
   const auto& x = cage.surface.positions;
   const std::size_t k = owned.of_handle.size();
   std::vector<HandleShape> shapes;
@@ -105,12 +104,7 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
   if (weighing.empty()) return;
   const mesh::TriangleTree nearest_handle(x, weighing);
   std::vector<std::vector<std::uint32_t>> members(bodies.shares.size()), found(members.size());
-  for (const auto v : candidates) members[bodies.of_vertex[v]].push_back(v);
-  std::vector<bool> chosen;
-  for (const auto& some : members) chosen.push_back(!some.empty());
-  for (const auto v : used_vertices(model)) {
-    if (!chosen[bodies.of_vertex[v]]) members[bodies.of_vertex[v]].push_back(v);
-  }
+  for (const auto v : used_vertices(model)) members[bodies.of_vertex[v]].push_back(v);
   pool.for_blocks(members.size(), 1, [&](std::size_t body, std::size_t) {
     if (members[body].empty() || bodies.shares[body] * static_cast<double>(k) < least_body) return;
     const mesh::PointTree tree(model.positions, members[body]);
@@ -134,18 +128,16 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 }
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                             base::WorkerPool& pool, base::Progress* progress,
-                             std::span<const std::uint32_t> candidates)
-    : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress, candidates) {}
+                             base::WorkerPool& pool, base::Progress* progress)
+    : SurfaceSystem(model, mesh::welded(model), cage, weighting, pool, progress) {}
 
 SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
-                             const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress,
-                             std::span<const std::uint32_t> candidates)
-    : owned_(owned_vertices(joined, cage, weighting.elements, pool, candidates)),
+                             const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress)
+    : owned_(owned_vertices(joined, cage, weighting.elements, pool)),
       laplacian_(intrinsic_laplacian(joined)) {
   if (progress) progress->report(0);
   std::vector<double> springs(joined.positions.size(), spring_per_handle * static_cast<double>(handles()));
-  couple_parts(joined, cage, weighting, candidates, springs, pool);
+  couple_parts(joined, cage, weighting, springs, pool);
   std::vector<bool> is_owned(owned_.owners.size());
   for (std::size_t v = 0; v < is_owned.size(); ++v) is_owned[v] = owned_.owners[v] > 0;
   const HeldParts held = held_parts(laplacian_.stiffness, is_owned);
@@ -164,8 +156,7 @@ SurfaceSystem::SurfaceSystem(const mesh::Surface& model, const mesh::Surface& jo
 
 // Couples parts that are near to each other. In bodies with many owners per area, weakens the springs.
 void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
-                                 std::span<const std::uint32_t> candidates, std::vector<double>& springs,
-                                 base::WorkerPool& pool) {
+                                 std::vector<double>& springs, base::WorkerPool& pool) {
   const mesh::EdgePaths paths(joined);
   const auto couplings = part_couplings(joined, paths, laplacian_.masses, pool);
   const bool plate = weighting.weights == Weights::biharmonic;
@@ -173,7 +164,7 @@ void SurfaceSystem::couple_parts(const mesh::Surface& joined, const Cage& cage, 
   const double k = static_cast<double>(handles());
   const Bodies found = bodies(joined, paths, couplings, laplacian_.masses, 1 / k);
   if (found.shares.size() == 1) return;
-  own_in_bodies(owned_, joined, found, cage, weighting.elements, pool, candidates);
+  own_in_bodies(owned_, joined, found, cage, weighting.elements, pool);
   std::vector<double> owners(found.shares.size(), 0);
   for (std::size_t v = 0; v < springs.size(); ++v) owners[found.of_vertex[v]] += owned_.owners[v];
   for (std::size_t v = 0; v < springs.size(); ++v) {

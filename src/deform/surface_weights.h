@@ -35,17 +35,16 @@ struct OwnedVertices {
   std::vector<std::vector<std::uint32_t>> elsewhere;
 };
 
-/// Finds the vertices by exact distances. Chooses from `candidates`, which must be corners of triangles. If
-/// `candidates` is empty, chooses from all corners. Throws base::Error if the model has no triangles.
+/// Finds the vertices by exact distances. Throws base::Error if the model has no triangles.
 OwnedVertices owned_vertices(const mesh::Surface& model, const Cage& cage, Elements elements,
-                             base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
+                             base::WorkerPool& pool);
 
 /// Lets each handle own one vertex in each body near it, so that a layer and its contents follow the cage
 /// alike. v is the body's vertex nearest to the handle. The body is near if the handle is at most 1.5 times
 /// as far from v as the handle that is nearest to v. Skips bodies with less than a tenth of the mean area per
-/// handle. In a body without candidates, all vertices are candidates.
+/// handle.
 void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodies& bodies, const Cage& cage,
-                   Elements elements, base::WorkerPool& pool, std::span<const std::uint32_t> candidates = {});
+                   Elements elements, base::WorkerPool& pool);
 
 /// Solves for the weights of sixteen handles at a time. The caller stores the weights.
 ///
@@ -72,12 +71,11 @@ void own_in_bodies(OwnedVertices& owned, const mesh::Surface& model, const Bodie
 /// The weights of a vertex sum to 1 only approximately. Callers must divide by the sum.
 class SurfaceSystem {
 public:
-  /// Factors the matrix. Reports less than half of the progress. For `candidates`, see owned_vertices().
+  /// Factors the matrix. Reports less than half of the progress.
   /// Throws base::Cancelled. Throws base::Error if the model has no triangles, memory is insufficient, or the
   /// system has no solution in double precision.
   SurfaceSystem(const mesh::Surface& model, const Cage& cage, const Weighting& weighting,
-                base::WorkerPool& pool, base::Progress* progress = nullptr,
-                std::span<const std::uint32_t> candidates = {});
+                base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   std::size_t vertices() const { return offsets_.size(); }
   std::size_t handles() const { return owned_.of_handle.size(); }
@@ -96,11 +94,9 @@ public:
 
 private:
   SurfaceSystem(const mesh::Surface& model, const mesh::Surface& joined, const Cage& cage,
-                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress,
-                std::span<const std::uint32_t> candidates);
+                const Weighting& weighting, base::WorkerPool& pool, base::Progress* progress);
   void couple_parts(const mesh::Surface& joined, const Cage& cage, const Weighting& weighting,
-                    std::span<const std::uint32_t> candidates, std::vector<double>& springs,
-                    base::WorkerPool& pool);
+                    std::vector<double>& springs, base::WorkerPool& pool);
   const BlockSolver& solver() const;
   std::vector<ThinPlate::Load> loads() const;
   void set_right_hand_side(std::size_t handle, std::size_t column, std::span<double> block) const;

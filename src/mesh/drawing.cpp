@@ -136,7 +136,7 @@ Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bou
   std::vector<std::uint64_t> codes;
   for (const Point& cell : cells) codes.push_back(morton_code(cell));
   std::ranges::sort(triangles, {}, [&](const Triangle& t) { return std::pair(codes[t[0]], t); });
-  draft.surface = from_triangles(draft.picked(std::span(surface.positions)), triangles);
+  draft.surface = from_triangles(picked(std::span(surface.positions), draft.vertices), triangles);
   return draft;
 }
 

@@ -20,15 +20,6 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
 struct Draft {
   Surface surface;
   std::vector<std::uint32_t> vertices;  ///< for each vertex, its index in the model
-
-  template <class T>
-  std::vector<T> picked(std::span<const T> of_model) const {
-    std::vector<T> some;
-    some.reserve(vertices.size());
-    if (!of_model.empty())
-      for (const std::uint32_t v : vertices) some.push_back(of_model[v]);
-    return some;
-  }
 };
 
 /// Returns a draft with about `wanted` triangles. In each cell of a grid, one vertex replaces all vertices

@@ -88,6 +88,16 @@ inline void extend(Bounds& box, const Point& p) {
   }
 }
 
+/// Returns the values of some vertices. Without values, returns none.
+template <class T, class Indices>
+std::vector<T> picked(std::span<const T> values, const Indices& vertices) {
+  std::vector<T> some;
+  if (values.empty()) return some;
+  some.reserve(vertices.size());
+  for (const auto v : vertices) some.push_back(values[v]);
+  return some;
+}
+
 Bounds bounds(std::span<const Point> positions);
 /// Returns the box of the listed positions.
 Bounds bounds(std::span<const Point> positions, std::span<const std::uint32_t> some);

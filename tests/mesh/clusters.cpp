@@ -29,7 +29,8 @@ TEST_CASE("a_draft_covers_the_surface_with_about_the_wanted_number_of_triangles"
   CHECK(draft.surface.triangles.size() > 1000);
   CHECK(draft.surface.triangles.size() < 4000);
   CHECK(*std::ranges::max_element(draft.vertices) < unused);
-  CHECK(draft.surface.positions == draft.picked(std::span<const mesh::Point>(ball.positions)));
+  CHECK(draft.surface.positions ==
+        mesh::picked(std::span<const mesh::Point>(ball.positions), draft.vertices));
   const mesh::Summary coarse = mesh::summarize(draft.surface);
   CHECK(coarse.boundary_edges.empty());
   CHECK(coarse.area == doctest::Approx(area).epsilon(0.05));
