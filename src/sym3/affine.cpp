@@ -98,10 +98,6 @@ AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
 
 }  // namespace
 
-AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights) {
-  return sum_of_terms(weights, [&](std::size_t i) { return logs[i]; });
-}
-
 Affine combine(std::span<const Affine> maps, std::span<const double> weights) {
   return exp_affine(sum_of_terms(weights, [&](std::size_t i) { return log_affine(from({}, maps[i])); }));
 }

@@ -57,12 +57,9 @@ Affine exp_affine(const AffineLog& log);
 /// its length is the angle.
 Vec3<double> turn_of(const AffineLog& log);
 
-/// Returns the sum of weights[i] * logs[i]. Both arrays must have equal sizes. The weights may have any sum.
-AffineLog weighted_sum(std::span<const AffineLog> logs, std::span<const double> weights);
-
 /// Returns exp(sum of weights[i] * log(maps[i])) with principal logarithms. Both arrays must have equal
 /// sizes. If the weights sum to 1, the result approximates mean(). Other sums are allowed: combine({A},
-/// {0.5}) is the square root of A. To choose branches, use log_affine() and weighted_sum().
+/// {0.5}) is the square root of A. To choose branches, add the logs of log_affine().
 Affine combine(std::span<const Affine> maps, std::span<const double> weights);
 
 /// Returns A exp(t log(A^-1 B)) for any t, also outside [0, 1]. At t = 0 the result is exactly A. At t = 1

@@ -24,21 +24,21 @@ const Budget lines_of_src = {
     {"analysis", 616}, {"app", 7316},      {"base", 2045},          {"bench", 5019},    {"blender", 591},
     {"cages", 3521},   {"deform", 13351},  {"deform/sparse", 1276}, {"document", 5030}, {"files", 3815},
     {"formats", 8375}, {"interact", 2500}, {"library", 926},        {"mesh", 3014},     {"platform", 966},
-    {"python", 1319},  {"render", 2248},   {"sym3", 6310},          {"ui", 6052},       {"workspace", 5879},
+    {"python", 1319},  {"render", 2248},   {"sym3", 6303},          {"ui", 6052},       {"workspace", 5879},
 };
-constexpr std::size_t all_lines_of_src = 80'169;
+constexpr std::size_t all_lines_of_src = 80'162;
 
 // support opens files at once, which was in src. deform tests the weights of the vector code.
 const Budget lines_of_tests = {
     {"analysis", 284}, {"app", 1095},     {"assets", 244},   {"base", 795},      {"bench", 610},
-    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7116},   {"document", 3063},
+    {"blender", 426},  {"cages", 960},    {"consumer", 505}, {"deform", 7108},   {"document", 3063},
     {"files", 2280},   {"formats", 3347}, {"fuzz", 381},     {"interact", 1461}, {"mesh", 1746},
     {"platform", 295}, {"program", 7048}, {"python", 758},   {"releases", 113},  {"render", 966},
-    {"rules", 694},    {"support", 1356}, {"sym3", 3650},    {"ui", 13},         {"workspace", 2158},
+    {"rules", 694},    {"support", 1356}, {"sym3", 3632},    {"ui", 13},         {"workspace", 2158},
 };
-constexpr std::size_t all_lines_of_tests = 41'364;
+constexpr std::size_t all_lines_of_tests = 41'338;
 
-constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'680;
+constexpr std::size_t words_of_readme = 896, words_of_manual_and_rooms = 14'675;
 
 std::size_t count_lines(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

@@ -122,9 +122,6 @@ TEST_CASE("the_order_of_combined_maps_does_not_matter_nor_do_coordinates_and_inv
   for (int i = 0; i < 100; ++i) {
     auto maps = some_maps(random, 4, 2);
     const Affine sum = sym3::combine(maps, weights), c = any_map(random);
-    std::vector<AffineLog> logs;
-    for (const Affine& m : maps) logs.push_back(sym3::log_affine(m));
-    CHECK(difference(sym3::exp_affine(sym3::weighted_sum(logs, weights)), sum) < 1e-14);
     CHECK(difference(sym3::combine(times_all(c, maps, sym3::inverse(c)), weights),
                      c * sum * sym3::inverse(c)) < 1e-11);
     CHECK(difference(sym3::combine(inverses(maps), weights), sym3::inverse(sum)) < 1e-12);
@@ -193,12 +190,5 @@ TEST_CASE("an_undefined_mean_does_not_converge") {
 
 TEST_CASE("terms_of_a_sum_that_overflow_cancel") {
   const std::vector<Affine> maps(3, about_z(2, {3, 0, 0}));
-  std::vector<AffineLog> logs;
-  for (const Affine& m : maps) logs.push_back(sym3::log_affine(m));
-  CHECK(sym3::norm(sym3::weighted_sum(logs, std::vector{1e308, 0.0, -1e308}).linear) == 0);
   CHECK(difference(sym3::combine(maps, std::vector{1e308, 0.5, -1e308}), {}) < 1e-13);
-  for (AffineLog& log : logs) log.linear = sym3::times(8e307, log.linear);
-  CHECK(sym3::norm(sym3::weighted_sum(logs, std::vector{0.8, 0.8, -1.6}).linear) == 0);
-  CHECK(sym3::weighted_sum(logs, std::vector{1e-320, 0.0, 0.0}).linear[1] ==
-        doctest::Approx(-16e307 * 1e-320));
 }
