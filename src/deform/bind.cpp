@@ -103,7 +103,7 @@ std::size_t fill(const Cage& cage, Binding& b, base::WorkerPool& pool, base::Pro
     const auto part = bind_part(weigher, std::span(*b.rest).subspan(begin, end - begin), std::move(solved));
     std::ranges::copy(part.binding.weights, rows);
     std::ranges::copy(part.binding.offsets, b.offsets.begin() + std::ptrdiff_t(begin));
-    std::ranges::copy(part.binding.shares, b.shares.begin() + std::ptrdiff_t(begin));
+    if (!b.shares.empty()) std::ranges::copy(part.binding.shares, b.shares.begin() + std::ptrdiff_t(begin));
     failed += part.failed;
     done += end - begin;
     if (progress) progress->report(static_cast<double>(done) / static_cast<double>(b.vertices));

@@ -2,36 +2,34 @@
 
 #include <algorithm>
 
+#include "base/memory.h"
 #include "deform/surface_proxy.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
 
-namespace {
-
-constexpr std::size_t vertices_per_block = 512, clusters_per_block = 64;
-
-}  // namespace
+static constexpr std::size_t vertices_per_block = 512, clusters_per_block = 64;
 
 bool needs_coarse_model(const mesh::Surface& model) {
   return model.positions.size() > most_solved_vertices &&
-         !std::ranges::all_of(model.triangles, mesh::repeats_corner);
+         std::ranges::any_of(model.triangles,
+                             [&](const auto& t) { return mesh::area(model.positions, t) > 0; });
 }
 
 CoarseModel::CoarseModel(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
                          base::Progress* progress)
     : blocks_((model.positions.size() + vertices_per_block - 1) / vertices_per_block) {
+  base::require_memory({200.0 * static_cast<double>(model.positions.size()),
+                        "a coarse copy of " + std::to_string(model.positions.size()) + " vertices takes",
+                        "use a coarser model, or turn stitching off", ""});
   const SurfaceProxy proxy(model, cage, Elements::face, proxy_vertices, pool, progress, true);
-  surface_ = proxy.surface();
-  members_ = mesh::make_adjacency(surface_.positions.size(), [&](const auto& add) {
-    for (std::uint32_t v = 0; v < proxy.of_vertex().size(); ++v) add(proxy.of_vertex()[v], v);
-  });
-  surface_.positions = means(model.positions, pool);
+  surface_ = proxy.surface(), members_ = proxy.members();
   pool.for_blocks(model.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
     std::vector<SurfaceProxy::Term> terms;
     for (std::size_t v = begin; v < end; ++v) {
-      proxy.terms(static_cast<std::uint32_t>(v), terms);
+      terms.clear();
+      if (const auto i = static_cast<std::uint32_t>(v); proxy.has_cluster(i)) proxy.terms(i, terms);
       block.starts.push_back(block.terms.size());
       for (const auto& [cluster, factor] : terms)
         block.terms.push_back({cluster, static_cast<float>(factor)});

@@ -14,19 +14,19 @@
 
 namespace viete::deform {
 
-/// Returns true if the model has more than most_solved_vertices vertices, and a triangle.
+/// Returns true if the model has more than most_solved_vertices vertices, and a triangle with an area.
 bool needs_coarse_model(const mesh::Surface& model);
 
-/// The clusters of a SurfaceProxy, at the means of their vertices. Interpolates displacements of clusters at
-/// the model's vertices. Thread-safe.
+/// The clusters of a SurfaceProxy, at the means of their members. Interpolates displacements of clusters at
+/// the model's vertices; vertices without triangles have none. Thread-safe.
 class CoarseModel {
 public:
-  /// Throws base::Error if the model has no triangles. Throws base::Cancelled.
+  /// Throws base::Error if the model has no triangles with an area. Throws base::Cancelled.
   CoarseModel(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
               base::Progress* progress = nullptr);
 
   const mesh::Surface& surface() const { return surface_; }
-  /// Return the mean of each cluster. If the argument is empty or null, the result is too.
+  /// Return the mean of each cluster's members. If the argument is empty or null, the result is too.
   std::vector<Vec3> means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const;
   Mask means(const Mask& mask) const;
   /// Adds the displacements of clusters, `moves`, to the positions of all vertices.
@@ -43,7 +43,7 @@ private:
   };
 
   mesh::Surface surface_;
-  mesh::Adjacency members_;  // the vertices of each cluster
+  mesh::Adjacency members_;
   std::vector<Block> blocks_;
 };
 

@@ -52,10 +52,11 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   state_.set_amounts(scheme.amounts);
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
   if (scheme.stitched() && needs_coarse_model(model_)) {
-    const base::ProgressPart part(progress, 0, 0.5);
+    std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
     coarse_model_.emplace(model_, *cage_, pool_, progress);
+    part.emplace(progress, 0.25, 0.5);
     coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, scheme, method, pool, weights,
-                                              coarse_model_->means(mask));
+                                              coarse_model_->means(mask), progress);
   } else if (scheme.stitched()) {
     stitching_ = stitch(model_, *cage_, pool_, scheme);
     sums_.resize(n * state_.rows().columns());
@@ -138,9 +139,9 @@ ExactModel ExactDeformer::deform(const Pose& pose, const Probes& probes, const S
   });
   if (stitching_) stitch_positions(ways_of(shape, model_.positions), exact.positions);
   if (coarse_) {
-    const auto of_shape = coarse_model_->means(shape ? std::span(*shape) : std::span<const Vec3>(), pool_);
-    auto moves =
-        coarse_->deform(pose, {}, shape ? std::make_shared<std::vector<Vec3>>(of_shape) : nullptr).positions;
+    SharedShape own;
+    if (shape) own = std::make_shared<std::vector<Vec3>>(coarse_model_->means(*shape, pool_));
+    auto moves = coarse_->deform(pose, {}, own).positions;
     const auto means = coarse_model_->means(exact.positions, pool_);
     for (std::size_t c = 0; c < moves.size(); ++c) moves[c] = moves[c] - means[c];
     coarse_model_->move(moves, exact.positions, pool_);

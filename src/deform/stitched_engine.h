@@ -65,13 +65,15 @@ private:
   double loads_ms_ = 0, solve_ms_ = 0;
 };
 
-/// Computes stitched frames. The fused engine computes the sums in float. All later steps
-/// have double precision. Poses need no factorisation. The result agrees with deform_exactly() up to the
-/// error of the sums: 1e-6 of the diagonal, or the fused engine's error with compressed weights.
+/// Computes stitched frames. The fused engine computes the sums in float and, if there is a coarse model, the
+/// blended positions of the whole model, with method `fast`. All later steps have double precision. Poses
+/// need no factorisation. The result agrees with deform_exactly() up to the error of the sums: 1e-6 of the
+/// diagonal, or the fused engine's error with compressed weights.
 class StitchedEngine : public Engine {
 public:
   /// `binding` must have tiles. `binding` and `stitching` must belong to the same model, cage and kind of
-  /// elements. `form` must be logs or maps, and `iterations` must be 1 or more.
+  /// elements and, if there is a coarse model, have the same weighting. `form` must be logs or maps, and
+  /// `iterations` must be 1 or more.
   StitchedEngine(std::shared_ptr<const Binding> binding, std::shared_ptr<const Stitching> stitching,
                  RowForm form, int iterations, base::WorkerPool& pool);
 
@@ -79,11 +81,10 @@ public:
   void set_shape(std::span<const Vec3> ways) override;
   void run(const CageState& state, sym3::Method method) override;
   std::span<const FrameVertex> vertices() const override { return (whole_ ? *whole_ : blender_).vertices(); }
-  /// Positions of the last frame, in double precision, relative to the rows' origin.
+  /// Positions of the last frame, relative to the rows' origin.
   std::span<const Vec3> positions() const { return whole_ ? positions_ : stitcher_.positions(); }
 
-  /// Returns positions of the last frame, before stitching, relative to the rows' origin, at the vertices
-  /// spread_vertices(n, error_sample).
+  /// As positions(), but before stitching and only at spread_vertices(n, error_sample).
   std::vector<Vec3> blended_sample() const;
 
 private:

@@ -14,7 +14,6 @@
 #include "deform/maps.h"
 #include "deform/part_coupling.h"
 #include "deform/staged_engine.h"
-#include "deform/surface_weights.h"
 #include "mesh/edge_paths.h"
 #include "mesh/point_index.h"
 #include "mesh/repair.h"
@@ -233,6 +232,21 @@ private:
   std::vector<Stitching::Hold> holds_;
 };
 
+Stitching stitch_all(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
+                     const Holding& holding, base::Progress* progress) {
+  const auto n = static_cast<double>(model.positions.size());
+  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides.
+  const base::MemoryNeed need{n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80),
+                              "stitching " + std::to_string(model.positions.size()) + " vertices takes",
+                              "use a coarser model, or turn stitching off", ""};
+  base::require_memory(need);
+  try {
+    return StitchMaker(model, cage, holding, pool, progress).make();
+  } catch (const std::bad_alloc&) {
+    base::refuse_memory(need);
+  }
+}
+
 }  // namespace
 
 // Returns the first two rows of K * X. K is the triangle's stiffness matrix; the rows of X are a, b and c.
@@ -240,37 +254,19 @@ std::array<Vec3, 2> area_gradients(const Vec3& h, const Vec3& a, const Vec3& b, 
   return {h[2] * (a - b) + h[1] * (a - c), h[2] * (b - a) + h[0] * (b - c)};
 }
 
-std::size_t stitching_bytes(std::size_t vertices) {
-  // The terms are factors (n log n), data of two triangles per vertex, lists, and right-hand sides. Large
-  // models have clusters and terms of interpolation instead.
-  constexpr double coarse = 200;
-  const auto n = static_cast<double>(std::min(vertices, most_solved_vertices));
-  return static_cast<std::size_t>(
-      n * (12 * 2.2 * std::log2(n + 2) + 2 * (12 + 24 + 48 + 72 + 48) + 28 + 80) +
-      (vertices > most_solved_vertices ? coarse * static_cast<double>(vertices) : 0));
-}
-
 Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool, const Scheme& scheme,
                  base::Progress* progress) {
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
-  const base::MemoryNeed need{static_cast<double>(stitching_bytes(model.positions.size())),
-                              "stitching " + std::to_string(model.positions.size()) + " vertices takes",
-                              "use a coarser model, or turn stitching off", ""};
-  base::require_memory(need);
-  try {
-    if (!needs_coarse_model(model)) return StitchMaker(model, cage, scheme.holding, pool, progress).make();
-    std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
-    const auto coarse = std::make_shared<const CoarseModel>(model, cage, pool, progress);
-    part.emplace(progress, 0.5, 0.75);
-    Stitching stitching = StitchMaker(coarse->surface(), cage, scheme.holding, pool, progress).make();
-    part.emplace(progress, 0.75, 1);
-    stitching.bound = std::make_shared<const Binding>(deform::bind(
-        {coarse, &coarse->surface()}, cage, scheme.weighting, EngineKind::fused, nullptr, pool, progress));
-    stitching.coarse = coarse;
-    return stitching;
-  } catch (const std::bad_alloc&) {
-    base::refuse_memory(need);
-  }
+  if (!needs_coarse_model(model)) return stitch_all(model, cage, pool, scheme.holding, progress);
+  std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
+  const auto coarse = std::make_shared<const CoarseModel>(model, cage, pool, progress);
+  part.emplace(progress, 0.5, 0.75);
+  Stitching stitching = stitch_all(coarse->surface(), cage, pool, scheme.holding, progress);
+  part.emplace(progress, 0.75, 1);
+  stitching.bound = std::make_shared<const Binding>(deform::bind(
+      {coarse, &coarse->surface()}, cage, scheme.weighting, EngineKind::fused, nullptr, pool, progress));
+  stitching.coarse = coarse;
+  return stitching;
 }
 
 }  // namespace viete::deform

@@ -37,7 +37,7 @@ inline constexpr double pin_strength = 0.03;
 /// If needs_coarse_model(), the coarse model is stitched. Its displacements from the means of the blended
 /// positions are interpolated.
 ///
-/// Results do not depend on the scene's size or its distance from the origin.
+/// Without a coarse model, results do not depend on the scene's size or its distance from the origin.
 struct Stitching {
   struct Pin {
     std::uint32_t vertex, handle;
@@ -74,9 +74,6 @@ struct Stitching {
 
 /// Returns g of the corners a and b. `cotangents` are half cotangents.
 std::array<Vec3, 2> area_gradients(const Vec3& cotangents, const Vec3& a, const Vec3& b, const Vec3& c);
-
-/// Returns the approximate memory of a stitching for this many vertices.
-std::size_t stitching_bytes(std::size_t vertices);
 
 /// Stitches the model to the cage's faces. Each handle pins its nearest triangle, and also the vertices at
 /// distances d < r from its centre: r is scheme.holding.radius * cage.size, and the weight of these pins is

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/error.h"
 #include "deform/cage_state.h"
 #include "mesh/point_index.h"
 #include "mesh/point_tree.h"
@@ -29,7 +30,24 @@ constexpr double fit_reach = 1.9;    // radius of influence, in mean distances t
 constexpr double ridge_linear = 7e-3, ridge_quadratic = 5e-3;
 constexpr double least_facing = 0.1;  // lower limit of the cosine between normals of cluster and vertex
 
+std::uint64_t mixed(std::uint64_t x) {
+  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
+  x = (x ^ (x >> 27)) * 0x94d049bb133111ebu;
+  return x ^ (x >> 31);
+}
+
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
+
+// Returns for each vertex a number that is not 0 if the vertex is on an open edge. Terms of closed edges
+// cancel.
+std::vector<std::uint64_t> on_open_edges(std::span<const mesh::Triangle> triangles, std::size_t vertices) {
+  std::vector<std::uint64_t> sums(vertices, 0);
+  for (const auto& [a, b, c] : triangles) {
+    for (const auto& [i, j] : {Pair{a, b}, Pair{b, c}, Pair{c, a}})
+      sums[i] += mixed(j + 1), sums[j] -= mixed(i + 1);
+  }
+  return sums;
+}
 
 template <class T>
 void sort_unique(std::vector<T>& all) {
@@ -184,14 +202,20 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
   place_clusters();
   triangles_ = {};
   if (progress) progress->report(0.9);
-  if (!at_means) move_to(owned);
-  adopt_loose_vertices();
+  if (!at_means) {
+    move_to(owned);
+    adopt_loose_vertices();
+  }
   find_neighbours();
 }
 
 void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>& place,
                            std::span<const std::uint32_t> apart, base::Progress* progress) {
   Clusters clusters(model_, triangles_);
+  if (!(clusters.total_area() > 0)) {
+    throw base::Error("", "all triangles of the model have zero area; these weights need a surface",
+                      "choose the weights \"inverse\", or another model");
+  }
   double cell = std::sqrt(1.3 * clusters.total_area() / static_cast<double>(target));
   double left = 0.8;
   const auto divide = [&] {
@@ -219,16 +243,19 @@ void SurfaceProxy::cluster(std::size_t target, const std::vector<std::uint32_t>&
 }
 
 void SurfaceProxy::place_clusters() {
-  const std::size_t n = surface_.positions.size();
-  std::vector<std::uint32_t> members(n, 0);
-  for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
-    const auto c = of_vertex_[v];
-    if (c == none) continue;
-    surface_.positions[c] = surface_.positions[c] + model_.positions[v];
-    ++members[c];
+  auto& p = surface_.positions;
+  const auto open = on_open_edges(triangles_, of_vertex_.size());
+  std::vector<bool> has_open(p.size(), false);
+  for (std::size_t v = 0; v < of_vertex_.size(); ++v)
+    if (of_vertex_[v] != none && open[v]) has_open[of_vertex_[v]] = true;
+  members_ = mesh::make_adjacency(p.size(), [&](const auto& add) {
+    for (std::uint32_t v = 0; v < of_vertex_.size(); ++v)
+      if (const auto c = of_vertex_[v]; c != none && (open[v] || !has_open[c])) add(c, v);
+  });
+  for (std::size_t c = 0; c < p.size(); ++c) {
+    for (const auto v : members_.of(c)) p[c] = p[c] + model_.positions[v];
+    p[c] = (1 / static_cast<double>(members_.of(c).size())) * p[c];
   }
-  for (std::size_t c = 0; c < n; ++c)
-    surface_.positions[c] = (1.0 / std::max(1u, members[c])) * surface_.positions[c];
   std::vector<mesh::Triangle> triangles;
   for (const auto& t : triangles_) {
     mesh::Triangle u = {of_vertex_[t[0]], of_vertex_[t[1]], of_vertex_[t[2]]};
@@ -260,6 +287,7 @@ void SurfaceProxy::find_neighbours() {
   }
   std::vector<double> extents(p.size(), 0);  // largest distance to a vertex of the cluster
   for (std::size_t v = 0; v < of_vertex_.size(); ++v) {
+    if (of_vertex_[v] == none) continue;
     auto& extent = extents[of_vertex_[v]];
     extent = std::max(extent, norm(model_.positions[v] - p[of_vertex_[v]]));
   }

@@ -1,4 +1,4 @@
-// A coarse copy of a large model for computing weights along the surface.
+// A coarse copy of a large model, for weights along the surface and for ARAP.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include "deform/cage.h"
 #include "deform/scheme.h"
 #include "deform/surface_weights.h"
+#include "mesh/adjacency.h"
 #include "mesh/surface.h"
 
 namespace viete::deform {
@@ -23,29 +24,31 @@ namespace viete::deform {
 ///   - is in no triangle of the proxy,
 ///   - contains several vertices that handles own (see OwnedVertices), or
 ///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
-/// A cluster's position is the mean of its vertices. If a handle owns a vertex of the cluster, the cluster is
-/// at this vertex, unless `at_means` is true.
+/// A cluster's position is the mean of its members: its vertices or, if some of them are on open edges, its
+/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex. If
+/// `at_means` is true, all clusters stay at the means, and vertices without triangles have no cluster.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
 /// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
 class SurfaceProxy {
 public:
   /// Makes at most about `target` clusters. The model must outlive the proxy. Throws base::Error if the model
-  /// has no triangles. Throws base::Cancelled.
+  /// has no triangles with an area. Throws base::Cancelled.
   SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements, std::size_t target,
                base::WorkerPool& pool, base::Progress* progress = nullptr, bool at_means = false);
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }
-  /// The cluster of each vertex. Vertices without triangles are in the nearest cluster.
-  const std::vector<std::uint32_t>& of_vertex() const { return of_vertex_; }
+  /// The members of each cluster.
+  const mesh::Adjacency& members() const { return members_; }
+  bool has_cluster(std::uint32_t vertex) const { return of_vertex_[vertex] != mesh::none; }
 
   struct Term {
     std::uint32_t cluster;
     double factor;
   };
   /// Writes the terms of the interpolated value at a vertex: the value is the sum of factor * (value at the
-  /// cluster). The factors sum to 1 up to rounding. Thread-safe.
+  /// cluster). The factors sum to 1 up to rounding. The vertex must have a cluster. Thread-safe.
   void terms(std::uint32_t vertex, std::vector<Term>& terms) const;
 
 private:
@@ -59,6 +62,7 @@ private:
   const mesh::Surface& model_;
   std::vector<mesh::Triangle> triangles_;  // the model's triangles, welded; empty after construction
   std::vector<std::uint32_t> of_vertex_;   // cluster of each vertex
+  mesh::Adjacency members_;
   mesh::Surface surface_;
   std::vector<Vec3> normals_;  // one per cluster, unit length or 0
   std::vector<double> radii_;  // radius of influence per cluster

@@ -101,8 +101,9 @@ public:
   using Part = std::vector<Supernode>;
   /// Returns the supernodes of these unknowns, and all ancestors.
   Part part_with(std::span<const std::uint32_t> unknowns) const;
-  /// Replaces the right-hand sides in a block by solutions. If `given` is not null, right-hand sides must be
-  /// 0 outside of this part. If `wanted` is not null, solves only for its unknowns. Thread-safe.
+  /// Replaces the right-hand sides in a block, which is aligned to a cache line, by solutions. If `given` is
+  /// not null, right-hand sides must be 0 outside of this part. If `wanted` is not null, solves only for its
+  /// unknowns. Thread-safe.
   void solve(std::span<double> block, const SparseKernel& kernel, const Part* given = nullptr,
              const Part* wanted = nullptr) const;
 
