@@ -199,9 +199,9 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
 void ModelLayer::set_rest(const document::Document& document, const ModelShading& shading) {
   surface_.set_positions(document.model.surface->positions, shading.normals);
   shadow_.set_positions(draft_ ? draft_->surface.positions : document.model.surface->positions);
-  if (draft_)
-    coarse_.set_positions(draft_->surface.positions,
-                          mesh::picked(std::span(shading.normals), draft_->vertices));
+  if (!draft_) return;
+  coarse_.set_positions(draft_->surface.positions,
+                        mesh::picked(std::span(shading.normals), draft_->vertices));
 }
 
 void ModelLayer::set_model(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {

@@ -13,7 +13,6 @@
 #include "bench/table.h"
 #include "deform/bind.h"
 #include "deform/binding.h"
-#include "deform/point_weights.h"
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "deform/weigher.h"
@@ -50,11 +49,6 @@ public:
     add("bound, compressed", [this] { compressed_ = bind(faces, deform::usual_tolerance); });
     add("harmonic, bound, compressed", [this] { bind(harmonics, deform::usual_tolerance); });
     add("biharmonic, bound, compressed", [this] { bind(biharmonics, deform::usual_tolerance); });
-    if (plain_)
-      add("mean values, one at a time", [this] {
-        std::vector<double> row(cage_.surface.positions.size());
-        for (const auto& p : model_.positions) deform::mean_value_weights(cage_, p, row);
-      });
     add("mean values, vectors", [this] { weigh(mean_values); });
     add("mean values, bound", [this] { bind(mean_values, 0); });
     base::Progress progress;

@@ -12,6 +12,13 @@ using test::Driver, test::small_options, test::SmallScene;
 
 namespace {
 
+app::ViewerOptions coarse_options(std::size_t moving_triangles) {
+  auto options = small_options();
+  options.may_be_coarse = true;
+  options.moving_triangles = moving_triangles;
+  return options;
+}
+
 glm::vec2 bare_place(Driver& d) {
   const auto& v = d.workspace().view.viewport;
   return v.origin + glm::vec2(0.5f * v.size.x, v.size.y - 40);
@@ -138,10 +145,7 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
 
 TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
   const auto pictures = [](std::size_t moving_triangles) {
-    auto options = small_options();
-    options.may_be_coarse = true;
-    options.moving_triangles = moving_triangles;
-    SmallScene scene(options, test::with_pixels);
+    SmallScene scene(coarse_options(moving_triangles), test::with_pixels);
     Driver& d = scene.d;
     d.workspace().preferences.coarse_motion = true;
     d.workspace().view.options.panels = false;
@@ -173,10 +177,7 @@ TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
 }
 
 TEST_CASE("after_any_drags_of_a_draft_the_model_has_the_current_pose") {
-  auto options = small_options();
-  options.may_be_coarse = true;
-  options.moving_triangles = 300;
-  SmallScene scene(options);
+  SmallScene scene(coarse_options(300));
   Driver& d = scene.d;
   RandomInput hand(d, 1);
   for (int i = 0; i < 6; ++i) {
@@ -190,8 +191,7 @@ TEST_CASE("after_any_drags_of_a_draft_the_model_has_the_current_pose") {
 }
 
 TEST_CASE("software_rendering_draws_motion_coarsely_and_refines_at_rest") {
-  auto options = small_options();
-  options.may_be_coarse = true;
+  auto options = coarse_options(2'000'000);
   options.still_samples = 4;
   SmallScene scene(options);
   Driver& d = scene.d;

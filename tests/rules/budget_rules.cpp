@@ -21,12 +21,12 @@ using Budget = std::map<std::string, std::size_t>;
 // Since their last rows: deform stitches coarse copies of large models, but has one way to compute weights.
 // deform/sparse has the loop over blocks of right-hand sides, which was in deform twice.
 const Budget lines_of_src = {
-    {"analysis", 616}, {"app", 7316},      {"base", 2045},          {"bench", 5019},    {"blender", 591},
+    {"analysis", 616}, {"app", 7316},      {"base", 2045},          {"bench", 5013},    {"blender", 591},
     {"cages", 3521},   {"deform", 13376},  {"deform/sparse", 1277}, {"document", 5030}, {"files", 3815},
     {"formats", 8375}, {"interact", 2500}, {"library", 926},        {"mesh", 3014},     {"platform", 966},
     {"python", 1319},  {"render", 2248},   {"sym3", 6303},          {"ui", 6052},       {"workspace", 5879},
 };
-constexpr std::size_t all_lines_of_src = 80'188;
+constexpr std::size_t all_lines_of_src = 80'182;
 
 // support opens files at once, which was in src. deform tests the weights of the vector code.
 const Budget lines_of_tests = {
