@@ -19,27 +19,27 @@ using Points = std::vector<mesh::Point>;
 class Between {
 public:
   Between(const deform::ShapeSpace& space, const Points& shape)
-      : logs_(space.logs()),
+      : space_(space),
         shape_(shape),
         vector_(space.vector(shape, pool_)),
-        held_(logs_.held_between(logs_.at_rest(), vector_)) {}
+        held_(space_.logs().held_between(space_.logs().at_rest(), vector_)) {}
 
   Points straight(double share) const {
     Points line;
     for (std::size_t v = 0; v < shape_.size(); ++v)
-      line.push_back((1 - share) * logs_.rest()[v] + share * shape_[v]);
+      line.push_back((1 - share) * space_.rest()[v] + share * shape_[v]);
     return line;
   }
   Points in_log_space(double share) {
     const deform::LogTerm term{&vector_, share};
     Points positions(shape_.size());
-    logs_.shape({&term, 1}, held_, pool_, work_, positions);
+    space_.shape({&term, 1}, held_, pool_, work_, positions);
     return positions;
   }
 
 private:
   base::WorkerPool pool_{1};
-  const deform::LogSpace& logs_;
+  const deform::ShapeSpace& space_;
   const Points& shape_;
   deform::LogVector vector_;
   deform::Held held_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "base/memory.h"
-#include "deform/surface_proxy.h"
 #include "mesh/triangle.h"
 
 namespace viete::deform {
@@ -16,13 +15,12 @@ bool needs_coarse_model(const mesh::Surface& model) {
                              [&](const auto& t) { return mesh::area(model.positions, t) > 0; });
 }
 
-CoarseModel::CoarseModel(const mesh::Surface& model, const Cage& cage, base::WorkerPool& pool,
-                         base::Progress* progress)
+CoarseModel::CoarseModel(const mesh::Surface& model, base::WorkerPool& pool, base::Progress* progress)
     : blocks_((model.positions.size() + vertices_per_block - 1) / vertices_per_block) {
   base::require_memory({200.0 * static_cast<double>(model.positions.size()),
                         "a coarse copy of " + std::to_string(model.positions.size()) + " vertices takes",
-                        "use a coarser model, or turn stitching off", ""});
-  const SurfaceProxy proxy(model, cage, Elements::face, proxy_vertices, pool, progress, true);
+                        "use a coarser model", ""});
+  const SurfaceProxy proxy(model, nullptr, Elements::face, proxy_vertices, pool, progress);
   surface_ = proxy.surface(), members_ = proxy.members();
   pool.for_blocks(model.positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
     Block& block = blocks_[begin / vertices_per_block];
@@ -30,13 +28,19 @@ CoarseModel::CoarseModel(const mesh::Surface& model, const Cage& cage, base::Wor
     for (std::size_t v = begin; v < end; ++v) {
       terms.clear();
       if (const auto i = static_cast<std::uint32_t>(v); proxy.has_cluster(i)) proxy.terms(i, terms);
-      block.starts.push_back(block.terms.size());
+      block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
       for (const auto& [cluster, factor] : terms)
         block.terms.push_back({cluster, static_cast<float>(factor)});
     }
-    block.starts.push_back(block.terms.size());
+    block.starts.push_back(static_cast<std::uint32_t>(block.terms.size()));
     block.terms.shrink_to_fit();
   });
+}
+
+std::span<const CoarseModel::Term> CoarseModel::terms(std::size_t vertex) const {
+  const Block& block = blocks_[vertex / vertices_per_block];
+  const auto* starts = block.starts.data() + vertex % vertices_per_block;
+  return std::span(block.terms).subspan(starts[0], starts[1] - starts[0]);
 }
 
 std::vector<Vec3> CoarseModel::means(std::span<const Vec3> of_vertices, base::WorkerPool& pool) const {
@@ -63,13 +67,25 @@ Mask CoarseModel::means(const Mask& mask) const {
 
 void CoarseModel::move(std::span<const Vec3> moves, std::span<Vec3> positions, base::WorkerPool& pool) const {
   pool.for_blocks(positions.size(), vertices_per_block, [&](std::size_t begin, std::size_t end) {
-    const Block& block = blocks_[begin / vertices_per_block];
-    for (std::size_t v = begin; v < end; ++v) {
-      for (std::size_t t = block.starts[v - begin]; t < block.starts[v - begin + 1]; ++t)
-        positions[v] =
-            positions[v] + static_cast<double>(block.terms[t].factor) * moves[block.terms[t].cluster];
-    }
+    for (std::size_t v = begin; v < end; ++v)
+      for (const auto& [cluster, factor] : terms(v))
+        positions[v] = positions[v] + static_cast<double>(factor) * moves[cluster];
   });
+}
+
+RigidMotion CoarseModel::blended(std::span<const RigidMotion> motions, std::size_t vertex) const {
+  if (terms(vertex).empty()) return {{1, 0, 0, 0, 1, 0, 0, 0, 1}, {0, 0, 0}};
+  RigidMotion sum{};
+  double total = 0;
+  for (const auto& [cluster, factor] : terms(vertex)) {
+    const auto& [rotation, shift] = motions[cluster];
+    const double share = factor;
+    for (std::size_t k = 0; k < 9; ++k) sum.rotation[k] += share * rotation[k];
+    for (std::size_t k = 0; k < 3; ++k) sum.shift[k] += share * shift[k];
+    total += share;
+  }
+  for (double& entry : sum.rotation) entry /= total;
+  return {sum.rotation, (1 / total) * sum.shift};
 }
 
 }  // namespace viete::deform

@@ -53,7 +53,7 @@ ExactDeformer::ExactDeformer(const mesh::Surface& model, std::shared_ptr<const C
   state_.keep_origin(holds_shares(mask_, scheme.weighting));
   if (scheme.stitched() && needs_coarse_model(model_)) {
     std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.25);
-    coarse_model_.emplace(model_, *cage_, pool_, progress);
+    coarse_model_.emplace(model_, pool_, progress);
     part.emplace(progress, 0.25, 0.5);
     coarse_ = std::make_unique<ExactDeformer>(coarse_model_->surface(), cage_, scheme, method, pool, weights,
                                               coarse_model_->means(mask), progress);

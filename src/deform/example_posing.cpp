@@ -82,6 +82,7 @@ void ExamplePosing::restart() {
   turn_ = {0, 0, 0}, turns_ = false;
   damping_ = 1e-3, energy_ = std::numeric_limits<double>::infinity();
   positions_ = space_.logs().rest();
+  if (space_.coarse()) model_positions_ = space_.rest();
 }
 
 void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Point> shape) {
@@ -89,7 +90,28 @@ void ExamplePosing::begin(std::vector<double> weights, std::span<const mesh::Poi
   weights_ = usual_weights_ = std::move(weights);
   turns_ = true;
   positions_.assign(shape.begin(), shape.end());
-  work_.ways.resize(shape.size());  // makes show() fit rotations to positions_
+  if (space_.coarse()) {
+    model_positions_ = std::move(positions_);
+    positions_ = space_.coarse()->means(shape, pool_);
+  }
+  work_.ways.resize(positions_.size());  // makes show() fit rotations to positions_
+}
+
+// Returns the vertex as a weighted sum of the vertices of the log space.
+std::vector<ExamplePosing::Share> ExamplePosing::shares_of(std::uint32_t vertex) const {
+  if (!space_.coarse()) return {{vertex, 1}};
+  std::vector<Share> shares;
+  double sum = 0;
+  for (const auto& [cluster, factor] : space_.coarse()->terms(vertex))
+    shares.push_back({cluster, factor}), sum += shares.back().factor;
+  for (Share& share : shares) share.factor /= sum;
+  return shares;
+}
+
+Vec3 ExamplePosing::at_pin(std::size_t pin, std::span<const Vec3> values) const {
+  Vec3 sum{0, 0, 0};
+  for (const auto& [v, factor] : shares_[pin]) sum = sum + factor * values[v];
+  return sum;
 }
 
 std::size_t ExamplePosing::blocks() const {
@@ -124,8 +146,10 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
         "",
         base::with_thousands(pins.size()) + " pins exceed the limit of " + base::with_thousands(most_pins),
         "pin fewer vertices");
+  std::vector<std::vector<Share>> shares;
   for (const PosingPin& pin : pins) {
-    if (logs.parts().loose[pin.vertex])
+    shares.push_back(shares_of(pin.vertex));
+    if (shares.back().empty() || logs.parts().loose[shares.back()[0].vertex])
       throw base::Error(
           "",
           "vertex " + std::to_string(pin.vertex) + " (numbered from 0) belongs to no triangle with an area",
@@ -135,7 +159,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
       {static_cast<double>(pins.size()) *
            (8.0 * static_cast<double>(rest.size()) + 24.0 * static_cast<double>(logs.corners().size())),
        base::counted(pins.size(), "pin") + " on this model take", "pin fewer vertices", ""});
-  pins_ = std::move(pins);
+  pins_ = std::move(pins), shares_ = std::move(shares);
   energy_ = std::numeric_limits<double>::infinity();
   columns_.clear(), part_of_pin_.clear();
   LogSpace::Work work;
@@ -143,7 +167,8 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   for (std::size_t first = 0; first < pins_.size(); first += 3) {
     const std::size_t count = std::min<std::size_t>(3, pins_.size() - first);
     work.right.assign(rest.size(), Vec3{0, 0, 0});
-    for (std::size_t j = 0; j < count; ++j) work.right[logs.place(pins_[first + j].vertex)][j] = 1;
+    for (std::size_t j = 0; j < count; ++j)
+      for (const auto& [v, factor] : shares_[first + j]) work.right[logs.place(v)][j] += factor;
     logs.solve(work);
     for (std::size_t j = 0; j < count; ++j) {
       auto& column = columns_.emplace_back();
@@ -153,7 +178,7 @@ void ExamplePosing::set_pins(std::vector<PosingPin> pins) {
   std::vector<std::uint32_t> part_of(rest.size());
   for (std::uint32_t part = 0; part < logs.parts().count(); ++part)
     for (const auto v : logs.parts().vertices.of(part)) part_of[v] = part;
-  for (const PosingPin& pin : pins_) part_of_pin_.push_back(part_of[pin.vertex]);
+  for (const auto& of_pin : shares_) part_of_pin_.push_back(part_of[of_pin[0].vertex]);
   fill_gradients();
   fill_stiffness();
 }
@@ -194,7 +219,8 @@ void ExamplePosing::fill_stiffness() {
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(all, all);
   for (Eigen::Index i = 0; i < n; ++i) {
     for (Eigen::Index j = 0; j < n; ++j)
-      system(i, j) = columns_[std::size_t(j)][pins_[std::size_t(i)].vertex];
+      for (const auto& [v, factor] : shares_[std::size_t(i)])
+        system(i, j) += factor * columns_[std::size_t(j)][v];
     system(i, i) += 1 / pins_[std::size_t(i)].firmness;
     const auto part = std::ranges::lower_bound(parts, part_of_pin_[std::size_t(i)]) - parts.begin();
     system(i, n + part) = system(n + part, i) = 1;
@@ -217,7 +243,11 @@ std::vector<double> ExamplePosing::reach(std::span<const std::size_t> moved) con
         if (part_of_pin_[k] == pinned_parts_[i]) reach[v] += columns_[k][v] * forces[k];
     }
   }
-  return reach;
+  if (!space_.coarse()) return reach;
+  std::vector<double> of_model(space_.rest().size());
+  for (std::uint32_t v = 0; v < of_model.size(); ++v)
+    for (const auto& [cluster, factor] : space_.coarse()->terms(v)) of_model[v] += factor * reach[cluster];
+  return of_model;
 }
 
 // Returns the sums in reach_of_pins(), but only over the blocks [begin, end).
@@ -263,12 +293,12 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
       return Vec3{s[0], s[1], s[2]};
     };
     Vec3 place = at(m);
-    for (std::size_t e = 0; e < m; ++e) place = place + weights_[e] * leftovers_[e][pins_[k].vertex];
+    for (std::size_t e = 0; e < m; ++e) place = place + weights_[e] * at_pin(k, leftovers_[e]);
     place = times(g, place);
     reach.places.row(Eigen::Index(k)) = column(place).transpose();
     for (std::size_t e = 0; e < m; ++e)
       reach.changes.block<3, 1>(Eigen::Index(3 * k), Eigen::Index(e)) =
-          column(times(g, at(e) + leftovers_[e][pins_[k].vertex]));
+          column(times(g, at(e) + at_pin(k, leftovers_[e])));
     Eigen::Matrix3d about;  // derivative by the rotation, as matrix of a cross product
     about << 0, place[2], -place[1], -place[2], 0, place[0], place[1], -place[0], 0;
     reach.changes.block<3, 3>(Eigen::Index(3 * k), Eigen::Index(m)) = about;
@@ -277,30 +307,33 @@ ExamplePosing::Reach ExamplePosing::reach_of_pins() const {
 }
 
 // Sets turn_ to the rotation that best moves the pins from rest to their targets, if this rotation is unique.
-void ExamplePosing::begin_turn(std::span<const mesh::Point> targets) {
+void ExamplePosing::begin_turn() {
   turns_ = true;
   const auto& rest = space_.logs().rest();
   const double share = 1 / static_cast<double>(pins_.size());
   Vec3 from{0, 0, 0}, to{0, 0, 0};
   for (std::size_t k = 0; k < pins_.size(); ++k)
-    from = from + share * rest[pins_[k].vertex], to = to + share * targets[k];
+    from = from + share * at_pin(k, rest), to = to + share * targets_[k];
   Mat sum{};
   for (std::size_t k = 0; k < pins_.size(); ++k) {
-    const Vec3 a = targets[k] - to, b = rest[pins_[k].vertex] - from;
+    const Vec3 a = targets_[k] - to, b = at_pin(k, rest) - from;
     for (std::size_t n = 0; n < 9; ++n) sum[n] += a[n / 3] * b[n % 3];
   }
   if (tells_rotation(sum)) turn_ = sym3::log_rotation(sym3::polar(sum).rotation);
 }
 
 double ExamplePosing::step(std::span<const mesh::Point> targets, const PosingSettings& settings) {
-  if (!turns_) begin_turn(targets);
-  if (!std::ranges::equal(targets, targets_)) energy_ = std::numeric_limits<double>::infinity();
-  targets_.assign(targets.begin(), targets.end());
+  if (!std::ranges::equal(targets, given_)) energy_ = std::numeric_limits<double>::infinity();
+  given_.assign(targets.begin(), targets.end());
+  targets_.clear();
+  for (std::size_t k = 0; k < pins_.size(); ++k)
+    targets_.push_back(targets[k] - (positions()[pins_[k].vertex] - at_pin(k, positions_)));
+  if (!turns_) begin_turn();
   const Reach reach = reach_of_pins();
   const auto n = static_cast<Eigen::Index>(pins_.size()), m = static_cast<Eigen::Index>(examples_.size());
   Eigen::MatrixXd off(n, 3);
   for (Eigen::Index k = 0; k < n; ++k)
-    off.row(k) = column(targets[std::size_t(k)]).transpose() - reach.places.row(k);
+    off.row(k) = column(targets_[std::size_t(k)]).transpose() - reach.places.row(k);
   const Eigen::Map<const MatrixByRows> stiffness(forces_.data(), n, n);
   const Eigen::MatrixXd forces = stiffness * off;
   const Eigen::VectorXd weights = Eigen::Map<const Eigen::VectorXd>(weights_.data(), m) -
@@ -371,6 +404,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
   for (std::size_t v = 0; v < rest.size(); ++v) positions_[v] = rest[v] + work_.ways[v] + left_[v];
   reach_targets();
   place_other_parts();
+  if (space_.coarse()) space_.follow(sum, positions_, pool_, model_positions_);
   double farthest = 0;
   for (std::size_t v = 0; v < before_.size(); ++v)
     farthest = std::max(farthest, squared_norm(positions_[v] - before_[v]));
@@ -381,7 +415,7 @@ double ExamplePosing::show(const PosingSettings& settings) {
 void ExamplePosing::reach_targets() {
   Eigen::MatrixXd off(pins_.size(), 3);
   for (std::size_t k = 0; k < pins_.size(); ++k)
-    off.row(Eigen::Index(k)) = column(targets_[k] - positions_[pins_[k].vertex]).transpose();
+    off.row(Eigen::Index(k)) = column(targets_[k] - at_pin(k, positions_)).transpose();
   const auto n = static_cast<Eigen::Index>(pins_.size());
   const Eigen::MatrixXd forces =
       Eigen::Map<const MatrixByRows>(forces_.data(), n + static_cast<Eigen::Index>(pinned_parts_.size()), n) *

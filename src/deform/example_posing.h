@@ -45,6 +45,8 @@ struct PosingSettings {
 /// its minimum over x without pins is subtracted. Weights may be below 0 and above 1. Gauss-Newton steps with
 /// exact derivatives find w and G. For each w and G, a small linear system for the pins gives the best x. In
 /// a drag, one step per frame is enough. Not thread-safe. Results do not depend on the number of threads.
+/// If the space has a coarse model, x are its vertices. Hard pins then approach their targets in several
+/// steps, and solve() ends when they are nearer than 1e-5 * sqrt(area).
 class ExamplePosing {
 public:
   /// examples must be results of space.vector() without `before`. All arguments must outlive this object.
@@ -68,7 +70,7 @@ public:
             base::Progress* progress = nullptr);
 
   const std::vector<double>& weights() const { return weights_; }
-  std::span<const mesh::Point> positions() const { return positions_; }
+  std::span<const mesh::Point> positions() const { return space_.coarse() ? model_positions_ : positions_; }
   /// Sets the weights and the rotation to 0, and the positions to rest.
   void restart();
   /// Restarts from the weights (one per example) and from `shape`, the blend of the examples. Later steps
@@ -77,14 +79,20 @@ public:
 
 private:
   struct Reach;
+  struct Share {
+    std::uint32_t vertex;
+    double factor;
+  };
 
   std::vector<LogTerm> terms() const;
+  std::vector<Share> shares_of(std::uint32_t vertex) const;
+  Vec3 at_pin(std::size_t pin, std::span<const Vec3> values) const;
   std::size_t blocks() const;
   std::size_t numbers_of_group() const { return 6 + 9 * examples_.size(); }
   void fill_groups();
   void fill_gradients();
   void fill_stiffness();
-  void begin_turn(std::span<const mesh::Point> targets);
+  void begin_turn();
   std::vector<double> sums_of_blocks(std::size_t begin, std::size_t end) const;
   Reach reach_of_pins() const;
   double show(const PosingSettings& settings);
@@ -99,6 +107,7 @@ private:
   double area_ = 0;
 
   std::vector<PosingPin> pins_;
+  std::vector<std::vector<Share>> shares_;    // per pin, see shares_of()
   std::vector<std::vector<double>> columns_;  // per pin: a column of the inverse Laplacian, [vertex]
   // Triangle area * gradient of columns_, along the axes u and v: [block][pin][2][triangle].
   base::AlignedVector<double> gradients_;
@@ -112,12 +121,13 @@ private:
   Vec3 turn_{0, 0, 0};
   std::vector<double> last_weights_;
   Vec3 last_turn_{0, 0, 0};
-  std::vector<mesh::Point> targets_;
-  double damping_ = 1e-3, energy_ = 0;  // energy_: the minimized energy after the last step
-  bool turns_ = false;                  // true if turn_ is initialized
+  std::vector<mesh::Point> given_, targets_;  // targets of the pinned vertices, and of their weighted sums
+  double damping_ = 1e-3, energy_ = 0;        // energy_: the minimized energy after the last step
+  bool turns_ = false;                        // true if turn_ is initialized
   LogSpace::Work work_;
-  std::vector<mesh::Point> positions_, before_;
-  std::vector<Vec3> left_;  // blend of leftovers_, rotated by turn_
+  std::vector<mesh::Point> positions_, before_;  // of the log space's vertices
+  std::vector<mesh::Point> model_positions_;     // of the model's vertices, if there is a coarse model
+  std::vector<Vec3> left_;                       // blend of leftovers_, rotated by turn_
 };
 
 }  // namespace viete::deform

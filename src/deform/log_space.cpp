@@ -30,6 +30,8 @@ std::vector<std::uint32_t> first_at_place(std::span<const mesh::Point> positions
   return place_of;
 }
 
+}  // namespace
+
 Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member, std::size_t i) {
   Vec3 sum{0, 0, 0};
   for (const auto& [vector, factor] : terms) {
@@ -38,8 +40,6 @@ Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member
   }
   return sum;
 }
-
-}  // namespace
 
 // The maps of a block of triangles, see PlaneKernel.
 class LogSpace::Block {
@@ -228,12 +228,11 @@ void LogSpace::find_parts(mesh::UnionFind sets) {
 }
 
 LogVector LogSpace::at_rest() const {
-  return {std::vector<std::array<double, 9>>(index_of_.size()),
-          std::vector<Vec3>(rest_.size()),
-          std::vector<Vec3>(rest_.size()),
-          {},
-          std::vector<Vec3>(part_count_),
-          {}};
+  LogVector vector;
+  vector.logs.resize(index_of_.size());
+  vector.leftovers.resize(rest_.size()), vector.ways.resize(rest_.size());
+  vector.wholes.resize(part_count_);
+  return vector;
 }
 
 void LogSpace::turn_by(std::span<const LogTerm> terms, const Vec3* whole, Work& work) const {

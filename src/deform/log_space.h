@@ -35,12 +35,19 @@ struct LogVector {
     double share;
   };
   std::vector<Doubt> doubts;  ///< only triangles with area
+  /// Only for a model with a CoarseModel, whose shape the other members describe. Per vertex of the model:
+  /// displacement from rest; and the shape minus the shape that follows the clusters, in coordinates that
+  /// rotate with the clusters.
+  std::vector<Vec3> fine_ways, details;
 };
 
 struct LogTerm {
   const LogVector* vector;
   double factor;
 };
+
+/// Returns the weighted sum of one entry of a member; entries after the end of a vector are 0.
+Vec3 summed(std::span<const LogTerm> terms, std::vector<Vec3> LogVector::*member, std::size_t i);
 
 /// Converts logs of one mesh to shapes. Thread-safe: constant after construction.
 ///

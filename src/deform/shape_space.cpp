@@ -17,7 +17,7 @@ namespace {
 
 using Mat = sym3::Mat3<double>;
 
-constexpr std::size_t triangles_at_once = 64;
+constexpr std::size_t triangles_at_once = 64, vertices_at_once = 256;
 // Limit of (s0 + s1) / s2 for singular values s0 <= s1 <= s2 of a map. Below it, the rotation is not unique.
 constexpr double tells_turn = 1e-3;
 constexpr int passes_of_folded = 8;
@@ -101,10 +101,20 @@ private:
 };
 
 ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress)
-    : triangles_(triangles_of(rest)),
-      logs_({rest.positions, rest.triangles, triangles_.flat,
-             std::vector<std::uint32_t>(rest.triangles.size(), 0), 1},
-            pool, progress) {}
+    : coarse_([&]() -> std::optional<CoarseModel> {
+        if (!needs_coarse_model(rest)) return {};
+        const base::ProgressPart part(progress, 0, 0.9);
+        return CoarseModel(rest, pool, progress);
+      }()),
+      triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)),
+      logs_([&] {
+        const base::ProgressPart part(progress, coarse_ ? 0.9 : 0, 1);
+        const auto& solved = coarse_ ? coarse_->surface() : rest;
+        const std::vector<std::uint32_t> parts(solved.triangles.size(), 0);
+        return LogSpace({solved.positions, solved.triangles, triangles_.flat, parts, 1}, pool, progress);
+      }()) {
+  if (coarse_) rest_ = rest.positions;
+}
 
 ShapeSpace::Triangles ShapeSpace::triangles_of(const mesh::Surface& rest) {
   Triangles all{rest.triangles, {}, {}, {}, {}};
@@ -196,9 +206,90 @@ std::vector<std::uint8_t> ShapeSpace::raise(std::span<const mesh::Point> positio
   return collapsed;
 }
 
+LogVector ShapeSpace::at_rest() const {
+  LogVector vector = logs_.at_rest();
+  vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
+  return vector;
+}
+
+// Returns the clusters' motions: the rotation is nearest to the mean of the maps of the triangles around it.
+std::vector<RigidMotion> ShapeSpace::motions(std::span<const mesh::Point> posed,
+                                             base::WorkerPool& pool) const {
+  std::vector<Mat> sums(posed.size(), Mat{});
+  for (std::size_t t = 0; t < triangles_.corners.size(); ++t) {
+    if (triangles_.flat[t]) continue;
+    const Mat map = map_to(posed, t).linear;
+    for (const auto c : triangles_.corners[t])
+      for (std::size_t k = 0; k < 9; ++k) sums[c][k] += triangles_.areas[t] * map[k];
+  }
+  std::vector<RigidMotion> motions(posed.size());
+  pool.for_blocks(posed.size(), vertices_at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t c = begin; c < end; ++c) {
+      motions[c].rotation = sym3::polar(sums[c]).rotation;
+      motions[c].shift = posed[c] - times(motions[c].rotation, logs_.rest()[c]);
+    }
+  });
+  return motions;
+}
+
+// Calls use(vertex, position, rotation) for all vertices of the model: moved with the clusters.
+template <class Use>
+void ShapeSpace::move_with_clusters(std::span<const mesh::Point> posed, base::WorkerPool& pool,
+                                    const Use& use) const {
+  const std::vector<RigidMotion> of_clusters = motions(posed, pool);
+  pool.for_blocks(rest_.size(), vertices_at_once, [&](std::size_t begin, std::size_t end) {
+    RigidMotion means[vertices_at_once];
+    Mat rotations[vertices_at_once];
+    for (std::size_t v = begin; v < end; ++v) {
+      means[v - begin] = coarse_->blended(of_clusters, v);
+      rotations[v - begin] = means[v - begin].rotation;
+    }
+    const sym3::MatView<double> view(sym3::Layout::packed, rotations[0].data());
+    sym3::polar(view, view, end - begin);
+    for (std::size_t v = begin; v < end; ++v) {
+      const auto& [mean, shift] = means[v - begin];
+      use(v, times(mean, rest_[v]) + shift, rotations[v - begin]);
+    }
+  });
+}
+
+void ShapeSpace::follow(std::span<const LogTerm> terms, std::span<const mesh::Point> posed,
+                        base::WorkerPool& pool, std::span<mesh::Point> positions) const {
+  move_with_clusters(posed, pool, [&](std::size_t v, const Vec3& position, const Mat& rotation) {
+    positions[v] = position + times(rotation, summed(terms, &LogVector::details, v));
+  });
+}
+
+void ShapeSpace::shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool,
+                       LogSpace::Work& work, std::span<mesh::Point> positions) const {
+  if (!coarse_) return logs_.shape(terms, held, pool, work, positions);
+  std::vector<mesh::Point> posed(logs_.rest().size());
+  logs_.shape(terms, held, pool, work, posed);
+  follow(terms, posed, pool, positions);
+}
+
+void ShapeSpace::straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const {
+  if (!coarse_) return logs_.straight(terms, positions);
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    positions[v] = rest_[v] + summed(terms, &LogVector::fine_ways, v);
+}
+
 LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                              const LogVector* before, ShapeReport* report) const {
-  refuse_positions(positions, logs_.rest().size());
+  refuse_positions(positions, rest().size());
+  if (!coarse_) return solved_vector(positions, pool, before, report);
+  const std::vector<Vec3> means = coarse_->means(positions, pool);
+  LogVector vector = solved_vector(means, pool, before, report);
+  vector.fine_ways.resize(rest_.size()), vector.details.resize(rest_.size());
+  move_with_clusters(means, pool, [&](std::size_t v, const Vec3& position, const Mat& rotation) {
+    vector.fine_ways[v] = positions[v] - rest_[v];
+    vector.details[v] = times(transposed(rotation), positions[v] - position);
+  });
+  return vector;
+}
+
+LogVector ShapeSpace::solved_vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                                    const LogVector* before, ShapeReport* report) const {
   LogVector vector;
   Mat sum;
   std::vector<MapSplit> splits = split(positions, pool, sum);
@@ -212,7 +303,7 @@ LogVector ShapeSpace::vector(std::span<const mesh::Point> positions, base::Worke
     vector.logs.push_back(numbers({splits[t].stretch, turns[t], {0, 0, 0}}));
   if (report)
     *report = {static_cast<std::size_t>(std::ranges::count(triangles_.flat, 1)), folds.count(),
-               torn_pairs(triangles_.neighbours, turns)};
+               torn_pairs(triangles_.neighbours, turns), coarse_.has_value()};
   folds.spread(vector.logs);
   doubt(turns, vector.doubts);
   logs_.complete(positions, pool, vector);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "base/worker_pool.h"
 #include "deform/branches.h"
 #include "deform/cage.h"
+#include "deform/coarse_model.h"
 #include "deform/log_space.h"
 #include "deform/maps.h"
 #include "mesh/surface.h"
@@ -21,25 +23,46 @@ struct ShapeReport {
   std::size_t folded = 0;  ///< triangles that collapse or flip; their logs are means of neighbours' logs
   /// Pairs of neighbours whose logs differ by more than half a turn. Blends between such logs are ambiguous.
   std::size_t torn = 0;
+  bool coarse = false;  ///< true: the counts are those of the CoarseModel
 };
 
 /// Converts shapes of one model, given as vertex positions, to vectors. A vector stores the rotation of
 /// the whole shape, which is that of the area-weighted mean of the triangles' maps, and for each triangle the
 /// log of its map relative to this rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps
 /// for 2D shape interpolation, 2012; R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
+///
+/// If needs_coarse_model(), the log space is that of the CoarseModel. Its triangles rotate the clusters, and
+/// the vertices follow their clusters: see R. W. Sumner et al., Embedded deformation for shape manipulation,
+/// 2007. LogVector::details reproduce the shape up to rounding.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.
   explicit ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress = nullptr);
 
-  /// The log space, which converts vectors and their sums to shapes.
+  /// The log space of the model, or of its coarse model.
   const LogSpace& logs() const { return logs_; }
+  const std::vector<mesh::Point>& rest() const { return coarse_ ? rest_ : logs_.rest(); }
+  LogVector at_rest() const;
+  /// Returns the displacement of each vertex of the model.
+  const std::vector<Vec3>& ways(const LogVector& v) const { return coarse_ ? v.fine_ways : v.ways; }
 
   /// Converts a shape to a vector. Of the many logs of a rotation, takes the log nearest to the triangle's
   /// log in `before` (the preceding shape's vector, or null). Makes the logs of neighbours coherent. Throws
   /// base::Error unless each vertex has a finite position. Results do not depend on the number of threads.
   LogVector vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
                    const LogVector* before = nullptr, ShapeReport* report = nullptr) const;
+
+  /// Compute the model's shape, like the functions of LogSpace.
+  void shape(std::span<const LogTerm> terms, const Held& held, base::WorkerPool& pool, LogSpace::Work& work,
+             std::span<mesh::Point> positions) const;
+  void straight(std::span<const LogTerm> terms, std::span<mesh::Point> positions) const;
+
+  /// The coarse model, or null if the log space is that of the model.
+  const CoarseModel* coarse() const { return coarse_ ? &*coarse_ : nullptr; }
+  /// Moves the model's vertices with the clusters at `posed`, and adds the sum of the details of `terms`.
+  /// Requires a coarse model.
+  void follow(std::span<const LogTerm> terms, std::span<const mesh::Point> posed, base::WorkerPool& pool,
+              std::span<mesh::Point> positions) const;
 
 private:
   /// Data of the rest mesh for maps and branches.
@@ -61,7 +84,14 @@ private:
   std::vector<Vec3> turns_of(const Vec3& whole, std::span<const sym3::Mat3<double>> rotations,
                              const LogVector* before, base::WorkerPool& pool) const;
   void doubt(std::span<const Vec3> turns, std::vector<LogVector::Doubt>& doubts) const;
+  LogVector solved_vector(std::span<const mesh::Point> positions, base::WorkerPool& pool,
+                          const LogVector* before, ShapeReport* report) const;
+  std::vector<RigidMotion> motions(std::span<const mesh::Point> posed, base::WorkerPool& pool) const;
+  template <class Use>
+  void move_with_clusters(std::span<const mesh::Point> posed, base::WorkerPool& pool, const Use& use) const;
 
+  std::vector<mesh::Point> rest_;      // of the model, if it has a coarse model
+  std::optional<CoarseModel> coarse_;  // the other members are of this model
   Triangles triangles_;
   LogSpace logs_;
 };

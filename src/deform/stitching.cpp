@@ -259,7 +259,7 @@ Stitching stitch(const mesh::Surface& model, const Cage& cage, base::WorkerPool&
   if (model.positions.empty()) throw base::Error("", "the model has no vertices", "choose another file");
   if (!needs_coarse_model(model)) return stitch_all(model, cage, pool, scheme.holding, progress);
   std::optional<base::ProgressPart> part(std::in_place, progress, 0, 0.5);
-  const auto coarse = std::make_shared<const CoarseModel>(model, cage, pool, progress);
+  const auto coarse = std::make_shared<const CoarseModel>(model, pool, progress);
   part.emplace(progress, 0.5, 0.75);
   Stitching stitching = stitch_all(coarse->surface(), cage, pool, scheme.holding, progress);
   part.emplace(progress, 0.75, 1);

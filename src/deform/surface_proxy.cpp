@@ -187,9 +187,8 @@ private:
 
 }  // namespace
 
-SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements,
-                           std::size_t target, base::WorkerPool& pool, base::Progress* progress,
-                           bool at_means)
+SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage* cage, Elements elements,
+                           std::size_t target, base::WorkerPool& pool, base::Progress* progress)
     : model_(model) {
   const auto place = mesh::lowest_in_place(model.positions);
   for (auto t : model.triangles) {
@@ -197,12 +196,13 @@ SurfaceProxy::SurfaceProxy(const mesh::Surface& model, const Cage& cage, Element
     if (!mesh::repeats_corner(t)) triangles_.push_back(t);
   }
   if (progress) progress->report(0.1);
-  const auto owned = owned_by_handles(model, triangles_, place, cage, elements, pool);
+  std::vector<std::uint32_t> owned;
+  if (cage) owned = owned_by_handles(model, triangles_, place, *cage, elements, pool);
   cluster(target, place, owned, progress);
   place_clusters();
   triangles_ = {};
   if (progress) progress->report(0.9);
-  if (!at_means) {
+  if (cage) {
     move_to(owned);
     adopt_loose_vertices();
   }
@@ -419,7 +419,7 @@ ProxyWeights::ProxyWeights(const mesh::Surface& model, const Cage& cage, const W
                            base::WorkerPool& pool, base::Progress* progress, std::size_t clusters)
     : proxy_([&] {
         const base::ProgressPart part(progress, 0, clustered_part);
-        return SurfaceProxy(model, cage, weighting.elements, clusters, pool, progress);
+        return SurfaceProxy(model, &cage, weighting.elements, clusters, pool, progress);
       }()),
       handles_(handle_count(cage, weighting.elements)) {
   const base::ProgressPart rest(progress, clustered_part, 1);

@@ -1,4 +1,4 @@
-// A coarse copy of a large model, for weights along the surface and for ARAP.
+// A coarse copy of a large model, for weights along the surface, ARAP and shapes.
 #pragma once
 
 #include <cstddef>
@@ -25,17 +25,17 @@ namespace viete::deform {
 ///   - contains several vertices that handles own (see OwnedVertices), or
 ///   - touches a cluster with which it has no common triangle (in a tube thinner than a cell).
 /// A cluster's position is the mean of its members: its vertices or, if some of them are on open edges, its
-/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex. If
-/// `at_means` is true, all clusters stay at the means, and vertices without triangles have no cluster.
+/// vertices on open edges. If a handle owns a vertex of the cluster, the cluster is at this vertex.
+/// Without a cage, all clusters are at the means, and vertices without triangles have no cluster.
 ///
 /// Values at clusters are interpolated at the model's vertices by moving least squares: a quadratic
 /// polynomial in the tangent plane of the vertex is fitted to nearby clusters. The result is smooth.
 class SurfaceProxy {
 public:
-  /// Makes at most about `target` clusters. The model must outlive the proxy. Throws base::Error if the model
-  /// has no triangles with an area. Throws base::Cancelled.
-  SurfaceProxy(const mesh::Surface& model, const Cage& cage, Elements elements, std::size_t target,
-               base::WorkerPool& pool, base::Progress* progress = nullptr, bool at_means = false);
+  /// Makes at most about `target` clusters. `cage` may be null. The model must outlive the proxy. Throws
+  /// base::Error if the model has no triangles with an area. Throws base::Cancelled.
+  SurfaceProxy(const mesh::Surface& model, const Cage* cage, Elements elements, std::size_t target,
+               base::WorkerPool& pool, base::Progress* progress = nullptr);
 
   /// Clusters and the triangles between them.
   const mesh::Surface& surface() const { return surface_; }

@@ -67,9 +67,9 @@ std::shared_ptr<const deform::LogVector> VectorCache::of(
     return found->vector;
   }
   const auto& space = *shapes(pool);
-  const auto& positions = shape ? *shape : space.logs().rest();
+  const auto& positions = shape ? *shape : space.rest();
   const auto vector = std::make_shared<const deform::LogVector>(
-      shape || before ? space.vector(positions, pool, before.get(), &report) : space.logs().at_rest());
+      shape || before ? space.vector(positions, pool, before.get(), &report) : space.at_rest());
   known.shape = shape;
   known.after.push_back({before, vector, report});
   return vector;
@@ -196,18 +196,19 @@ SharedShape Animation::blended_shape(const Moment& moment, bool straight) const 
   std::vector<deform::LogTerm> terms;
   for (const auto& [key, factor] : moment.shares) terms.push_back({shape_vectors_[key].get(), factor});
   base::WorkerPool pool;
-  return blended(shapes_->logs(), terms, straight ? nullptr : &held_shapes_[moment.from], pool);
+  return blended(*shapes_, terms, straight ? nullptr : &held_shapes_[moment.from], pool);
 }
 
 namespace {
 
-void keep_still(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+void keep_still(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                 std::vector<mesh::Point>& positions) {
+  const auto& rest = space.rest();
   double size = 0;
   for (const mesh::Point& p : rest) size = std::max(size, mesh::largest_abs(p));
   for (std::size_t v = 0; v < rest.size(); ++v) {
-    const auto rests = [v](const deform::LogTerm& term) {
-      return mesh::largest_abs(term.vector->ways[v]) == 0;
+    const auto rests = [&](const deform::LogTerm& term) {
+      return mesh::largest_abs(space.ways(*term.vector)[v]) == 0;
     };
     if (mesh::largest_abs(positions[v] - rest[v]) <= 1e-14 * size && std::ranges::all_of(terms, rests))
       positions[v] = rest[v];
@@ -216,12 +217,13 @@ void keep_still(const std::vector<mesh::Point>& rest, std::span<const deform::Lo
 
 }  // namespace
 
-void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions) {
+  const auto& rest = space.rest();
   for (std::size_t k = 0; k < 3; ++k) {
     const auto stays = [k](const mesh::Vec3& way) { return way[k] == 0; };
     const auto is_flat = [&](const deform::LogTerm& term) {
-      return std::ranges::all_of(term.vector->ways, stays);
+      return std::ranges::all_of(space.ways(*term.vector), stays);
     };
     const bool flat = std::ranges::all_of(rest, [&](const mesh::Point& p) { return p[k] == rest[0][k]; });
     if (!flat || !std::ranges::all_of(terms, is_flat)) continue;
@@ -229,7 +231,7 @@ void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::Log
   }
 }
 
-SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
+SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool) {
   std::vector<mesh::Point> positions(space.rest().size());
   if (held) {
@@ -238,8 +240,8 @@ SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTe
   } else {
     space.straight(terms, positions);
   }
-  keep_still(space.rest(), terms, positions);
-  keep_flat(space.rest(), terms, positions);
+  keep_still(space, terms, positions);
+  keep_flat(space, terms, positions);
   return std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
 }
 
@@ -248,7 +250,7 @@ SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> te
   std::vector<ShapeTerm> moving;
   for (const ShapeTerm& term : terms)
     if (term.shape && term.factor != 0) moving.push_back(term);
-  if (moving.empty()) return std::make_shared<const std::vector<mesh::Point>>(space.logs().rest());
+  if (moving.empty()) return std::make_shared<const std::vector<mesh::Point>>(space.rest());
   if (moving.size() == 1 && moving.front().factor == 1) return moving.front().shape;
   std::vector<deform::LogVector> vectors;
   std::vector<deform::LogTerm> sum;
@@ -259,9 +261,9 @@ SharedShape mixed(const deform::ShapeSpace& space, std::span<const ShapeTerm> te
     sum.push_back({&vectors.back(), moving[i].factor});
   }
   if (notes && !straight) *notes = shape_notes(reports);
-  if (straight) return blended(space.logs(), sum, nullptr, pool);
+  if (straight) return blended(space, sum, nullptr, pool);
   const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
-  return blended(space.logs(), sum, &held, pool);
+  return blended(space, sum, &held, pool);
 }
 
 std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> reports) {

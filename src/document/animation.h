@@ -22,12 +22,12 @@ struct ShapeTerm {
 
 /// Returns the sum of the terms. If `held` is null, blends vertex positions linearly. Otherwise blends in log
 /// space, and applies deform::hold(). A vertex that is at rest in all terms stays exactly at rest.
-SharedShape blended(const deform::LogSpace& space, std::span<const deform::LogTerm> terms,
+SharedShape blended(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                     const deform::Held* held, base::WorkerPool& pool);
 
 /// If all rest vertices have the same x, and no term changes x, sets x of all positions to exactly this
 /// value. Does the same for y and z.
-void keep_flat(const std::vector<mesh::Point>& rest, std::span<const deform::LogTerm> terms,
+void keep_flat(const deform::ShapeSpace& space, std::span<const deform::LogTerm> terms,
                std::span<mesh::Point> positions);
 
 /// Returns the rest shape plus the weighted shapes, blended linearly if `straight`, otherwise in log space.

@@ -108,7 +108,7 @@ void PinPosing::begin_here(const Document& document, VectorCache& known) {
   std::vector<const deform::LogVector*> vectors;
   for (const auto& vector : vectors_) vectors.push_back(vector.get());
   posing_ = std::make_shared<deform::ExamplePosing>(*space_, std::move(vectors), *pool_);
-  posing_->begin(std::move(weights), document.shape ? *document.shape : space_->logs().rest());
+  posing_->begin(std::move(weights), document.shape ? *document.shape : space_->rest());
 }
 
 void PinPosing::step(Document& document, VectorCache& known, const Hand& hand) {
@@ -136,7 +136,7 @@ void PinPosing::show(Document& document) {
   std::vector<mesh::Point> positions(posing_->positions().begin(), posing_->positions().end());
   std::vector<deform::LogTerm> terms;
   for (const auto& vector : vectors_) terms.push_back({vector.get(), 1});
-  keep_flat(space_->logs().rest(), terms, positions);
+  keep_flat(*space_, terms, positions);
   shown_ = std::make_shared<const std::vector<mesh::Point>>(std::move(positions));
   document.put_posed_shape(shown_);
   PoseLibrary& library = document.library;

@@ -39,8 +39,8 @@ SharedShape shape_of_mix(const DocumentState& state, VectorCache& vectors, const
   };
   for (const ShapeTerm& term : shapes) terms.push_back({vector_of(term.shape), term.factor});
   const deform::LogVector* base = vector_of(from);
-  const deform::LogSpace& space = vectors.shapes(pool)->logs();
-  const deform::Held held = space.held_from(*base, terms);
+  const deform::ShapeSpace& space = *vectors.shapes(pool);
+  const deform::Held held = space.logs().held_from(*base, terms);
   terms.push_back({base, 1});
   return blended(space, terms, state.timeline.straight ? nullptr : &held, pool);
 }

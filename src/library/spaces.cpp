@@ -98,10 +98,10 @@ std::vector<Point3> ShapeSpace::mix(std::span<const double> weights) const {
   const base::ForkDelay delay;
   const auto sum = impl_->sum(weights);
   if (const auto* only = impl_->only(weights, sum)) return library::outside(*only->shape);
-  const deform::LogSpace& logs = impl_->space().logs();
-  if (sum.empty()) return library::outside(logs.rest());
-  const deform::Held held = logs.held_from(logs.at_rest(), sum);
-  return sum_outside(*document::blended(logs, sum, &held, impl_->pool));
+  const deform::ShapeSpace& space = impl_->space();
+  if (sum.empty()) return library::outside(space.rest());
+  const deform::Held held = space.logs().held_from(space.logs().at_rest(), sum);
+  return sum_outside(*document::blended(space, sum, &held, impl_->pool));
 }
 
 std::vector<Point3> ShapeSpace::between(double at, bool straight) const {

@@ -149,6 +149,21 @@ TEST_CASE("parts_without_a_pin_stay_where_their_blend_is") {
   CHECK(p.error(posed, bend) < 1e-4);
 }
 
+TEST_CASE("pins_of_a_large_model_reach_their_targets_near_a_blend_of_examples") {
+  const mesh::Surface model = tube(450, 200, 0.3, 4);
+  const Points bend = bent(model, 120);
+  Posing p(model, {bend}, {0, 1, 100, 45'000, 45'100, 89'999});
+  REQUIRE(p.space.coarse());
+  CHECK(p.error(p.solved(bend, {.restraint = 1e-12, .freedom = 0}), bend) < 1e-5);
+  CHECK(p.posing->weights()[0] == doctest::Approx(1).epsilon(1e-4));
+  Points targets = bent(model, 60);
+  targets[0] = targets[0] + Vec3{0.03, 0.02, 0};
+  const Points posed = p.solved(targets, {});
+  for (const auto v : p.pinned) CHECK(norm(posed[v] - targets[v]) < 1e-5);
+  const std::size_t all[] = {0, 1, 2, 3, 4, 5};
+  for (const double share : p.posing->reach(all)) CHECK(share == doctest::Approx(1).epsilon(1e-5));
+}
+
 TEST_CASE("posing_gives_the_same_bits_on_any_number_of_threads") {
   const mesh::Surface model = tube(400, 16, 0.3, 40);
   Points first;

@@ -24,7 +24,7 @@ struct Shapes {
   Points mixed(std::span<const LogTerm> terms) {
     Points positions(rest.positions.size());
     LogSpace::Work work;
-    space.logs().shape(terms, space.logs().held_from(space.logs().at_rest(), terms), pool, work, positions);
+    space.shape(terms, space.logs().held_from(space.logs().at_rest(), terms), pool, work, positions);
     return positions;
   }
   Points share(const Points& shape, double factor, ShapeReport* report = nullptr) {
@@ -202,6 +202,41 @@ TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
   Points moved = s.rest.positions;
   moved.back() = {7, 7, 9};
   CHECK(s.share(moved, 0.5).back() == mesh::Point{7, 7, 8});
+}
+
+TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models") {
+  mesh::Surface limb = tube(450, 200, 0.3, 6);
+  limb.positions.push_back({7, 7, 7});  // has no triangle
+  REQUIRE(limb.positions.size() > most_solved_vertices);
+  const auto twisted_limb = [&](double degrees) {
+    Points shape = mapped(limb.positions, Twist{2, {0, 0, 0}, -3, 3, 0, degrees * degree});
+    for (std::size_t v = 0; v < shape.size(); ++v)
+      shape[v][0] *= 1 + 0.01 * double(v % 2);  // finer than clusters
+    shape.back() = {7, 7, 9};
+    return shape;
+  };
+  Points first;
+  for (const int threads : {1, 2}) {
+    Shapes s(limb, threads);
+    REQUIRE(s.space.coarse());
+    const Points shape = twisted_limb(285);
+    ShapeReport report;
+    const Points half = s.share(shape, 0.5, &report);
+    if (first.empty()) first = half;
+    CHECK(half == first);
+    CHECK(report.coarse);
+    CHECK(report.torn == 0);
+    CHECK(s.error(s.share(shape, 0), limb.positions) < 1e-15);
+    CHECK(s.error(s.share(shape, 1), shape) < 1e-12);
+    CHECK(edge_error(s.rest, s.rest.positions, shape, half) < 0.05);
+    CHECK(volume(s.rest, half) > 0.95 * volume(s.rest, shape));
+    CHECK(half.back() == mesh::Point{7, 7, 8});
+    const LogVector vector = s.space.vector(shape, s.pool);
+    const LogTerm term{&vector, 0.5};
+    Points straight(shape.size());
+    s.space.straight({&term, 1}, straight);
+    CHECK(norm(straight[70] - 0.5 * (limb.positions[70] + shape[70])) < 1e-15);
+  }
 }
 
 TEST_CASE("shapes_of_other_models_are_refused") {

@@ -39,7 +39,7 @@ constexpr deform::Weighting biharmonic{deform::Elements::face, deform::Weights::
 TEST_CASE("factors_of_a_proxy_sum_to_one_and_reproduce_positions") {
   base::WorkerPool pool(1);
   const mesh::Surface model = ring(20'000);
-  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
   CHECK(proxy.surface().positions.size() <= 2100);
   CHECK(proxy.surface().positions.size() > 500);
   std::vector<deform::SurfaceProxy::Term> terms;
@@ -61,7 +61,7 @@ TEST_CASE("values_of_a_proxy_are_not_extrapolated_at_sharp_edges") {
   base::WorkerPool pool(1);
   mesh::Surface model = ring(20'000);
   for (auto& p : model.positions) p[2] *= 0.02;
-  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
   std::vector<deform::SurfaceProxy::Term> terms;
   double worst = 0;
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
@@ -97,7 +97,7 @@ TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
   mesh::Surface other = model;
   for (auto& p : other.positions) p[2] += 1e-4;
   model = test::both(model, other);
-  const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 1000, pool);
+  const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 1000, pool);
   std::vector<deform::SurfaceProxy::Term> terms;
   std::vector<int> layer(proxy.surface().positions.size(), 0);
   for (std::uint32_t v = 0; v < model.positions.size(); ++v) {
@@ -149,7 +149,7 @@ TEST_CASE("springs_of_a_proxy_are_at_the_same_points_as_those_of_the_model") {
   mesh::Surface inner = one;
   for (auto& p : inner.positions) p = 0.97 * p;
   for (const mesh::Surface& model : {one, test::both(one, inner)}) {
-    const deform::SurfaceProxy proxy(model, box_cage(), deform::Elements::face, 2000, pool);
+    const deform::SurfaceProxy proxy(model, &box_cage(), deform::Elements::face, 2000, pool);
     const auto whole = deform::owned_vertices(model, box_cage(), deform::Elements::face, pool);
     const auto coarse = deform::owned_vertices(proxy.surface(), box_cage(), deform::Elements::face, pool);
     for (std::size_t h = 0; h < whole.of_handle.size(); ++h)
