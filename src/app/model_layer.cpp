@@ -23,15 +23,20 @@ using mesh::none;
 class LooksMaker {
 public:
   LooksMaker(const mesh::Surface& surface, const formats::Attributes& attributes,
-             std::span<const mesh::Point> normals)
-      : surface_(surface), given_(attributes), normals_(normals) {}
+             std::span<const mesh::Point> normals, const mesh::Draft* draft)
+      : surface_(surface), given_(attributes), normals_(normals), draft_(draft) {}
 
   ModelLooks make() {
     sort_triangles();
-    make_runs();
-    for (const formats::Color& c : given_.colors) made_.looks.colors.push_back(bytes_of(c));
-    made_.looks.colors_of_corners = shows_colors_of_faces();
-    made_.has_looks |= !made_.looks.colors.empty();
+    auto& [triangles, looks, draft_triangles, draft_looks, has_looks, warnings] = made_;
+    make_runs(by_look_, triangles, looks);
+    for (const formats::Color& c : given_.colors) looks.colors.push_back(bytes_of(c));
+    looks.colors_of_corners = draft_looks.colors_of_corners = shows_colors_of_faces();
+    has_looks |= !looks.colors.empty();
+    if (!draft_) return std::move(made_);
+    make_runs(draft_by_look_, draft_triangles, draft_looks);
+    if (!given_.colors.empty())
+      draft_looks.colors = mesh::picked(std::span<const render::Rgba8>(looks.colors), draft_->vertices);
     return std::move(made_);
   }
 
@@ -41,17 +46,23 @@ private:
     std::uint32_t polygon;
   };
   using Look = std::pair<std::uint32_t, bool>;  // material, flat shading
+  using ByLook = std::map<Look, std::vector<Triangle>>;
 
   void sort_triangles() {
+    std::vector<std::uint32_t> replaced(draft_ ? surface_.triangles.size() : 0, none);
+    for (std::uint32_t d = 0; draft_ && d < draft_->sources.size(); ++d) replaced[draft_->sources[d]] = d;
     std::size_t t = 0, g = 0;
     mesh::for_each_triangle(surface_, [&](const mesh::Triangle& vertices, const mesh::Triangle& corners) {
-      const std::uint32_t polygon = surface_.triangle_polygon[t++];
+      const std::uint32_t polygon = surface_.triangle_polygon[t];
       while (g + 1 < given_.groups.size() && given_.groups[g + 1].first_polygon <= polygon) ++g;
       const bool in_group = g < given_.groups.size();
       const std::uint32_t material = in_group ? given_.groups[g].material : none;
       const bool flat =
           (in_group && !given_.groups[g].smooth) || stands_across_an_edge({vertices, corners, polygon});
       by_look_[{material, flat}].push_back({vertices, corners, polygon});
+      if (const auto d = draft_ ? replaced[t] : none; d != none)
+        draft_by_look_[{material, flat}].push_back({draft_->surface.triangles[d], corners, polygon});
+      ++t;
     });
   }
 
@@ -73,16 +84,15 @@ private:
     return is_edge;
   }
 
-  void make_runs() {
-    auto& looks = made_.looks;
-    for (const auto& [look, triangles] : by_look_) {
+  void make_runs(const ByLook& by_look, std::vector<mesh::Triangle>& sorted, render::SurfaceLooks& looks) {
+    for (const auto& [look, triangles] : by_look) {
       render::SurfaceRun run{.triangles = triangles.size(), .flat = look.second};
       if (look.first < given_.materials.size()) take_material(given_.materials[look.first], run);
       looks.runs.push_back(run);
       for (const Triangle& t : triangles) {
-        made_.triangles.push_back(t.vertices);
+        sorted.push_back(t.vertices);
         if (shows_colors_of_faces())
-          made_.looks.colors.insert(made_.looks.colors.end(), 3, bytes_of(given_.polygon_colors[t.polygon]));
+          looks.colors.insert(looks.colors.end(), 3, bytes_of(given_.polygon_colors[t.polygon]));
         if (given_.corner_texture.empty()) continue;
         for (const std::uint32_t corner : t.corners) looks.texture_points.push_back(texture_point(corner));
       }
@@ -141,7 +151,8 @@ private:
   const mesh::Surface& surface_;
   const formats::Attributes& given_;
   std::span<const mesh::Point> normals_;
-  std::map<Look, std::vector<Triangle>> by_look_;
+  const mesh::Draft* draft_;
+  ByLook by_look_, draft_by_look_;
   std::map<std::uint32_t, int> images_;
   std::size_t pixels_ = 0;
   ModelLooks made_;
@@ -150,8 +161,8 @@ private:
 }  // namespace
 
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
-                    std::span<const mesh::Point> normals) {
-  return LooksMaker(surface, attributes, normals).make();
+                    std::span<const mesh::Point> normals, const mesh::Draft* draft) {
+  return LooksMaker(surface, attributes, normals, draft).make();
 }
 
 ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving) {
@@ -171,9 +182,9 @@ ModelShading shading_of(const document::OpenedSurface& model, std::size_t moving
                           std::max<std::size_t>(moving / 12, 1));
   });
   shading.occlusion = mesh::bake_cavity(positions, normals, surface->triangles, std::move(around));
-  if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals);
   if (mesh::Draft made = draft.get(); !made.surface.triangles.empty())
     shading.draft = std::make_shared<const mesh::Draft>(std::move(made));
+  if (model.attributes) shading.looks = looks_of(*surface, *model.attributes, normals, shading.draft.get());
   shading.surface = surface;
   return shading;
 }
@@ -188,7 +199,10 @@ void ModelLayer::set_document(const document::Document& document, const ModelSha
   const mesh::Surface& seen = draft_ ? draft_->surface : model;
   shadow_.set_triangles(seen.triangles, seen.positions);
   if (draft_) {
-    coarse_.set_triangles(seen.triangles, seen.positions.size());
+    const auto& sorted = looks.draft_triangles;
+    coarse_.set_triangles(sorted.empty() ? seen.triangles : sorted, seen.positions.size());
+    coarse_.set_looks(looks.draft_looks);
+    coarse_.share_images_of(surface_);
     coarse_.set_occlusion(mesh::picked(std::span(shading.occlusion), draft_->vertices));
   }
   vertices_ = model.positions.size();

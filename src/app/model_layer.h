@@ -23,15 +23,18 @@ namespace viete::app {
 struct ModelLooks {
   std::vector<mesh::Triangle> triangles;  ///< triangles of the surface, sorted by material, then by shading
   render::SurfaceLooks looks;             ///< one run for each combination of material and shading
-  bool has_looks = false;                 ///< true if the model has colours, images or coloured materials
-  std::vector<std::string> warnings;      ///< one line for each image that cannot be shown
+  std::vector<mesh::Triangle> draft_triangles;  ///< the same for the draft, with the images of `looks`
+  render::SurfaceLooks draft_looks;
+  bool has_looks = false;             ///< true if the model has colours, images or coloured materials
+  std::vector<std::string> warnings;  ///< one line for each image that cannot be shown
 };
 
 /// Converts colours, materials and images. Reads image files; skips damaged images. `normals` are the vertex
 /// normals at rest. A triangle gets flat shading if its group is flat in the file, or if its corner normals
-/// in the file equal the face normal and a vertex normal does not. Thread-safe.
+/// in the file equal the face normal and a vertex normal does not. A draft's triangles have the looks of the
+/// triangles that they replace; `draft` may be null. Thread-safe.
 ModelLooks looks_of(const mesh::Surface& surface, const formats::Attributes& attributes,
-                    std::span<const mesh::Point> normals);
+                    std::span<const mesh::Point> normals, const mesh::Draft* draft = nullptr);
 
 /// Data for drawing a model, computed once per model.
 struct ModelShading {
@@ -68,10 +71,10 @@ public:
   /// Sets in `style` whether the mesh has colours, and the range of the colour map.
   void span(render::SurfaceStyle& style, const workspace::FieldView& shown) const;
 
-  /// If `coarse`, draws the draft, except with looks.
+  /// If `coarse`, draws the draft.
   void draw(const render::View& view, const render::Theme& theme, const render::SurfaceStyle& style,
             bool coarse) const {
-    (coarse && draft_ && !style.takes_looks() ? coarse_ : surface_).draw(view, theme, style);
+    (coarse && draft_ ? coarse_ : surface_).draw(view, theme, style);
   }
   void draw_shadow(const render::View& view, const render::Theme& theme, const render::ShadowStyle& style) {
     shadow_.draw(view, theme, style);

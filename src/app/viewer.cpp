@@ -280,7 +280,7 @@ bool Viewer::may_draft() const {
   const auto& w = workspace_;
   return options_.may_be_coarse && !refines_ && !take_screenshot_ && w.view.options.deformed &&
          !w.view.split.on() && !w.checks.shown && !w.view.vertex.vertex && !workspace::shows_mask(w) &&
-         workspace::shown_field(w) == analysis::Field::none && renderer_.draws_drafts(w);
+         workspace::shown_field(w) == analysis::Field::none;
 }
 
 // The drawn model; empty if the model is at rest. A side view without a frame shows the first view's frame.

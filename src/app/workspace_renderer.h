@@ -111,10 +111,6 @@ public:
   void set_draft(std::span<const deform::FrameVertex> vertices, const mesh::Point& origin) {
     models_[0]->set_draft(vertices, origin), ++content_;
   }
-  /// True if the first view shows a style in which drafts can be drawn.
-  bool draws_drafts(const workspace::Workspace& workspace) const {
-    return !part(workspace, 0).surface.takes_looks();
-  }
   /// Updates the colours of the map or mask. Call before draw().
   void set_colors(const workspace::Workspace& workspace);
   void set_cage(const workspace::Workspace& workspace);

@@ -118,24 +118,31 @@ Draft draft_of(const Surface& surface, std::span<const Point> normals, const Bou
       nearest[c] = {normals[v], distance};
     }
   }
+  struct Replaced {
+    Triangle triangle;
+    std::uint32_t source;
+  };
   const auto block = [&](std::size_t begin, std::size_t end) {
-    std::vector<Triangle> between;
+    std::vector<Replaced> between;
     for (std::size_t i = begin; i < end; ++i) {
       const auto& [a, b, c] = surface.triangles[i];
       const Triangle cells_of{cell_of[a], cell_of[b], cell_of[c]};
-      if (!repeats_corner(cells_of)) between.push_back(cells_of);
+      if (!repeats_corner(cells_of)) between.push_back({cells_of, static_cast<std::uint32_t>(i)});
     }
     return between;
   };
-  const auto append = [](std::vector<Triangle> all, std::vector<Triangle> more) {
+  const auto append = [](std::vector<Replaced> all, std::vector<Replaced> more) {
     all.insert(all.end(), more.begin(), more.end());
     return all;
   };
-  std::vector<Triangle> triangles = base::sum_of_blocks(surface.triangles.size(), block, append);
+  std::vector<Replaced> all = base::sum_of_blocks(surface.triangles.size(), block, append);
   // Near triangles follow each other, so that drawing computes their common vertices once.
   std::vector<std::uint64_t> codes;
   for (const Point& cell : cells) codes.push_back(morton_code(cell));
-  std::ranges::sort(triangles, {}, [&](const Triangle& t) { return std::pair(codes[t[0]], t); });
+  std::ranges::sort(
+      all, {}, [&](const Replaced& r) { return std::tuple(codes[r.triangle[0]], r.triangle, r.source); });
+  std::vector<Triangle> triangles;
+  for (const auto& [triangle, source] : all) triangles.push_back(triangle), draft.sources.push_back(source);
   draft.surface = from_triangles(picked(std::span(surface.positions), draft.vertices), triangles);
   return draft;
 }

@@ -20,6 +20,7 @@ std::vector<float> bake_cavity(std::span<const Point> positions, std::span<const
 struct Draft {
   Surface surface;
   std::vector<std::uint32_t> vertices;  ///< for each vertex, its index in the model
+  std::vector<std::uint32_t> sources;   ///< for each triangle, the model's triangle that it replaces
 };
 
 /// Returns a draft with about `wanted` triangles. In each cell of a grid, one vertex replaces all vertices

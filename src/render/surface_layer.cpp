@@ -139,11 +139,8 @@ void SurfaceLayer::set_looks(const SurfaceLooks& looks) {
   };
   upload(texture_points_.buffer, looks.texture_points);
   upload(colors_.buffer, looks.colors);
-  images_.clear();
-  for (const Image& image : looks.images) {
-    images_.emplace_back(gl_);
-    upload_image(gl_, images_.back(), image);
-  }
+  images_ = std::make_shared<std::vector<Texture>>();
+  for (const Image& image : looks.images) upload_image(gl_, images_->emplace_back(gl_), image);
 }
 
 const Program& SurfaceLayer::program_for(const SurfaceStyle& style, bool flat) const {
@@ -205,7 +202,7 @@ void SurfaceLayer::draw_runs(const View& view, const Theme& theme, const Surface
     if (std::exchange(used, &program) != &program) use(program, view, theme, style);
     program.set("run_color", run.color);
     program.set("has_image", run.image >= 0 && has_texture_points_ ? 1 : 0);
-    bind_texture(gl_, 4, run.image >= 0 ? images_[static_cast<std::size_t>(run.image)] : palette_);
+    bind_texture(gl_, 4, run.image >= 0 ? (*images_)[static_cast<std::size_t>(run.image)] : palette_);
     if (run.image >= 0) {
       const GLint wrap = run.repeats ? GL_REPEAT : GL_CLAMP_TO_EDGE;
       gl_.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -80,6 +81,8 @@ public:
 
   /// Sets the appearance. Call this after set_triangles(), which discards the appearance.
   void set_looks(const SurfaceLooks& looks);
+  /// Uses the images of another layer for the runs of this layer. Call this after set_looks().
+  void share_images_of(const SurfaceLayer& other) { images_ = other.images_; }
 
   /// If no vertices or positions are set, draws nothing.
   void draw(const View& view, const Theme& theme, const SurfaceStyle& style) const;
@@ -96,9 +99,9 @@ private:
   BufferTexture indices_;   // three vertex indices per triangle
   BufferTexture vertices_;  // one SurfaceVertex per texel
   BufferTexture occlusion_, scalars_;
-  BufferTexture texture_points_;  // one per corner
-  BufferTexture colors_;          // one per vertex or corner
-  std::vector<Texture> images_;
+  BufferTexture texture_points_;                  // one per corner
+  BufferTexture colors_;                          // one per vertex or corner
+  std::shared_ptr<std::vector<Texture>> images_;  // shared with other layers
   std::vector<SurfaceRun> runs_;
   bool has_texture_points_ = false, has_colors_ = false, colors_of_corners_ = false;
   Texture palette_;

@@ -68,6 +68,25 @@ TEST_CASE("triangles_of_a_material_come_together_with_their_texture_points") {
   CHECK(looks.has_looks);
 }
 
+TEST_CASE("a_draft_has_the_looks_of_the_triangles_that_it_replaces") {
+  BentStrip strip(0);
+  strip.attributes.materials = {{.name = "red", .base_color = {1, 0, 0, 1}}, {.name = "grey"}};
+  strip.attributes.groups = {group(0, 1), group(1, 0)};
+  strip.attributes.texture_points = {{0.25, 0.25}, {0.5, 0.75}};
+  strip.attributes.corner_texture = {0, 0, 0, 0, 1, 1, 1, 1};
+  for (int v = 0; v < 6; ++v) strip.attributes.colors.push_back({v == 5 ? 1.0F : 0.0F, 0, 0, 1});
+  const mesh::Draft draft{
+      mesh::from_triangles(std::vector<mesh::Point>(4), {{0, 1, 2}, {1, 2, 3}}), {0, 1, 5, 2}, {0, 2}};
+  const auto looks = app::looks_of(strip.surface, strip.attributes, strip.normals, &draft);
+  CHECK(looks.draft_triangles == std::vector<mesh::Triangle>{{1, 2, 3}, {0, 1, 2}});  // red first
+  REQUIRE(looks.draft_looks.runs.size() == 2);
+  CHECK(looks.draft_looks.runs[0].color == glm::vec3(1, 0, 0));
+  REQUIRE(looks.draft_looks.texture_points.size() == 6);
+  CHECK(looks.draft_looks.texture_points[0] == std::array<float, 2>{0.5F, 0.25F});
+  CHECK(looks.draft_looks.colors[2] == render::Rgba8{255, 0, 0, 255});
+  CHECK(looks.draft_looks.colors[3] == render::Rgba8{0, 0, 0, 255});
+}
+
 TEST_CASE("colours_of_faces_are_those_of_their_corners_unless_vertices_have_some") {
   BentStrip strip(0);
   strip.attributes.polygon_colors = {{1, 0, 0, 1}, {0, 0, 1, 1}};

@@ -144,11 +144,12 @@ TEST_CASE("a_hover_and_a_letter_change_panels_alone") {
 }
 
 TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
-  const auto pictures = [](std::size_t moving_triangles) {
+  const auto pictures = [](std::size_t moving_triangles, document::Shading shading) {
     SmallScene scene(coarse_options(moving_triangles), test::with_pixels);
     Driver& d = scene.d;
     d.workspace().preferences.coarse_motion = true;
     d.workspace().view.options.panels = false;
+    d.workspace().view.options.shading = shading;
     std::vector<render::Image> pictures;
     for (int step = 0; step < 3; ++step) {
       auto pose = d.workspace().view.camera.pose();
@@ -169,11 +170,13 @@ TEST_CASE("large_models_move_with_fewer_triangles_and_rest_with_all") {
     pictures.push_back(d.picture());
     return pictures;
   };
-  const auto few = pictures(1200), all = pictures(2'000'000);
-  if (SmallScene(small_options()).d.workspace().about.software)
-    CHECK(test::difference(few[0], all[0], 8) > 0.0005);
-  CHECK(test::difference(few[0], all[0], 60) < 0.1);
-  CHECK(test::difference(few[1], all[1], 10) == 0);  // the shadow is always that of the draft
+  const bool software = SmallScene(small_options()).d.workspace().about.software;
+  for (const auto shading : {document::Shading::file, document::Shading::normals}) {
+    const auto few = pictures(1200, shading), all = pictures(2'000'000, shading);
+    if (software) CHECK(test::difference(few[0], all[0], 8) > 0.0005);
+    CHECK(test::difference(few[0], all[0], 60) < 0.1);
+    CHECK(test::difference(few[1], all[1], 10) == 0);  // the shadow is always that of the draft
+  }
 }
 
 TEST_CASE("after_any_drags_of_a_draft_the_model_has_the_current_pose") {
