@@ -100,12 +100,28 @@ private:
   std::vector<std::uint8_t> bad_;
 };
 
+// Returns nothing if all vertices can be solved, or if the model has so many small parts that many clusters
+// have no triangles and so no rotations.
+std::optional<CoarseModel> ShapeSpace::coarse_of(const mesh::Surface& rest, base::WorkerPool& pool,
+                                                 base::Progress* progress) {
+  constexpr std::size_t most_straight = 100;  // one vertex in so many
+  if (!needs_coarse_model(rest)) return {};
+  const base::ProgressPart part(progress, 0, 0.9);
+  CoarseModel coarse(rest, pool, progress);
+  std::vector<bool> rotates(coarse.surface().positions.size(), false);
+  for (const auto& [a, b, c] : coarse.surface().triangles) {
+    const auto& p = coarse.surface().positions;
+    if (mesh::has_area(p[a], p[b], p[c])) rotates[a] = rotates[b] = rotates[c] = true;
+  }
+  std::size_t straight = 0;
+  for (std::size_t v = 0; v < rest.positions.size(); ++v)
+    straight += coarse.terms(v).size() == 1 && !rotates[coarse.terms(v)[0].cluster];
+  if (straight * most_straight > rest.positions.size()) return {};
+  return coarse;
+}
+
 ShapeSpace::ShapeSpace(const mesh::Surface& rest, base::WorkerPool& pool, base::Progress* progress)
-    : coarse_([&]() -> std::optional<CoarseModel> {
-        if (!needs_coarse_model(rest)) return {};
-        const base::ProgressPart part(progress, 0, 0.9);
-        return CoarseModel(rest, pool, progress);
-      }()),
+    : coarse_(coarse_of(rest, pool, progress)),
       triangles_(triangles_of(coarse_ ? coarse_->surface() : rest)),
       logs_([&] {
         const base::ProgressPart part(progress, coarse_ ? 0.9 : 0, 1);

@@ -31,9 +31,9 @@ struct ShapeReport {
 /// log of its map relative to this rotation. Sources: S. Kaji et al., Mathematical analysis on affine maps
 /// for 2D shape interpolation, 2012; R. W. Sumner et al., Mesh-based inverse kinematics, 2005. Thread-safe.
 ///
-/// If needs_coarse_model(), the log space is that of the CoarseModel. Its triangles rotate the clusters, and
-/// the vertices follow their clusters: see R. W. Sumner et al., Embedded deformation for shape manipulation,
-/// 2007. LogVector::details reproduce the shape up to rounding.
+/// If the model needs_coarse_model() and has few small parts, the log space is that of the CoarseModel. Its
+/// triangles rotate the clusters, and the vertices follow their clusters: see R. W. Sumner et al., Embedded
+/// deformation for shape manipulation, 2007. LogVector::details reproduce the shape up to rounding.
 class ShapeSpace {
 public:
   /// Throws base::Error if no triangle has area, or if LogSpace() throws it. Throws base::Cancelled.
@@ -75,6 +75,8 @@ private:
   };
   class Folds;
 
+  static std::optional<CoarseModel> coarse_of(const mesh::Surface& rest, base::WorkerPool& pool,
+                                              base::Progress* progress);
   static Triangles triangles_of(const mesh::Surface& rest);
   AffineMap map_to(std::span<const mesh::Point> positions, std::size_t t) const;
   std::vector<MapSplit> split(std::span<const mesh::Point> positions, base::WorkerPool& pool,

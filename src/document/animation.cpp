@@ -273,8 +273,9 @@ std::vector<std::string> shape_notes(std::span<const deform::ShapeReport> report
     torn = std::max(torn, report.torn), of_torn += report.torn > 0;
   }
   std::vector<std::string> notes;
-  const auto text = [](std::size_t most, std::size_t shapes) {
-    const std::string number = base::with_thousands(most);
+  const bool coarse = std::ranges::any_of(reports, &deform::ShapeReport::coarse);
+  const auto text = [coarse](std::size_t most, std::size_t shapes) {
+    const std::string number = base::with_thousands(most) + (coarse ? " of a coarse model" : "");
     return shapes == 1 ? number : "up to " + number + " in each of " + base::counted(shapes, "shape");
   };
   if (folded > 0)

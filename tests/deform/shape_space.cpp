@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "deform/shapes.h"
+#include "support/skip.h"
 
 using namespace viete;
 using namespace viete::test;
@@ -204,14 +205,15 @@ TEST_CASE("collapsed_shapes_and_loose_vertices_are_finite_and_come_back") {
   CHECK(s.share(moved, 0.5).back() == mesh::Point{7, 7, 8});
 }
 
-TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models") {
-  mesh::Surface limb = tube(450, 200, 0.3, 6);
+TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models" * doctest::test_suite(longer)) {
+  const int rings = rounds(450, 3200);
+  mesh::Surface limb = tube(rings, rounds(200, 1000), 0.3, 6);
   limb.positions.push_back({7, 7, 7});  // has no triangle
   REQUIRE(limb.positions.size() > most_solved_vertices);
   const auto twisted_limb = [&](double degrees) {
     Points shape = mapped(limb.positions, Twist{2, {0, 0, 0}, -3, 3, 0, degrees * degree});
     for (std::size_t v = 0; v < shape.size(); ++v)
-      shape[v][0] *= 1 + 0.01 * double(v % 2);  // finer than clusters
+      shape[v][0] *= 1 + 4.5 / rings * double(v % 2);  // finer than clusters
     shape.back() = {7, 7, 9};
     return shape;
   };
@@ -237,6 +239,23 @@ TEST_CASE("shapes_of_large_models_twist_like_those_of_small_models") {
     s.space.straight({&term, 1}, straight);
     CHECK(norm(straight[70] - 0.5 * (limb.positions[70] + shape[70])) < 1e-15);
   }
+}
+
+TEST_CASE("many_small_parts_rotate_like_a_single_one") {
+  const mesh::Surface one = mesh::from_triangles({{0, 0, 0}, {1, 0, 0}, {0, 0.3, 0}}, {{0, 1, 2}});
+  const Points end = mapped(one.positions, similarity({0, 0, 1}, 150 * degree));
+  mesh::Surface all;
+  Points shape;
+  std::vector<mesh::Triangle> triangles;
+  for (std::uint32_t i = 0; 3 * i <= most_solved_vertices; ++i) {
+    const Vec3 place{2.0 * (i % 170), 2.0 * (i / 170), 0.1 * (i % 7)};
+    for (const auto& p : one.positions) all.positions.push_back(p + place);
+    for (const auto& p : end) shape.push_back(p + place);
+    triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  Shapes s(mesh::from_triangles(all.positions, triangles)), alone(one);
+  const Points half = centered(s.share(shape, 0.5), 3), expected = centered(alone.share(end, 0.5), 3);
+  for (std::size_t v = 0; v < half.size(); ++v) REQUIRE(norm(half[v] - expected[v % 3]) < 1e-9);
 }
 
 TEST_CASE("shapes_of_other_models_are_refused") {

@@ -13,6 +13,7 @@
 #include "deform/surface_weights.h"
 #include "deform/tiled_binding.h"
 #include "support/shapes.h"
+#include "support/skip.h"
 
 using namespace viete;
 
@@ -107,9 +108,9 @@ TEST_CASE("layers_closer_than_a_cell_stay_apart_in_a_proxy") {
   CHECK(std::ranges::count(layer, 3) == 0);
 }
 
-TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy") {
+TEST_CASE("a_large_model_at_rest_stays_at_rest_with_weights_of_a_proxy" * doctest::test_suite(test::longer)) {
   base::WorkerPool pool;
-  const mesh::Surface model = ring(deform::most_solved_vertices + 10'000);
+  const mesh::Surface model = ring(std::size_t(test::rounds(90'000, 3'200'000)));
   REQUIRE(model.positions.size() > deform::most_solved_vertices);
   const deform::TiledBinding tiles = deform::bind_tiles(model, box_cage(), biharmonic, pool);
   std::vector<double> row(tiles.handles);
