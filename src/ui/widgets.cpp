@@ -328,14 +328,10 @@ const workspace::MethodSample* running_sample(const workspace::Workspace& w) {
   return known ? &w.frame.methods.samples[static_cast<std::size_t>(at - methods.begin())] : nullptr;
 }
 
-void text_right(const Context& ui, float x, const std::string& text, ImU32 color) {
-  text_right(ui, x, text, color, ImGui::GetCursorScreenPos().y);
-}
-
-void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line) {
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color, std::optional<float> line) {
   ImGui::PushFont(ui.fonts.numbers);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str());
-  const float y = line + 0.5f * (ImGui::GetTextLineHeight() - size.y);
+  const float y = line.value_or(ImGui::GetCursorScreenPos().y) + 0.5f * (ImGui::GetTextLineHeight() - size.y);
   ImGui::GetWindowDrawList()->AddText({x - size.x, y}, color, text.c_str());
   ImGui::PopFont();
 }

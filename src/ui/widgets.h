@@ -161,7 +161,7 @@ std::string place_of(const workspace::RecentFile& recent);
 void open_recent(workspace::Workspace& workspace, std::size_t index);
 
 /// Text in the font for numbers, right aligned at x. `line` is its top edge; the default is the current line.
-void text_right(const Context& ui, float x, const std::string& text, ImU32 color);
-void text_right(const Context& ui, float x, const std::string& text, ImU32 color, float line);
+void text_right(const Context& ui, float x, const std::string& text, ImU32 color,
+                std::optional<float> line = {});
 
 }  // namespace viete::ui
