@@ -5,15 +5,11 @@
 
 namespace viete::ui {
 
-namespace {
-
 std::string print(const char* format, double value) {
   char text[64];
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
-
-}  // namespace
 
 std::string error(double relative) {
   if (std::isnan(relative)) return "NaN";

@@ -15,6 +15,8 @@ using base::nanoseconds;
 inline std::string count(std::size_t n) {
   return base::with_thousands(n);
 }
+/// The value in a format of printf.
+std::string print(const char* format, double value);
 /// For example "3.1e-16". Exactly 0 gives "0", NaN gives "NaN".
 std::string error(double relative);
 /// With one digit, for example "3e-16".

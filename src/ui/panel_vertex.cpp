@@ -19,9 +19,7 @@ using workspace::VertexView;
 constexpr std::size_t most_bars = 8;
 
 std::string weight_text(double share) {
-  char text[16];
-  std::snprintf(text, sizeof text, "%.1f %%", 100 * share);
-  return text;
+  return print("%.1f %%", 100 * share);
 }
 
 // The total weight of the terms that have no bar.
@@ -83,11 +81,10 @@ void partial_sums(const Context& ui, const VertexView& view) {
     const ImU32 color = ui.colors.axis[2 - k];
     draw.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, 1.75f);
     draw.AddCircleFilled(line.back(), 3, color);
-    char text[24];
-    std::snprintf(text, sizeof text, "%+.4f", view.terms.back().eigenvalues[k]);
+    const std::string text = print("%+.4f", view.terms.back().eigenvalues[k]);
     ImGui::PushFont(ui.fonts.numbers);
     last_text = std::max(line.back().y - 7, last_text + 15);
-    draw.AddText({at.x + wide + 8, last_text}, color, text);
+    draw.AddText({at.x + wide + 8, last_text}, color, text.c_str());
     ImGui::PopFont();
   }
   ImGui::Dummy({wide, height});
@@ -122,9 +119,7 @@ void panel_vertex(const Context& ui) {
   if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
   note(ui, "Eigenvalues of the sum after each term", ui.colors.text);
   partial_sums(ui, view);
-  char turn[24];
-  std::snprintf(turn, sizeof turn, "%.2f\u00b0", view.degrees);
-  value_row(ui, "Rotation angle", turn);
+  value_row(ui, "Rotation angle", print("%.2f\u00b0", view.degrees));
   note(ui, "Exponential of the sum", ui.colors.text);
   ways(ui, view);
 }
