@@ -14,30 +14,15 @@
 
 namespace viete::ui {
 
-namespace {
-
-struct SeverityLook {
-  const char* word;
-  ImU32 Palette::*color;
-};
-
-const SeverityLook& look_of(workspace::Severity severity) {
-  static constexpr SeverityLook error{"Error: ", &Palette::bad}, warning{"Warning: ", &Palette::warn},
-      info{"", &Palette::text};
-  return severity == workspace::Severity::error     ? error
-         : severity == workspace::Severity::warning ? warning
-                                                    : info;
-}
-
-}  // namespace
-
 ImU32 severity_color(const Context& ui, workspace::Severity severity) {
-  return ui.colors.*look_of(severity).color;
+  const ImU32 colors[] = {ui.colors.text, ui.colors.warn, ui.colors.bad};
+  return colors[static_cast<std::size_t>(severity)];
 }
 
 std::string message_text(const workspace::Message& message) {
+  constexpr const char* words[] = {"", "Warning: ", "Error: "};
   const std::string times = message.times > 1 ? "  (" + std::to_string(message.times) + " times)" : "";
-  return look_of(message.severity).word + message.text + times;
+  return words[static_cast<std::size_t>(message.severity)] + message.text + times;
 }
 
 void message_log(const Context& ui) {
