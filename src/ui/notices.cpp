@@ -50,14 +50,6 @@ void message_log(const Context& ui) {
 
 namespace {
 
-std::string name_of(const files::RecoveryFile& leftover) {
-  return leftover.name + ", " + files::when(leftover.time);
-}
-
-void hint_at(const files::RecoveryFile& leftover) {
-  hint("Folder: " + leftover.folder.string());
-}
-
 // Call before an item of this width. If the item fits, puts the item on the current line.
 void flow(float width) {
   const float end = ImGui::GetItemRectMax().x + ImGui::GetStyle().ItemSpacing.x + width;
@@ -71,13 +63,13 @@ float width_of(const std::string& label) {
 
 // Shows the name of the newest recovery file, which Restore opens, and the number of other files.
 void recovery_text(const Context& ui) {
-  const auto& recovery_files = ui.workspace.recovery.files;
-  const std::size_t more = recovery_files.size() - 1;
-  const std::string text = "Recovered edits: " + name_of(recovery_files.front()) +
+  const files::RecoveryFile& newest = ui.workspace.recovery.files.front();
+  const std::size_t more = ui.workspace.recovery.files.size() - 1;
+  const std::string text = "Recovered edits: " + newest.name + ", " + files::when(newest.time) +
                            (more == 0 ? "" : " and " + std::to_string(more) + " more");
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(shortened(text, ImGui::GetContentRegionAvail().x).c_str());
-  hint_at(recovery_files.front());
+  hint("Folder: " + newest.folder.string());
 }
 
 }  // namespace
