@@ -39,17 +39,6 @@ void panel_model(const Context& ui) {
   command_row(ui, {"open_model", "save_model"});
 }
 
-namespace {
-
-void editing(const Context& ui) {
-  if (!ui.workspace.document.kept_pose) return;
-  command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
-  command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
-  command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
-}
-
-}  // namespace
-
 void panel_cage(const Context& ui) {
   const auto& document = ui.workspace.document;
   const bool open = section(ui, "Cage");
@@ -68,7 +57,10 @@ void panel_cage(const Context& ui) {
   const auto& summary = document.cage_file.summary;
   value_row(ui, "Vertices, triangles", count(summary.vertices) + "  " + count(summary.triangles));
   command_row(ui, {"open_cage", "make_cage", "edit_cage"});
-  editing(ui);
+  if (!document.kept_pose) return;
+  command_row(ui, {"split_edges", "cut_faces", "extrude_faces"});
+  command_row(ui, {"merge_vertices", "remove_elements", "subdivide_cage"});
+  command_row(ui, {"mirror_cage", "fit_cage", "enclose_model"});
 }
 
 namespace {
@@ -200,11 +192,6 @@ void ways_to_a_cage(const Context& ui) {
   command_row(ui, {"open_cage", "hide_cage_offer"});
 }
 
-void ways_around_it(const Context& ui, const document::Finding& finding) {
-  words(ui, document::title(finding), "The cage must enclose the model.");
-  command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
-}
-
 }  // namespace
 
 bool offers_next_step(const workspace::Workspace& w) {
@@ -217,7 +204,8 @@ float cage_offer(const Context& ui, float bottom) {
   const Window window(
       "Cage offer", {.at = middle_at(ui, bottom - 28), .pivot = {0.5f, 1}, .padding = {16, 14}}, card_flags);
   if (const document::Finding* finding = outside(w)) {
-    ways_around_it(ui, *finding);
+    words(ui, document::title(*finding), "The cage must enclose the model.");
+    command_row(ui, {"show_outside", "enclose_model", "hide_cage_offer"});
   } else {
     ways_to_a_cage(ui);
   }
