@@ -242,9 +242,7 @@ bool shows_pictures(const Browser& browser) {
 
 void morph_row(const Context& ui) {
   workspace::MorphChoice& morphs = ui.workspace.files.browser.morphs;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Tolerance");
-  ImGui::SameLine();
+  row_label("Tolerance", 0);
   if (const auto percent = number_field(ui, "morph_tolerance", 100 * morphs.tolerance, 64,
                                         "Maximum playback error, in percent of the model's diagonal."))
     morphs.tolerance = std::clamp(*percent / 100, 1e-7, 1.0);

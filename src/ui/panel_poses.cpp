@@ -148,11 +148,6 @@ void grant(workspace::Workspace& w, const PoseWish& wish) {
   }
 }
 
-void no_poses(const Context& ui) {
-  note(ui, "Add poses to combine them with sliders or use them as keys.");
-  command_row(ui, {"keep_pose"});
-}
-
 }  // namespace
 
 void panel_poses(const Context& ui) {
@@ -162,7 +157,10 @@ void panel_poses(const Context& ui) {
   const bool open = section(ui, "Poses");
   if (poses > 0) section_note(ui, count(poses));
   if (!open) return;
-  if (poses == 0) return no_poses(ui);
+  if (poses == 0) {
+    note(ui, "Add poses to combine them with sliders or use them as keys.");
+    return command_row(ui, {"keep_pose"});
+  }
   const bool free = !workspace::is_dragging(w) && !document::is_editing_cage(w.document);
   PoseWish wish;
   w.panels.pose_pictures.tidy();

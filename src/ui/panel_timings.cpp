@@ -28,10 +28,6 @@ bool is_best(const workspace::MethodStats& stats, std::size_t index, double work
 // Errors above this limit are highlighted, because they can add up to visible errors.
 constexpr double visible_error = 1e-10;
 
-bool fails(const workspace::MethodSample& sample) {
-  return !(sample.worst_error < visible_error);
-}
-
 void card_text(const Context& ui, ImVec2 at, float width, const char* title,
                const workspace::MethodSample* sample, bool used, bool fastest, bool most_exact, bool active) {
   constexpr float margin = 10, second_line = 25;
@@ -46,9 +42,9 @@ void card_text(const Context& ui, ImVec2 at, float width, const char* title,
   const std::string time = nanoseconds(sample->ns_per_matrix), worst = rough_error(sample->worst_error);
   draw.AddText({at.x + margin, at.y + second_line}, fastest ? ui.colors.accent : text, time.c_str());
   draw.AddText({at.x + width - margin - ImGui::CalcTextSize(worst.c_str()).x, at.y + second_line},
-               fails(*sample) ? ui.colors.warn
-               : most_exact   ? ui.colors.accent
-                              : ui.colors.faint,
+               !(sample->worst_error < visible_error) ? ui.colors.warn
+               : most_exact                           ? ui.colors.accent
+                                                      : ui.colors.faint,
                worst.c_str());
   ImGui::PopFont();
 }
