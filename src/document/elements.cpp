@@ -10,12 +10,18 @@ namespace viete::document {
 
 namespace {
 
-using Marks = std::vector<std::uint8_t>;  // 1 for each marked vertex
+using Marks = std::vector<std::uint8_t>;  // 1 for each marked vertex or element
+
+Marks marked(std::size_t count, std::span<const std::uint32_t> some) {
+  Marks marks(count, 0);
+  for (const auto i : some) {
+    if (i < count) marks[i] = 1;
+  }
+  return marks;
+}
 
 Marks marks_of(const deform::Cage& cage, const Selection& selection) {
-  Marks marks(cage.surface.positions.size(), 0);
-  for (const auto v : selected_vertices(cage, selection)) marks[v] = 1;
-  return marks;
+  return marked(cage.surface.positions.size(), selected_vertices(cage, selection));
 }
 
 // Returns the elements with marked vertices. `holds` is std::ranges::all_of if all vertices of an element
@@ -72,9 +78,7 @@ mesh::Point element_middle(const Document& document, ElementKind kind, std::uint
   const auto vertices = element_vertices(*document.cage, kind, index);
   mesh::Point sum{0, 0, 0};
   const double share = 1 / static_cast<double>(vertices.size());
-  for (const auto v : vertices) {
-    for (std::size_t k = 0; k < 3; ++k) sum[k] += share * document.pose.positions[v][k];
-  }
+  for (const auto v : vertices) sum = sum + share * document.pose.positions[v];
   return sum;
 }
 
@@ -130,20 +134,11 @@ std::string counted(ElementKind kind, std::size_t count) {
 
 namespace {
 
-std::vector<std::uint8_t> marked(std::size_t count, std::span<const std::uint32_t> some) {
-  std::vector<std::uint8_t> marks(count, 0);
-  for (const auto i : some) {
-    if (i < count) marks[i] = 1;
-  }
-  return marks;
-}
-
-std::vector<std::uint32_t> numbers_of(const std::vector<std::uint8_t>& marks) {
-  std::vector<std::uint32_t> numbers;
-  for (std::uint32_t i = 0; i < marks.size(); ++i) {
-    if (marks[i]) numbers.push_back(i);
-  }
-  return numbers;
+Selection hidden_of(const Document& document, ElementKind kind) {
+  const auto& hidden = document.groups.hidden;
+  if (kind == ElementKind::probe || !document.has_cage() || hidden.empty()) return Selection(kind);
+  if (kind == ElementKind::vertex) return Selection(kind, hidden);
+  return within(*document.cage, kind, marked(document.cage->surface.positions.size(), hidden));
 }
 
 // Sets the hidden vertices, and deselects hidden elements. Both changes form one edit.
@@ -168,21 +163,11 @@ std::string free_name(const Document& document) {
 }  // namespace
 
 std::vector<std::uint8_t> hidden_elements(const Document& document, ElementKind kind) {
-  std::vector<std::uint8_t> hidden(element_count(document, kind), 0);
-  if (kind == ElementKind::probe || !document.has_cage() || document.groups.hidden.empty()) return hidden;
-  const auto vertices = marked(document.cage->surface.positions.size(), document.groups.hidden);
-  if (kind == ElementKind::vertex) return vertices;
-  for (std::uint32_t i = 0; i < hidden.size(); ++i) {
-    const auto own = element_vertices(*document.cage, kind, i);
-    hidden[i] = std::ranges::all_of(own, [&](auto v) { return vertices[v] != 0; });
-  }
-  return hidden;
+  return marked(element_count(document, kind), hidden_of(document, kind).indices());
 }
 
 Selection without_hidden(const Document& document, Selection selection) {
-  if (document.groups.hidden.empty()) return selection;
-  const auto hidden = hidden_elements(document, selection.kind());
-  selection.apply(numbers_of(hidden), SelectMode::remove);
+  selection.apply(hidden_of(document, selection.kind()).indices(), SelectMode::remove);
   return selection;
 }
 
