@@ -51,10 +51,6 @@ void check_edges(std::vector<Finding>& found, const mesh::Surface& surface, cons
   add(found, Defect::degenerate, subject, ElementKind::face, faces_of(surface, summary.degenerate_triangles));
 }
 
-void append(std::vector<Finding>& all, std::vector<Finding>&& more) {
-  std::move(more.begin(), more.end(), std::back_inserter(all));
-}
-
 struct Words {
   const char *one, *several;       // the title for one element and for several elements, without the number
   const char *of_cage, *of_model;  // the explanation for a cage and for a model
@@ -169,13 +165,13 @@ std::vector<Finding> check(const OpenedSurface& model, const OpenedSurface& cage
   std::vector<Finding> found;
   if (cage.surface) {
     if (progress) progress->section(0, 0.1);
-    append(found, check_cage(*cage.surface, progress));
+    found = check_cage(*cage.surface, progress);
     if (progress) progress->section(0.1, 0.9);
     if (auto outside = check_enclosure(*cage.surface, *model.surface, progress))
       found.push_back(*std::move(outside));
   }
   if (progress) progress->section(0.9, 1);
-  append(found, check_model(*model.surface, model.summary));
+  std::ranges::move(check_model(*model.surface, model.summary), std::back_inserter(found));
   std::stable_partition(found.begin(), found.end(), matters);
   return found;
 }
