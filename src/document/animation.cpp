@@ -161,10 +161,6 @@ void Animation::add_shapes(VectorCache& vectors) {
     held_shapes_.push_back(shapes_->logs().held_between(*shape_vectors_[i], *shape_vectors_[i + 1]));
 }
 
-WholePose Animation::at(double frame) const {
-  return at(frame, timeline_.straight);
-}
-
 WholePose Animation::key(std::size_t key) const {
   WholePose pose = *timeline_.keys[key].pose;
   if (space_ && pose.cage.turns.empty()) pose.cage.turns = vectors_[key]->turns;

@@ -99,7 +99,7 @@ public:
   /// Returns messages about problems in the keys' shapes, for the user.
   const std::vector<std::string>& notes() const { return notes_; }
 
-  WholePose at(double frame) const;
+  WholePose at(double frame) const { return at(frame, timeline_.straight); }
   /// Returns the pose at a frame. Uses `straight` instead of the timeline's setting.
   WholePose at(double frame, bool straight) const;
 
