@@ -17,10 +17,6 @@ namespace {
 
 constexpr double usual_radius = 0.2;  // relative to the model's diagonal
 
-double size_of(const Document& document) {
-  return document.space.diagonal();
-}
-
 std::string label(const char* verb, const Document& document) {
   const std::size_t n = document.selection.size();
   return std::string(verb) + (n == 1 ? " a probe" : ' ' + std::to_string(n) + " probes");
@@ -73,7 +69,8 @@ mesh::Point at_rest(const Document& document, const PosedModel& posed, const mes
 deform::Probe probe_at(const Document& document, const mesh::Point& place) {
   deform::Probe probe;
   probe.place = place;
-  probe.turn = probe.stretch = probe.move = {deform::Falloff::smooth, usual_radius * size_of(document)};
+  probe.turn = probe.stretch =
+      probe.move = {deform::Falloff::smooth, usual_radius * document.space.diagonal()};
   return probe;
 }
 
@@ -206,10 +203,10 @@ void set_mix(Document& document, deform::ProbeMix mix) {
 }
 
 double least_probe_radius(const Document& document) {
-  return 0.01 * size_of(document);
+  return 0.01 * document.space.diagonal();
 }
 double largest_probe_radius(const Document& document) {
-  return 2 * size_of(document);
+  return 2 * document.space.diagonal();
 }
 
 }  // namespace viete::document
