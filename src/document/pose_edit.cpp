@@ -196,12 +196,9 @@ SharedPose unmixed_pose(const Document& document) {
 }
 
 std::string free_name(const PoseLibrary& library, const std::string& wish) {
-  const auto taken = [&](const std::string& name) {
-    return std::ranges::any_of(library.poses, [&](const NamedPose& p) { return p.name == name; });
-  };
   const std::string base = wish.empty() ? "pose" : cut(wish, PoseLibrary::longest_name);
   std::string name = base;
-  for (int n = 2; taken(name); ++n) {
+  for (int n = 2; std::ranges::count(library.poses, name, &NamedPose::name) > 0; ++n) {
     const std::string number = ' ' + std::to_string(n);
     name = cut(base, PoseLibrary::longest_name - number.size()) + number;
   }

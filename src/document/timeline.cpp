@@ -61,8 +61,7 @@ void add_slope(std::vector<KeyShare>& shares, const Track& track, std::size_t ke
 void gather(std::vector<KeyShare>& shares) {
   std::vector<KeyShare> sum;
   for (const auto& [key, factor] : shares) {
-    const auto same = [key = key](const KeyShare& s) { return s.key == key; };
-    const auto found = std::ranges::find_if(sum, same);
+    const auto found = std::ranges::find(sum, key, &KeyShare::key);
     if (found == sum.end()) {
       sum.push_back({key, factor});
     } else {
