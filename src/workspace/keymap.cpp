@@ -194,29 +194,25 @@ std::vector<const Command*> Keymap::losers(std::string_view command, const Short
   return found;
 }
 
-void Keymap::give(const Command& command, const Shortcuts& shortcuts) {
+void Keymap::give(std::string_view command, const Shortcuts& shortcuts) {
+  const Command* const known = find_command(command);
+  if (!known) return;
   for (auto& [name, keys] : keys_) {
-    if (shares_keys(name, command.name)) continue;
+    if (shares_keys(name, command)) continue;
     for (Shortcut* own : {&keys.first, &keys.second}) {
       if (own->key != Key::none && (*own == shortcuts.first || *own == shortcuts.second)) *own = {};
     }
   }
-  keys_[command.name] = shortcuts;
+  keys_[known->name] = shortcuts;
 }
 
 void Keymap::resolve() {
   keys_.clear();
   for (const Command& command : commands()) keys_[command.name] = {command.shortcut, command.alternative};
   const PresetChanges preset = changes_of_preset(preset_);
-  for (const auto& [name, first, second] : preset.keys) {
-    if (const Command* command = find_command(name)) give(*command, {first, second});
-  }
-  for (const auto name : preset.without) {
-    if (const Command* command = find_command(name)) give(*command, {});
-  }
-  for (const auto& [name, shortcut] : changes_) {
-    if (const Command* command = find_command(name)) give(*command, {shortcut, {}});
-  }
+  for (const auto& [name, first, second] : preset.keys) give(name, {first, second});
+  for (const auto name : preset.without) give(name, {});
+  for (const auto& [name, shortcut] : changes_) give(name, {shortcut, {}});
 }
 
 }  // namespace viete::workspace

@@ -62,7 +62,7 @@ public:
 
 private:
   void resolve();
-  void give(const Command& command, const Shortcuts& shortcuts);
+  void give(std::string_view command, const Shortcuts& shortcuts);
 
   KeyPreset preset_ = KeyPreset::viete;
   Changes changes_;
