@@ -23,19 +23,12 @@ constexpr Title titles[] = {{"File", {"File"}},        {"Edit", {"Edit"}},
                             {"View", {"View"}},        {"Deform", {"Method", "Blend", "Map", "Views"}},
                             {"Help", {"Help", "Keys"}}};
 
-std::string_view title_of(const Command& command) {
-  for (const Title& title : titles) {
-    if (std::ranges::count(title.groups, command.group) > 0) return title.title;
-  }
-  return "Tool";
-}
-
 std::vector<Menu> make_menus() {
   std::vector<Menu> all;
   for (const Title& title : titles) {
     Menu menu{title.title, {}};
     for (const Command& command : commands()) {
-      if (title_of(command) == title.title) menu.items.push_back(&command);
+      if (std::ranges::count(title.groups, command.group) > 0) menu.items.push_back(&command);
     }
     all.push_back(std::move(menu));
   }
