@@ -77,8 +77,7 @@ void panel_probes(const Context& ui) {
   section_note(ui, count(probes));
   if (!open) return;
   command_row(ui, {"mirror_probe", "remove_probe"});
-  const bool selected =
-      document.selection.kind() == document::ElementKind::probe && !document.selection.empty();
+  const bool selected = workspace::selects_probes(ui.workspace) && !document.selection.empty();
   if (document::has_pins(document)) freedom(ui);
   if (selected && workspace::has_pins_selected(ui.workspace)) {
     command_toggle(ui, "toggle_pulls");
@@ -87,7 +86,7 @@ void panel_probes(const Context& ui) {
     influence(ui, "Stretch", "stretch", &document::Probe::stretch);
     influence(ui, "Translation", "move", &document::Probe::move);
   } else {
-    note(ui, document.selection.kind() == document::ElementKind::probe
+    note(ui, workspace::selects_probes(ui.workspace)
                  ? "Click a probe in the view to select it."
                  : "Choose \"Select probes\" and click a probe in the view.");
   }
@@ -166,7 +165,7 @@ void probe_overlay(const Context& ui) {
   const auto& w = ui.workspace;
   if (!w.view.options.cage || w.document.probes.empty()) return;
   OverlayPainter painter(ui);
-  const bool chosen = w.document.selection.kind() == document::ElementKind::probe;
+  const bool chosen = workspace::selects_probes(w);
   for (std::size_t i = 0; i < w.document.probes.all.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     frame(ui, painter, i,

@@ -65,10 +65,7 @@ constexpr Condition can_grab{
     [](const Workspace& w) { return has_selection(w) && shows_selectable(w) && !is_dragging(w); },
     "Select a visible element first."};
 
-constexpr Condition can_shape{[](const Workspace& w) {
-                                return can_grab(w) &&
-                                       w.document.selection.kind() != document::ElementKind::probe;
-                              },
+constexpr Condition can_shape{[](const Workspace& w) { return can_grab(w) && !selects_probes(w); },
                               "Select part of the cage first."};
 constexpr Condition has_copied{
     [](const Workspace& w) { return w.panels.copied.is_of(w.document) && !is_dragging(w); },
@@ -78,9 +75,7 @@ constexpr Condition has_mirror{
     [](const Workspace& w) { return mirror_of(w) && has_cage(w) && !is_dragging(w); },
     "Choose a mirror first."};
 constexpr Condition has_mirrored_selection{
-    [](const Workspace& w) {
-      return has_mirror(w) && has_selection(w) && w.document.selection.kind() != document::ElementKind::probe;
-    },
+    [](const Workspace& w) { return has_mirror(w) && has_selection(w) && !selects_probes(w); },
     "Choose a mirror and select the part of the cage to copy."};
 
 template <interact::Tool Use>
