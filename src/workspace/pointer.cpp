@@ -209,13 +209,9 @@ void Pointer::hover(Workspace& w, const PointerInput& input) {
   interaction.brush.reset();
   interaction.crowded = false;
   interaction.cursor = free ? std::optional(input.position) : std::nullopt;
-  if (free && interaction.armed) {
+  if (free && (interaction.armed || shows_mask(w))) {
     interaction.handle.reset(), interaction.hovered.reset();
-    return;
-  }
-  if (free && shows_mask(w)) {
-    interaction.handle.reset(), interaction.hovered.reset();
-    interaction.brush = model_under(w, input.position);
+    if (!interaction.armed) interaction.brush = model_under(w, input.position);
     return;
   }
   auto pick = free ? element_under(w, input.position) : std::nullopt;
