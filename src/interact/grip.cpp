@@ -201,11 +201,8 @@ std::vector<Gripped> on_both_sides(std::vector<Gripped> own, const document::Mir
     const std::uint32_t partner = mirror.partners[g.vertex];
     if (by_vertex[partner].share < g.share) by_vertex[partner] = {partner, g.share, Side::other};
   }
-  std::vector<Gripped> all;
-  for (const Gripped& g : by_vertex) {
-    if (g.share > 0) all.push_back(g);
-  }
-  return all;
+  std::erase_if(by_vertex, [](const Gripped& g) { return !(g.share > 0); });
+  return by_vertex;
 }
 
 // Moves p by the motion of its side. On Side::plane, this is the mean of the motions of the other two sides.

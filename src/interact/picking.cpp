@@ -150,9 +150,7 @@ std::optional<Pick> pick_inside(const document::Document& document, const docume
 std::optional<std::uint32_t> face_at(const deform::Cage& cage, const mesh::Edge& edge, const Flags& hidden) {
   for (std::uint32_t f = 0; f < cage.surface.polygon_count(); ++f) {
     const auto vertices = element_vertices(cage, document::ElementKind::face, f);
-    const auto has = [&](std::uint32_t v) {
-      return std::find(vertices.begin(), vertices.end(), v) != vertices.end();
-    };
+    const auto has = [&](std::uint32_t v) { return std::ranges::count(vertices, v) > 0; };
     if (!hidden[f] && has(edge[0]) && has(edge[1])) return f;
   }
   return std::nullopt;
