@@ -27,16 +27,9 @@ bool fits(const fs::path& path, const FileBrowser& browser) {
          std::find(formats.begin(), formats.end(), formats::extension_of(path)) != formats.end();
 }
 
-std::string lower(std::string text) {
-  for (char& c : text) {
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  }
-  return text;
-}
-
 bool before(const Entry& a, const Entry& b) {
   if (a.folder != b.folder) return a.folder;
-  const std::string x = lower(a.name), y = lower(b.name);
+  const std::string x = formats::lower_case(a.name), y = formats::lower_case(b.name);
   return x != y ? x < y : a.name < b.name;
 }
 
@@ -148,9 +141,9 @@ void refresh(FileBrowser& browser) {
 
 std::vector<const Entry*> shown(const FileBrowser& browser) {
   std::vector<const Entry*> entries;
-  const std::string filter = lower(browser.filter);
+  const std::string filter = formats::lower_case(browser.filter);
   for (const auto& entry : browser.entries) {
-    if (lower(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
+    if (formats::lower_case(entry.name).find(filter) != std::string::npos) entries.push_back(&entry);
   }
   return entries;
 }

@@ -4,16 +4,14 @@
 #include <initializer_list>
 #include <vector>
 
+#include "formats/source.h"
+
 namespace viete::workspace {
 
 namespace {
 
-char upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 bool same_word(std::string_view a, std::string_view b) {
-  return std::ranges::equal(a, b, {}, upper, upper);
+  return formats::lower_case(a) == formats::lower_case(b);
 }
 
 }  // namespace
