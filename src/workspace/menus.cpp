@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 
+#include "formats/source.h"
 #include "workspace/command_tables.h"
 
 namespace viete::workspace {
@@ -35,12 +36,6 @@ std::vector<Menu> make_menus() {
   return all;
 }
 
-std::string in_lower(std::string_view text) {
-  std::string lower(text);
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return lower;
-}
-
 // True if the text contains the letters in this order, possibly with other letters between them.
 bool has_letters(std::string_view text, std::string_view letters) {
   std::size_t at = 0;
@@ -52,15 +47,15 @@ bool has_letters(std::string_view text, std::string_view letters) {
 
 // How well a word matches a command; 0: no match.
 int fit(const Command& command, const std::string& word) {
-  const std::string label = in_lower(command.label), group = in_lower(command.group);
+  const std::string label = formats::lower_case(command.label), group = formats::lower_case(command.group);
   const std::string words = ' ' + label;
   if (label == word) return 120;
   if (label.starts_with(word)) return 100;
   if (words.find(' ' + word) != std::string::npos) return 80;
   if (label.find(word) != std::string::npos) return 60;
   if (group.starts_with(word)) return 50;
-  if (in_lower(command.name).find(word) != std::string::npos) return 40;
-  if (in_lower(command.hint).find(word) != std::string::npos) return 20;
+  if (formats::lower_case(command.name).find(word) != std::string::npos) return 40;
+  if (formats::lower_case(command.hint).find(word) != std::string::npos) return 20;
   if (!has_letters(label, word)) return 0;
   return label.front() == word.front() ? 15 : 10;
 }
@@ -84,7 +79,7 @@ std::span<const Menu> menus() {
 
 std::vector<const Command*> find_commands(const Workspace& workspace, std::string_view typed) {
   std::vector<std::string> words;
-  std::istringstream stream(in_lower(typed));
+  std::istringstream stream(formats::lower_case(typed));
   for (std::string word; stream >> word;) words.push_back(word);
   std::vector<std::pair<int, const Command*>> found;
   for (const Command& command : commands()) {
