@@ -21,10 +21,9 @@ using Entry = FileBrowser::Entry;
 namespace {
 
 bool fits(const fs::path& path, const FileBrowser& browser) {
-  const auto formats = browser.formats();
   const bool session = browser.purpose == Purpose::model || browser.purpose == Purpose::save_session;
   return (session && files::is_session(path)) ||
-         std::find(formats.begin(), formats.end(), formats::extension_of(path)) != formats.end();
+         std::ranges::count(browser.formats(), formats::extension_of(path)) > 0;
 }
 
 bool before(const Entry& a, const Entry& b) {
@@ -212,10 +211,7 @@ std::string problem_of_name(const FileBrowser& browser) {
   if (const std::string* used = browser.in_use.find(file))
     return name + " is open (" + *used + ") and cannot be replaced; " +
            base::unused_name(file).filename().string() + " is a free name.";
-  const auto formats = browser.formats();
-  const bool known = browser.purpose == Purpose::save_session ||
-                     std::find(formats.begin(), formats.end(), formats::extension_of(file)) != formats.end();
-  return known ? "" : name + " has an unknown extension; use " + format_list(browser);
+  return fits(file, browser) ? "" : name + " has an unknown extension; use " + format_list(browser);
 }
 
 std::string format_list(const FileBrowser& browser) {
