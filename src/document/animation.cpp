@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/text.h"
+#include "deform/maps.h"
 
 namespace viete::document {
 
@@ -13,9 +14,7 @@ namespace {
 void add_share(deform::ProbePose& sum, const deform::ProbePose& pose, double factor) {
   sum.turn = sum.turn + factor * pose.turn;
   sum.move = sum.move + factor * pose.move;
-  auto &a = sum.stretch, b = pose.stretch;
-  a = {a.xx + factor * b.xx, a.xy + factor * b.xy, a.xz + factor * b.xz,
-       a.yy + factor * b.yy, a.yz + factor * b.yz, a.zz + factor * b.zz};
+  sum.stretch = deform::plus(sum.stretch, factor, pose.stretch);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "deform/maps.h"
+
 namespace viete::workspace {
 
 namespace {
@@ -32,8 +34,7 @@ Vec3 normal_of(const PictureView& view, Corners corners, std::span<const Point> 
   Vec3 sum{0, 0, 0};
   for (std::size_t i = 2; i < corners.size(); ++i) {
     const Vec3 first = view.seen(at[corners[0]]);
-    const Vec3 n = mesh::cross(view.seen(at[corners[i - 1]]) - first, view.seen(at[corners[i]]) - first);
-    for (int k = 0; k < 3; ++k) sum[k] += n[k];
+    sum = sum + mesh::cross(view.seen(at[corners[i - 1]]) - first, view.seen(at[corners[i]]) - first);
   }
   return sum;
 }
@@ -62,10 +63,7 @@ PictureView::PictureView(const PictureAngles& angles, const Frame& frame)
 }
 
 Vec3 PictureView::seen(const Point& p) const {
-  Vec3 result;
-  for (int i = 0; i < 3; ++i)
-    result[i] = turn_[3 * i] * p[0] + turn_[3 * i + 1] * p[1] + turn_[3 * i + 2] * p[2];
-  return result;
+  return deform::times(turn_, p);
 }
 
 glm::vec2 PictureView::at(const Point& p) const {
