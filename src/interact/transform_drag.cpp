@@ -186,17 +186,16 @@ Transform TransformDrag::measured(const DragInput& input, const document::Camera
     t.factors = scale_by_mouse(slowed, projection);
     for (int i = 0; i < 3 && input.snap; ++i) t.factors[i] = snapped(t.factors[i], scale_snaps);
   } else {
-    t.shift = move_by_mouse(slowed, camera, viewport);
+    t.shift = move_by_mouse(slowed, projection, camera, viewport);
     if (input.snap) t.shift = snapped_shift(t.shift);
   }
   cursor_ = cursor;
   return t;
 }
 
-glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const document::Camera& camera,
+glm::dvec3 TransformDrag::move_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection,
+                                        const document::Camera& camera,
                                         const document::Viewport& viewport) const {
-  const CursorProjection projection(glm::dvec3(space_.to_view({pivot_.x, pivot_.y, pivot_.z})), camera,
-                                    viewport);
   glm::dvec3 moved(0);
   if (constraint_.kind == Kind::free) {
     moved = camera.plane_displacement(glm::vec2(cursor - press_), depth_, viewport);

@@ -70,8 +70,8 @@ private:
   Transform measured(const DragInput& input, const document::Camera& camera,
                      const document::Viewport& viewport);
   Transform typed(double value) const;
-  glm::dvec3 move_by_mouse(const glm::dvec2& cursor, const document::Camera& camera,
-                           const document::Viewport& viewport) const;
+  glm::dvec3 move_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection,
+                           const document::Camera& camera, const document::Viewport& viewport) const;
   double turn_by_mouse(const DragInput& input, const CursorProjection& projection);
   glm::dvec3 scale_by_mouse(const glm::dvec2& cursor, const CursorProjection& projection) const;
   glm::dvec3 factors(double value) const;
