@@ -20,8 +20,7 @@ using namespace viete::workspace;
 namespace {
 
 void select(Document& document, ElementKind kind, std::vector<std::uint32_t> indices) {
-  document.selection = Selection(kind);
-  document.selection.apply(indices, SelectMode::replace);
+  document.selection = Selection(kind, indices);
 }
 
 double volume(const mesh::Surface& s) {

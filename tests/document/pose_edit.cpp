@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -283,8 +284,7 @@ TEST_CASE("a_removed_probe_is_gone_from_every_pose_and_key_and_comes_back_with_u
   for (int i = 0; i < 3; ++i) poses[i].move = {double(i), 0, 0};
   m.poses()[0].pose = whole(turned_cube(90), poses);
   m.document.timeline.keys = m.document.timeline.unkeyed = {{1, m.poses()[0].pose}};
-  m.document.selection = Selection(ElementKind::probe);
-  m.document.selection.apply(std::vector<std::uint32_t>{1}, SelectMode::replace);
+  m.document.selection = Selection(ElementKind::probe, std::array{1u});
   remove_probes(m.document);
   for (const SharedPose& pose :
        {m.poses()[0].pose, m.document.timeline.keys[0].pose, m.document.timeline.unkeyed[0].pose}) {

@@ -37,8 +37,7 @@ struct Probed {
   Probe& probe(std::size_t i = 0) { return w.document.probes.all[i]; }
   void add(const mesh::Point& at) { REQUIRE(add_probe(w.document, {}, at)); }
   void select(std::vector<std::uint32_t> which) {
-    w.document.selection = Selection(ElementKind::probe);
-    w.document.selection.apply(which, SelectMode::replace);
+    w.document.selection = Selection(ElementKind::probe, which);
   }
 };
 

@@ -23,9 +23,7 @@ using Indices = std::vector<std::uint32_t>;
 namespace {
 
 Selection vertices(Indices indices) {
-  Selection selection;
-  selection.apply(indices, SelectMode::replace);
-  return selection;
+  return Selection(ElementKind::vertex, indices);
 }
 
 Workspace saved_cube() {
