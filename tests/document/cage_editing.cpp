@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "document/elements.h"
 #include "document/pose_edit.h"
+#include "mesh/summary.h"
 #include "mesh/winding_number.h"
 #include "support/cube.h"
 #include "support/edits.h"
@@ -24,10 +25,7 @@ void select(Document& document, ElementKind kind, std::vector<std::uint32_t> ind
 }
 
 double volume(const mesh::Surface& s) {
-  double six = 0;
-  for (const auto& t : s.triangles)
-    six += mesh::dot(s.positions[t[0]], mesh::cross(s.positions[t[1]], s.positions[t[2]]));
-  return six / 6;
+  return mesh::summarize(s).volume;
 }
 
 // Returns a document in cage editing: a cube with one posed vertex.
