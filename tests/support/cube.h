@@ -11,18 +11,10 @@ inline mesh::Surface cube(double half) {
   std::vector<mesh::Point> points;
   for (int i = 0; i < 8; ++i)
     points.push_back({i & 1 ? half : -half, i & 2 ? half : -half, i & 4 ? half : -half});
-  return mesh::from_triangles(std::move(points), {{0, 2, 1},
-                                                  {1, 2, 3},
-                                                  {4, 5, 6},
-                                                  {5, 7, 6},
-                                                  {0, 1, 4},
-                                                  {1, 5, 4},
-                                                  {2, 6, 3},
-                                                  {3, 6, 7},
-                                                  {0, 4, 2},
-                                                  {2, 4, 6},
-                                                  {1, 3, 5},
-                                                  {3, 7, 5}});
+  const std::vector<mesh::Triangle> triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6},
+                                                 {0, 1, 4}, {1, 5, 4}, {2, 6, 3}, {3, 6, 7},
+                                                 {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+  return mesh::from_triangles(std::move(points), triangles);
 }
 
 inline document::Document cube_document() {
