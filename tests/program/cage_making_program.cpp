@@ -8,6 +8,7 @@
 #include "support/ball.h"
 #include "support/edits.h"
 #include "support/folder.h"
+#include "support/text.h"
 #include "workspace/saving.h"
 
 using namespace viete;
@@ -164,9 +165,7 @@ TEST_CASE("a_preview_is_replaced_by_the_full_quality_cage_unless_it_is_stopped_p
   d.frame(2);
   CHECK_FALSE(d.workspace().making.open);
   CHECK((d.document().cage == preview) == stays);
-  if (stays)
-    CHECK(d.workspace().messages.all().back().text.find("The preview of the cage was kept") !=
-          std::string::npos);
+  if (stays) CHECK(test::mentions(d.last_message(), "The preview of the cage was kept"));
 }
 
 TEST_CASE("undo_after_generating_a_new_cage_restores_cage_and_pose") {
@@ -220,7 +219,7 @@ TEST_CASE("failed_cage_generation_shows_an_error_and_changes_nothing") {
   d.finish_making();
   d.frame(3);
   CHECK_FALSE(d.document().has_cage());
-  CHECK(d.workspace().messages.all().back().text.find("single point") != std::string::npos);
+  CHECK(test::mentions(d.last_message(), "single point"));
 }
 
 TEST_CASE("a_drag_while_editing_the_cage_changes_its_rest_shape_and_the_model_stays") {

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "program/driver.h"
+#include "support/text.h"
 #include "ui/help_overlay.h"
 
 using namespace viete;
@@ -53,8 +54,7 @@ TEST_CASE("the_key_list_changes_a_key_and_names_the_command_that_loses_it") {
   CHECK(d.workspace().view.options.grid == grid);
   CHECK(key_of(d, "toggle_wireframe") == "G");
   CHECK(key_of(d, "toggle_grid").empty());
-  CHECK(d.workspace().messages.all().back().text.find("It was taken from \"Show grid\"") !=
-        std::string::npos);
+  CHECK(test::mentions(d.last_message(), "It was taken from \"Show grid\""));
   d.frame(2);
   d.click("key/toggle_wireframe/reset");
   CHECK(key_of(d, "toggle_wireframe") == "Shift+W");
