@@ -37,6 +37,8 @@ struct Played {
   Timeline& timeline() { return w.document.timeline; }
   const std::vector<mesh::Point>& positions() const { return w.document.pose.positions; }
   void pass(double seconds) { follow_time(w, seconds); }
+  void go_to(double frame) { go_to_frame(w, frame), pass(0); }
+  void take_back() { undo(document()), pass(0); }
   void put(const deform::Pose& pose) {
     record_edit(document(), "move by hand");
     document().pose = pose;
@@ -73,8 +75,7 @@ TEST_CASE("a_frame_shows_its_pose_and_its_camera_and_is_no_edit") {
 TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
   Played p;
   const auto lost_without_a_word = [&](auto change) {
-    go_to_frame(p.w, 6);
-    p.pass(0);
+    p.go_to(6);
     const std::size_t edits = p.edits();
     change();
     p.pass(0);
@@ -88,8 +89,7 @@ TEST_CASE("an_unkeyed_pose_survives_a_frame_change_unless_it_is_rest") {
     CHECK(p.positions() == there.positions);
     CHECK(p.document().probes == probes);
     CHECK(p.document().frame == 6);
-    undo(p.document());
-    p.pass(0);
+    p.take_back();
     CHECK_FALSE(has_unkeyed_pose(p.w));
   };
   lost_without_a_word([&] { p.put(turned_cube(33)); });
@@ -166,8 +166,7 @@ TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
       {"a pose, then a step", [&] { apply_pose(p.w, 1), go_to_frame(p.w, 9); }}};
   for (const auto& [way, go] : ways) {
     CAPTURE(way);
-    go_to_frame(p.w, 6);
-    p.pass(0);
+    p.go_to(6);
     mark_saved(p.w);
     p.put(turned_cube(33));
     p.pass(0);
@@ -181,8 +180,7 @@ TEST_CASE("an_unkeyed_pose_is_unsaved_work_after_being_replaced") {
     while (p.edits() > edits) undo(p.document());
     CHECK(p.positions() == turned_cube(33).positions);
     CHECK(p.timeline().unkeyed.empty());
-    undo(p.document());
-    p.pass(0);
+    p.take_back();
     CHECK_FALSE(has_unsaved_edits(p.w));
   }
 }
@@ -240,14 +238,12 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   for (PoseKey& key : p.timeline().keys) key.easing = Easing::linear;
   p.pass(0);
   weights_are(0, 1);
-  go_to_frame(p.w, 6);
-  p.pass(0);
+  p.go_to(6);
   weights_are(0.2, 0.6);
   CHECK_FALSE(p.document().library.mixes());
   REQUIRE(test::run_command(p.w, "set_key"));  // sets a key with the played pose
   CHECK(p.timeline().keys[1].mix.size() == 2);
-  undo(p.document());
-  p.pass(0);
+  p.take_back();
 
   const auto before = p.positions();
   REQUIRE(set_weight(p.document(), vectors, 0, 0.2 + 1e-7, shown_weights(p.w)));
@@ -261,8 +257,7 @@ TEST_CASE("weights_of_a_frame_are_those_that_its_keys_play_and_the_mix_goes_on_f
   rename_pose(p.document(), 0, "Wave");
   p.pass(0);
   weights_are(0.2, 0.6);
-  go_to_frame(p.w, 1);
-  p.pass(0);
+  p.go_to(1);
   update_pose(p.document(), 0);
   p.pass(0);
   CHECK(shown_weights(p.w)[0] == 0);
@@ -338,14 +333,12 @@ TEST_CASE("without_keys_nothing_plays") {
 
 TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
   Played p;
-  go_to_frame(p.w, 6);
-  p.pass(0);
+  p.go_to(6);
   const Timeline before = p.timeline();
   move_keys(p.document(), before, std::vector{11}, std::vector{21});
   p.pass(0);
   CHECK(p.stands_at(45));
-  undo(p.document());
-  p.pass(0);
+  p.take_back();
   CHECK(p.stands_at(90));
   start_playing(p.w);
   p.pass(0.1);
@@ -368,8 +361,7 @@ TEST_CASE("edits_of_the_timeline_are_seen_at_once_while_it_plays_too") {
 TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   Played p;
   p.w.playback.auto_key = true;
-  go_to_frame(p.w, 21);
-  p.pass(0);
+  p.go_to(21);
   set_radius(p.document(), 0.3);
   p.pass(0);
   undo(p.document());
@@ -384,16 +376,14 @@ TEST_CASE("auto_key_sets_a_key_within_the_same_edit") {
   go_to_frame(p.w, 1);
   go_to_frame(p.w, 21);
   CHECK(p.positions() == turned_cube(77).positions);
-  undo(p.document());
-  p.pass(0);
+  p.take_back();
   CHECK(p.timeline().keys.size() == 3);
   CHECK(p.edits() == 0);
   // Undo and redo do not set keys automatically.
   redo(p.document());
   p.pass(0);
   CHECK(p.timeline().keys.size() == 4);
-  undo(p.document());
-  p.pass(0);
+  p.take_back();
   CHECK(p.timeline().keys.size() == 3);
   CHECK(p.document().history.can_redo());
 }
