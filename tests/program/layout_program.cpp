@@ -4,7 +4,7 @@
 #include "document/record.h"
 #include "formats/read.h"
 #include "formats/write.h"
-#include "program/driver.h"
+#include "program/kept_work.h"
 #include "support/folder.h"
 #include "support/pictures.h"
 #include "workspace/menus.h"
@@ -12,7 +12,7 @@
 #include "workspace/saving.h"
 
 using namespace viete;
-using test::Driver;
+using test::Driver, test::remembering;
 
 namespace {
 
@@ -28,12 +28,6 @@ glm::vec2 empty_place(Driver& d) {
 
 workspace::PanelLayout& layout(Driver& d) {
   return d.workspace().preferences.layout;
-}
-
-app::ViewerOptions remembering(const std::filesystem::path& state) {
-  auto options = Driver::default_options();
-  options.state = state;
-  return options;
 }
 
 void open_cube(Driver& d, const std::filesystem::path& folder) {
