@@ -121,8 +121,7 @@ TEST_CASE("pictures_of_what_plays_are_drawn_aside_as_the_window_looks_at_them") 
   CHECK_FALSE(fs::exists(folder / "f_04.png"));
 
   // Changes theme and size in the dialog. By default, cage and panels are not drawn.
-  workspace::find_command("save_animation")->run(d.workspace());
-  d.frame(2);
+  d.run("save_animation");
   d.press_key('A', true);
   d.type((folder / "h_##.png").string());
   d.frame(2);

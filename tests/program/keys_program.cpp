@@ -23,9 +23,7 @@ std::string key_of(Driver& d, const char* command) {
 }
 
 void open_list(Driver& d) {
-  d.click("menu/Help");
-  d.frame(2);
-  d.click("menu/help");
+  d.choose("menu/Help", "menu/help");
   d.frame(2);
   REQUIRE(d.workspace().panels.key_list.open);
 }

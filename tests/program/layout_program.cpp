@@ -130,15 +130,11 @@ TEST_CASE("a_menu_runs_a_command") {
   Driver d;
   d.open_dragon();
   CHECK(d.workspace().view.options.grid);
-  d.click("menu/View");
-  d.frame(2);
-  d.click("menu/toggle_grid");
+  d.choose("menu/View", "menu/toggle_grid");
   CHECK_FALSE(d.workspace().view.options.grid);
   d.frame(2);
   CHECK_FALSE(d.viewer().recorder().find("menu/toggle_grid"));  // the menu is closed again
-  d.click("menu/Deform");
-  d.frame(2);
-  d.click("menu/method_sd");
+  d.choose("menu/Deform", "menu/method_sd");
   CHECK(d.document().method == sym3::Method::sd);
 }
 

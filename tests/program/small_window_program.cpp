@@ -80,19 +80,16 @@ TEST_CASE("overflow_menus_of_strip_and_timeline_work") {
   Driver& d = scene.d;
   d.workspace().preferences.layout.timeline = true;
   d.frame(3);
-  d.click("strip/more");
-  d.frame(3);
-  d.click("menu/add_probe");
-  d.frame(2);
+  const auto pick = [&](const char* menu, const char* entry) {
+    d.click(menu);
+    d.frame(3);
+    d.click(entry);
+    d.frame(2);
+  };
+  pick("strip/more", "menu/add_probe");
   CHECK(d.document().probes.all.size() == 1);
-  d.click("time/more");
-  d.frame(3);
-  d.click("menu/toggle_auto_key");
-  d.frame(2);
+  pick("time/more", "menu/toggle_auto_key");
   CHECK(d.workspace().playback.auto_key);
-  d.click("time/more_of_range");
-  d.frame(3);
-  d.click("time/straight");
-  d.frame(2);
+  pick("time/more_of_range", "time/straight");
   CHECK(d.document().timeline.straight);
 }
