@@ -25,8 +25,7 @@ glm::dvec2 pixel(const Camera& c, const glm::dvec3& p) {
 }  // namespace
 
 TEST_CASE("a_sight_is_where_the_camera_projects_the_point") {
-  for (const bool orthographic : {false, true}) {
-    const Camera c = camera(orthographic);
+  for (const Camera& c : {camera(false), camera(true)}) {
     const glm::vec3 p(0.4f, -0.3f, 0.7f);
     const glm::vec4 clip = c.projection(test::viewport) * c.view() * glm::vec4(p, 1);
     const glm::dvec2 expected{(0.5 + 0.5 * clip.x / clip.w) * 1000, (0.5 - 0.5 * clip.y / clip.w) * 800};
@@ -35,8 +34,7 @@ TEST_CASE("a_sight_is_where_the_camera_projects_the_point") {
 }
 
 TEST_CASE("motion_is_the_derivative_of_the_projection") {
-  for (const bool orthographic : {false, true}) {
-    const Camera c = camera(orthographic);
+  for (const Camera& c : {camera(false), camera(true)}) {
     const glm::dvec3 p(0.4, -0.3, 0.7);
     for (const auto& d : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0.6, 0, 0.8)}) {
       const glm::dvec2 expected = (pixel(c, p + 1e-4 * d) - pixel(c, p - 1e-4 * d)) / 2e-4;
@@ -46,8 +44,7 @@ TEST_CASE("motion_is_the_derivative_of_the_projection") {
 }
 
 TEST_CASE("a_place_on_an_axis_is_found_again_from_its_pixel") {
-  for (const bool orthographic : {false, true}) {
-    const Camera c = camera(orthographic);
+  for (const Camera& c : {camera(false), camera(true)}) {
     const glm::dvec3 p(0.4, -0.3, 0.7);
     const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
@@ -71,8 +68,7 @@ TEST_CASE("an_axis_that_points_at_the_eye_does_not_run_away") {
 }
 
 TEST_CASE("angles_about_an_axis_are_right_handed_and_true") {
-  for (const bool orthographic : {false, true}) {
-    const Camera c = camera(orthographic);
+  for (const Camera& c : {camera(false), camera(true)}) {
     const glm::dvec3 p(c.pose().target);
     const CursorProjection projection(p, c, test::viewport);
     for (const auto& axis : {glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)}) {
