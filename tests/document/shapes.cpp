@@ -114,6 +114,11 @@ struct BarFiles : test::TemporaryFolder {
   }
 };
 
+// A bar that is open, with two shapes in the list.
+struct BentBar : BarFiles {
+  BentBar() { open(), add_bends(); }
+};
+
 }  // namespace
 
 TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_lines") {
@@ -150,9 +155,7 @@ TEST_CASE("shapes_become_poses_that_sliders_mix_in_log_space_or_in_straight_line
 }
 
 TEST_CASE("an_edited_pose_stays_below_the_mix_of_shapes") {
-  BarFiles f;
-  f.open();
-  f.add_bends();
+  BentBar f;
   apply_pose(f.w, 1);
   const SharedShape by_hand = f.document().shape;
   REQUIRE(by_hand);
@@ -221,9 +224,7 @@ TEST_CASE("a_session_keeps_shapes_keys_and_pins_to_the_bit") {
 }
 
 TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go") {
-  BarFiles f;
-  f.open();
-  f.add_bends();
+  BentBar f;
   REQUIRE(f.weigh(0, 1));
   const SharedShape left = f.document().shape;
   REQUIRE(test::load_cage(f.w, f.cage_file()));
@@ -244,9 +245,7 @@ TEST_CASE("shapes_stay_when_the_model_gets_a_cage_and_poses_of_another_cage_go")
 }
 
 TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
-  BarFiles f;
-  f.open();
-  f.add_bends();
+  BentBar f;
   f.add_pin_at(67);
   set_key(f.document(), 1);
   f.document().frame = 21;
@@ -265,9 +264,7 @@ TEST_CASE("keys_with_shapes_play_and_a_pin_goes_with_its_vertex") {
 }
 
 TEST_CASE("pins_pose_the_model_by_its_shapes_and_undo_leads_back_to_the_bit") {
-  BarFiles f;
-  f.open();
-  f.add_bends();
+  BentBar f;
   for (const std::uint32_t v : {0u, 2u, 66u}) f.add_pin_at(v);
   f.add_pin_at(2);  // selects the existing pin
   REQUIRE(f.document().probes.all.size() == 3);
