@@ -121,10 +121,7 @@ TEST_CASE("beside_a_linear_piece_a_smooth_one_has_its_slope_and_beside_a_hold_it
 
 TEST_CASE("a_loop_whose_last_key_is_the_first_one_flows_through_it") {
   EasedKeys n;
-  n.add(1, 2);
-  n.add(5, 7);
-  n.add(16, 1);
-  n.add(22, 2);
+  for (const auto& [frame, value] : {std::pair(1, 2.0), {5, 7.0}, {16, 1.0}, {22, 2.0}}) n.add(frame, value);
   CHECK(n.slope(1, 1e-5) == doctest::Approx(n.slope(22, -1e-5)).epsilon(1e-4));
   CHECK(std::abs(n.slope(1, 1e-5)) > 0.1);
   n.timeline.repeat = Repeat::once;

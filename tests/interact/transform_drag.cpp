@@ -48,8 +48,7 @@ struct Drag {
     update();
   }
   mesh::Point moved(std::uint32_t v) const {
-    const auto &now = w.document.pose.positions[v], &rest = w.document.cage->surface.positions[v];
-    return {now[0] - rest[0], now[1] - rest[1], now[2] - rest[2]};
+    return w.document.pose.positions[v] - w.document.cage->surface.positions[v];
   }
 };
 
