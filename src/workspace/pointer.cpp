@@ -500,11 +500,8 @@ void Pointer::click(Workspace& w) {
 
 void Pointer::ask_for_menu(Workspace& w) {
   const auto hovered = w.view.interaction.hovered;
-  if (hovered && !w.document.selection.contains(*hovered)) {
-    document::Selection selection(w.document.selection.kind());
-    selection.apply(std::array{*hovered}, document::SelectMode::replace);
-    set_selection(w.document, std::move(selection));
-  }
+  if (hovered && !w.document.selection.contains(*hovered))
+    set_selection(w.document, document::Selection(w.document.selection.kind(), std::array{*hovered}));
   w.view.interaction.menu = press_;
 }
 
