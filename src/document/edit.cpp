@@ -32,10 +32,9 @@ bool differs_from_rest(const Document& document) {
   const auto acts = [](const deform::Probe& p) { return !p.locked && p.pose != deform::ProbePose{}; };
   if (document.shape || std::ranges::any_of(document.probes.all, acts)) return true;
   if (!document.has_cage()) return false;
-  const auto turned = [](const deform::Vec3& t) { return t[0] * t[0] + t[1] * t[1] + t[2] * t[2] > 1; };
-  const auto& turns = document.pose.turns;
+  const auto turned = [](const deform::Vec3& t) { return mesh::squared_norm(t) > 1; };
   return document.pose.positions != document.cage->surface.positions ||
-         std::any_of(turns.begin(), turns.end(), turned);
+         std::ranges::any_of(document.pose.turns, turned);
 }
 
 void reset_pose(Document& document) {
