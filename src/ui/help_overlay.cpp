@@ -72,13 +72,6 @@ namespace {
 
 constexpr float list_width = 620, keys_width = 170, back_width = 64, mouse_width = 220;
 
-// The preset without user changes.
-workspace::Keymap plain_preset(const workspace::Keymap& keymap) {
-  workspace::Keymap plain;
-  plain.set_preset(keymap.preset());
-  return plain;
-}
-
 void key_of_command(const Context& ui, const workspace::Command& command) {
   workspace::Workspace& w = ui.workspace;
   const std::string name(command.name), keys = workspace::text(w.preferences.keymap.of(command));
@@ -134,7 +127,8 @@ void mouse_rows(const Context& ui) {
 // Lists all commands by menu, or the matches of the search with the best match first.
 void key_rows(const Context& ui) {
   const std::string& typed = ui.workspace.panels.key_list.typed;
-  const workspace::Keymap plain = plain_preset(ui.workspace.preferences.keymap);
+  workspace::Keymap plain;  // the preset without user changes
+  plain.set_preset(ui.workspace.preferences.keymap.preset());
   if (typed.empty()) {
     for (const workspace::Menu& menu : workspace::menus()) {
       heading(ui, std::string(menu.title).c_str());
