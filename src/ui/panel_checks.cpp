@@ -14,8 +14,7 @@ constexpr std::size_t named = 6;  // elements listed in a card
 constexpr float inset = 10;
 
 std::size_t mattering(const workspace::CheckState& checks) {
-  return static_cast<std::size_t>(
-      std::count_if(checks.findings.begin(), checks.findings.end(), document::matters));
+  return static_cast<std::size_t>(std::ranges::count_if(checks.findings, document::matters));
 }
 
 // "2 problems" or "no problems", visible while the section is closed.
@@ -31,17 +30,15 @@ float wrapped_height(const std::string& text, float width) {
   return ImGui::CalcTextSize(text.c_str(), nullptr, false, width).y;
 }
 
-std::string elements_text(const document::Finding& finding) {
-  return document::element_name(finding.kind) + ' ' + document::first_elements(finding, named);
-}
-
 // Draws title, explanation and first elements of a finding. A click shows the elements in the view.
 void finding_card(const Context& ui, std::size_t index) {
   auto& checks = ui.workspace.checks;
   const document::Finding& finding = checks.findings[index];
   const bool shown = checks.shown == index;
   const float width = ImGui::GetContentRegionAvail().x, wrap = width - 2 * inset;
-  const std::string means = wrapped(document::meaning(finding), wrap), elements = elements_text(finding);
+  const std::string means = wrapped(document::meaning(finding), wrap);
+  const std::string elements =
+      document::element_name(finding.kind) + ' ' + document::first_elements(finding, named);
   const float line = ImGui::GetTextLineHeightWithSpacing();
   const float middle = wrapped_height(means, wrap);
   ImGui::PushFont(ui.fonts.numbers);

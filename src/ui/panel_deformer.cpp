@@ -20,7 +20,6 @@ namespace {
 using document::entry;
 
 constexpr float chooser_label = 84;
-constexpr const char* custom = "Custom";
 
 // Lists the settings that `next` would change, except the setting `chosen`. Adds the memory for binding.
 std::string consequences(const workspace::Workspace& w, const document::Scheme& next,
@@ -56,7 +55,7 @@ void chooser(const Context& ui, const char* name, const char* label, std::span<c
   if (*label) row_label(label, chooser_label);
   ImGui::SetNextItemWidth(-1);
   const std::string id = std::string("##") + name;
-  const char* shown = chosen ? entry(*chosen).label.data() : custom;
+  const char* shown = chosen ? entry(*chosen).label.data() : "Custom";
   const bool open = ImGui::BeginCombo(id.c_str(), shown, ImGuiComboFlags_HeightLarge);
   record(ui, name);
   if (!open && !chosen)
