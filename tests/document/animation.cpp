@@ -54,10 +54,7 @@ TEST_CASE("a_sheared_cage_with_a_whole_turn_from_key_to_key_goes_round") {
   turned.turns[0] = {0, 0, 2 * std::numbers::pi};
   const Animation a = k.animation(two_keys(sheared, turned));
   for (const double degrees : {36.0, 90.0, 180.0, 288.0}) {
-    auto expected = sheared.positions;
-    const double c = std::cos(degrees / 180 * std::numbers::pi),
-                 s = std::sin(degrees / 180 * std::numbers::pi);
-    for (auto& p : expected) p = {c * p[0] - s * p[1], s * p[0] + c * p[1], p[2]};
+    const auto expected = test::turned(sheared.positions, degrees);
     CHECK(distance(a.at(1 + degrees / 36).cage.positions, expected) < 1e-12);
   }
 }
