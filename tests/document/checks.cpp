@@ -8,6 +8,7 @@
 #include "deform/cage_state.h"
 #include "mesh/triangulation.h"
 #include "support/cube.h"
+#include "support/shapes.h"
 #include "support/text.h"
 #include "workspace/workspace.h"
 
@@ -21,10 +22,7 @@ using List = std::vector<std::uint32_t>;
 using Edges = std::vector<mesh::Edge>;
 
 OpenedSurface opened(mesh::Surface surface) {
-  OpenedSurface result;
-  result.summary = mesh::summarize(surface);
-  result.surface = std::make_shared<const mesh::Surface>(std::move(surface));
-  return result;
+  return generated_surface(std::move(surface), "");
 }
 
 std::vector<Finding> check_in(mesh::Surface cage, mesh::Surface model = test::cube(1)) {
@@ -45,16 +43,12 @@ void check_only(const std::vector<Finding>& found, Defect defect, Subject subjec
 
 deform::Cage cage_of(int cubes) {
   mesh::Surface surface = test::cube(1);
-  const auto positions = surface.positions;
-  const auto triangles = surface.triangles;
   for (int i = 1; i < cubes; ++i) {
-    for (auto p : positions) surface.positions.push_back({p[0] + 5 * i, p[1], p[2]});
-    for (auto t : triangles) {
-      for (auto& v : t) v += static_cast<std::uint32_t>(8 * i);
-      surface.triangles.push_back(t);
-    }
+    mesh::Surface other = test::cube(1);
+    for (auto& p : other.positions) p[0] += 5 * i;
+    surface = test::both(surface, other);
   }
-  return deform::make_cage(mesh::from_triangles(surface.positions, surface.triangles));
+  return deform::make_cage(surface);
 }
 
 // Returns the messages about a pose: `map` is applied to the first `mapped` vertices.
@@ -113,8 +107,7 @@ TEST_CASE("a_face_without_area_and_a_thin_one_are_named") {
     triangles.push_back({1, 8, 3});
     const auto found = check_in(with_triangles(s, triangles));
     const auto defect = beside > 0 ? Defect::thin : Defect::degenerate;
-    const auto at =
-        std::find_if(found.begin(), found.end(), [&](const auto& f) { return f.defect == defect; });
+    const auto at = std::ranges::find(found, defect, &Finding::defect);
     REQUIRE(at != found.end());
     CHECK(at->elements == List{12});
   }
@@ -173,8 +166,7 @@ TEST_CASE("faces_are_polygons_and_not_their_triangles") {
   mesh::triangulate(s);
   s.positions[5] = s.positions[4];
   const auto found = check_model(s, mesh::summarize(s));
-  const auto named =
-      std::find_if(found.begin(), found.end(), [](const auto& f) { return f.defect == Defect::degenerate; });
+  const auto named = std::ranges::find(found, Defect::degenerate, &Finding::defect);
   REQUIRE(named != found.end());
   CHECK(named->elements == List{1});
   CHECK(vertices_of(*named, s, 0) == List{1, 4, 5, 6, 2});
