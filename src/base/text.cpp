@@ -49,15 +49,11 @@ std::string printable(std::string_view text, std::size_t most) {
   return visible(text.substr(0, head)) + " ... " + visible(text.substr(tail));
 }
 
-namespace {
-
 std::string print(const char* format, double value) {
   char text[400];  // enough for every double without exponent
   std::snprintf(text, sizeof text, format, value);
   return text;
 }
-
-}  // namespace
 
 std::string with_thousands(std::size_t n) {
   std::string digits = std::to_string(n);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/text.h"
 #include "document/elements.h"
 #include "document/record.h"
 #include "interact/gizmo.h"
@@ -30,11 +30,11 @@ double snapped(double value, double per_unit) {
   return std::round(value * per_unit) / per_unit;
 }
 
+// Prints no minus sign before zero.
 std::string print(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  const bool zero = std::string(text).find_first_not_of("-0.") == std::string::npos;
-  return zero && text[0] == '-' ? text + 1 : text;
+  const std::string text = base::print(format, value);
+  const bool zero = text.find_first_not_of("-0.") == std::string::npos;
+  return zero && text[0] == '-' ? text.substr(1) : text;
 }
 
 std::string length_text(double value, double cell) {

@@ -1,15 +1,8 @@
 #include "ui/format.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace viete::ui {
-
-std::string print(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 std::string error(double relative) {
   if (std::isnan(relative)) return "NaN";

@@ -10,13 +10,12 @@ namespace viete::ui {
 
 using base::milliseconds;
 using base::nanoseconds;
+using base::print;
 
 /// For example "50,000".
 inline std::string count(std::size_t n) {
   return base::with_thousands(n);
 }
-/// The value in a format of printf.
-std::string print(const char* format, double value);
 /// For example "3.1e-16". Exactly 0 gives "0", NaN gives "NaN".
 std::string error(double relative);
 /// With one digit, for example "3e-16".

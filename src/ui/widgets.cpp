@@ -3,10 +3,10 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <utility>
 
+#include "base/text.h"
 #include "document/edit.h"
 #include "interact/number_entry.h"
 #include "ui/imgui_bridge.h"
@@ -24,13 +24,11 @@ const workspace::Command& require(std::string_view name) {
 
 // Prints as many digits as fit into `room`, from 5 down to 2. If even 2 digits do not fit, prints 5 digits.
 std::string printed(double value, float room) {
-  char text[64];
   for (int digits = 5; digits > 1; --digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (ImGui::CalcTextSize(text).x <= room) return text;
+    const std::string text = base::print(("%." + std::to_string(digits) + "g").c_str(), value);
+    if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
   }
-  std::snprintf(text, sizeof text, "%.5g", value);
-  return text;
+  return base::print("%.5g", value);
 }
 
 int filter_number(ImGuiInputTextCallbackData* data) {
