@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
+#include "base/text.h"
 #include "sym3/eigenvalues.h"
 #include "sym3/reference.h"
 
@@ -295,17 +295,10 @@ void fit_counts(std::span<const float> values, FieldStats& stats) {
 
 std::string text(Field field, double value) {
   const FieldEntry& e = entry(field);
-  char made[32];
-  if (e.scale == Scale::log10) {
-    std::snprintf(made, sizeof made, "%.1e", std::pow(10, value));
-  } else if (e.scale == Scale::log2) {
-    std::snprintf(made, sizeof made, "%.3g x", std::exp2(value));
-  } else if (field == Field::turn) {
-    std::snprintf(made, sizeof made, "%.3g\u00b0", value);
-  } else {
-    std::snprintf(made, sizeof made, "%.3g %%", 100 * value);
-  }
-  return made;
+  if (e.scale == Scale::log10) return base::formatted("%.1e", std::pow(10, value));
+  if (e.scale == Scale::log2) return base::formatted("%.3g x", std::exp2(value));
+  if (field == Field::turn) return base::formatted("%.3g\u00b0", value);
+  return base::formatted("%.3g %%", 100 * value);
 }
 
 }  // namespace viete::analysis

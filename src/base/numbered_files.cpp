@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdio>
 #include <string_view>
 #include <utility>
 
 #include "base/error.h"
+#include "base/text.h"
 
 namespace viete::base {
 
@@ -70,9 +70,7 @@ std::optional<NumberedName> NumberedName::of_file(const fs::path& file) {
 }
 
 fs::path NumberedName::file(std::int64_t number) const {
-  char text[32];
-  std::snprintf(text, sizeof text, "%0*lld", digits_, static_cast<long long>(number));
-  return folder_ / (before_ + text + after_);
+  return folder_ / (before_ + formatted("%0*lld", digits_, static_cast<long long>(number)) + after_);
 }
 
 std::optional<std::int64_t> NumberedName::number(const std::string& name) const {

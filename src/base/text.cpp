@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdarg>
 #include <cstdio>
 
 namespace viete::base {
@@ -49,9 +50,12 @@ std::string printable(std::string_view text, std::size_t most) {
   return visible(text.substr(0, head)) + " ... " + visible(text.substr(tail));
 }
 
-std::string print(const char* format, double value) {
-  char text[400];  // enough for every double without exponent
-  std::snprintf(text, sizeof text, format, value);
+std::string formatted(const char* format, ...) {
+  char text[512];  // enough for every double without exponent
+  va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(text, sizeof text, format, arguments);
+  va_end(arguments);
   return text;
 }
 
@@ -67,13 +71,13 @@ std::string counted(std::size_t count, const std::string& noun) {
 
 std::string memory_size(double bytes) {
   const double megabytes = std::max(1.0, bytes * 1e-6);
-  return megabytes < 999.5 ? print("%.0f MB", megabytes) : print("%.1f GB", megabytes * 1e-3);
+  return megabytes < 999.5 ? formatted("%.0f MB", megabytes) : formatted("%.1f GB", megabytes * 1e-3);
 }
 
 std::string few_digits(double value) {
   const double a = std::abs(value);
-  if (a < 9.995) return print("%.2f", value);
-  return print(a < 99.95 ? "%.1f" : "%.0f", value);
+  if (a < 9.995) return formatted("%.2f", value);
+  return formatted(a < 99.95 ? "%.1f" : "%.0f", value);
 }
 
 std::string milliseconds(double ms) {

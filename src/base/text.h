@@ -12,8 +12,8 @@ namespace viete::base {
 /// replaces its middle.
 std::string printable(std::string_view text, std::size_t most = 2000);
 
-/// Returns the value in a format of printf, such as "%.2f".
-std::string print(const char* format, double value);
+/// Formats as printf() does. The result has at most 511 bytes.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...);
 /// Returns text such as "50,000".
 std::string with_thousands(std::size_t n);
 /// Returns text such as "1 face" or "3 faces".

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <vector>
 
+#include "base/text.h"
 #include "bench/ensembles.h"
 #include "bench/exp.h"
 #include "sym3/reference.h"
@@ -47,17 +47,12 @@ struct Plan {
   std::vector<Ensemble> ensembles;
 };
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 template <class Make>
 Plan by_value(std::string title, std::string by, const std::vector<double>& values, Make make) {
   Plan plan = {std::move(title), std::move(by), {}};
   for (const double v : values) {
-    plan.ensembles.push_back({short_number(v), v, [make, v](std::size_t count) { return make(v, count); }});
+    plan.ensembles.push_back(
+        {base::formatted("%.3g", v), v, [make, v](std::size_t count) { return make(v, count); }});
   }
   return plan;
 }

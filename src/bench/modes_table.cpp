@@ -61,9 +61,7 @@ constexpr Summary summaries[] = {{"volume", &ShapeQuality::volume, &OverPoses::l
                                  {"x mvc", &ShapeQuality::torn_ratio, &OverPoses::most, "%.2f"}};
 
 std::string cell(double value, const char* format) {
-  char text[32] = "-";
-  if (!std::isnan(value)) std::snprintf(text, sizeof text, format, value);
-  return text;
+  return std::isnan(value) ? "-" : base::formatted(format, value);
 }
 
 std::string name_of(const Mode& mode) {

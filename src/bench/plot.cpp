@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdarg>
-#include <cstdio>
 
 #include "base/text.h"
 #include "bench/table.h"
@@ -11,18 +9,7 @@
 
 namespace viete::bench {
 
-namespace {
-
-[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...) {
-  char text[512];
-  va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(text, sizeof text, format, arguments);
-  va_end(arguments);
-  return text;
-}
-
-}  // namespace
+using base::formatted;
 
 std::string escaped(std::string_view text) {
   std::string result;
@@ -93,7 +80,6 @@ constexpr double plot_width = 400, letter = 7.7;  // `letter`: assumed width of 
 constexpr const char *faint = "#6b7785", *rule = "#e4e8ec";
 
 std::string count_text(double count) {
-  char text[32];
   if (count > 0 && count < 5e-3) {  // a power of ten with superscripts
     constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
                                       "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
@@ -101,14 +87,8 @@ std::string count_text(double count) {
     for (const char digit : std::to_string(std::lround(-std::log10(count)))) power += raised[digit - '0'];
     return power;
   }
-  if (count >= 1e6) {
-    std::snprintf(text, sizeof text, "%g M", count / 1e6);
-  } else if (count >= 1e3) {
-    std::snprintf(text, sizeof text, "%g k", count / 1e3);
-  } else {
-    std::snprintf(text, sizeof text, "%g", count);
-  }
-  return text;
+  if (count >= 1e6) return formatted("%g M", count / 1e6);
+  return count >= 1e3 ? formatted("%g k", count / 1e3) : formatted("%g", count);
 }
 
 struct Area {

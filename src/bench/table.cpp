@@ -80,9 +80,7 @@ Table times_table(const std::vector<BenchResult>& results, const std::string& un
 }
 
 std::string error_text(double error) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1e", error);
-  std::string result = text;
+  std::string result = base::formatted("%.1e", error);
   if (const auto zero = result.find("e-0"); zero != result.npos) result.erase(zero + 2, 1);
   return result;
 }

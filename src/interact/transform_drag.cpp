@@ -32,7 +32,7 @@ double snapped(double value, double per_unit) {
 
 // Prints no minus sign before zero.
 std::string print(const char* format, double value) {
-  const std::string text = base::print(format, value);
+  const std::string text = base::formatted(format, value);
   const bool zero = text.find_first_not_of("-0.") == std::string::npos;
   return zero && text[0] == '-' ? text.substr(1) : text;
 }

@@ -1,7 +1,6 @@
 // Converts and checks the arguments of deform.h. Runs long work with a Watch.
 #pragma once
 
-#include <cstdio>
 #include <span>
 #include <string>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "base/background.h"
 #include "base/error.h"
 #include "base/progress.h"
+#include "base/text.h"
 #include "library/deform.h"
 #include "mesh/surface.h"
 
@@ -37,9 +37,7 @@ std::vector<mesh::Point> deformable_points(std::span<const double> numbers, std:
 void check_finite(std::span<const mesh::Point> points, const char* what, const char* advice);
 
 inline std::string plain(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  return base::formatted("%.6g", value);
 }
 
 /// Returns the table's value for this name. If the name is not valid, throws base::Error with all names.

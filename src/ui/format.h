@@ -10,7 +10,7 @@ namespace viete::ui {
 
 using base::milliseconds;
 using base::nanoseconds;
-using base::print;
+using base::formatted;
 
 /// For example "50,000".
 inline std::string count(std::size_t n) {

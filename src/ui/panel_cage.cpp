@@ -88,7 +88,7 @@ void triangles(const Context& ui, document::CageWish& wish) {
 }
 
 std::string percent(double share) {
-  return print(share < 0.00995 ? "%.2f %%" : "%.1f %%", 100 * share);
+  return formatted(share < 0.00995 ? "%.2f %%" : "%.1f %%", 100 * share);
 }
 
 void share(const Context& ui, const char* text, const char* name, double& share, double least, double most,

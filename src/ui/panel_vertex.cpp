@@ -19,7 +19,7 @@ using workspace::VertexView;
 constexpr std::size_t most_bars = 8;
 
 std::string weight_text(double share) {
-  return print("%.1f %%", 100 * share);
+  return formatted("%.1f %%", 100 * share);
 }
 
 // The total weight of the terms that have no bar.
@@ -81,7 +81,7 @@ void partial_sums(const Context& ui, const VertexView& view) {
     const ImU32 color = ui.colors.axis[2 - k];
     draw.AddPolyline(line.data(), static_cast<int>(line.size()), color, 0, 1.75f);
     draw.AddCircleFilled(line.back(), 3, color);
-    const std::string text = print("%+.4f", view.terms.back().eigenvalues[k]);
+    const std::string text = formatted("%+.4f", view.terms.back().eigenvalues[k]);
     ImGui::PushFont(ui.fonts.numbers);
     last_text = std::max(line.back().y - 7, last_text + 15);
     draw.AddText({at.x + wide + 8, last_text}, color, text.c_str());
@@ -119,7 +119,7 @@ void panel_vertex(const Context& ui) {
   if (!view.has_logs) return note(ui, "This blend uses no logarithms.");
   note(ui, "Eigenvalues of the sum after each term", ui.colors.text);
   partial_sums(ui, view);
-  value_row(ui, "Rotation angle", print("%.2f\u00b0", view.degrees));
+  value_row(ui, "Rotation angle", formatted("%.2f\u00b0", view.degrees));
   note(ui, "Exponential of the sum", ui.colors.text);
   ways(ui, view);
 }

@@ -25,10 +25,10 @@ const workspace::Command& require(std::string_view name) {
 // Prints as many digits as fit into `room`, from 5 down to 2. If even 2 digits do not fit, prints 5 digits.
 std::string printed(double value, float room) {
   for (int digits = 5; digits > 1; --digits) {
-    const std::string text = base::print(("%." + std::to_string(digits) + "g").c_str(), value);
+    const std::string text = base::formatted(("%." + std::to_string(digits) + "g").c_str(), value);
     if (ImGui::CalcTextSize(text.c_str()).x <= room) return text;
   }
-  return base::print("%.5g", value);
+  return base::formatted("%.5g", value);
 }
 
 int filter_number(ImGuiInputTextCallbackData* data) {
