@@ -38,10 +38,13 @@ void run_batch(const RangeTask& task, std::size_t count, std::size_t bytes, bool
 
 const Kernel& kernel_of(const Batch& batch);
 
-/// Calls a function of the active kernel for one item. `which` is a member of KernelFunctions.
-template <class T, class F, class... More>
-void call_one(const F* KernelFunctions<T>::*which, const T* in, T* out, const More&... more) {
-  (functions<T>(kernel()).*which)->one(in, out, more...);
+/// Calls a function of the active kernel for one item. `which` is a member of KernelFunctions. The kernel
+/// writes the result, of type Out, as contiguous numbers.
+template <class Out, class T, class F, class... More>
+Out call_one(const F* KernelFunctions<T>::*which, const T* in, const More&... more) {
+  Out out;
+  (functions<T>(kernel()).*which)->one(in, reinterpret_cast<T*>(&out), more...);
+  return out;
 }
 
 template <class T, int N, int M, class F, class... More>

@@ -21,13 +21,6 @@ Sym3<T> one_derivative(Of f, double p, const Sym3<T>& s, const Sym3<T>& directio
 }
 
 template <class T>
-Tangent<T> one_tangent(Of f, double p, const Sym3<T>& s) {
-  Tangent<T> out;
-  call_one(&KernelFunctions<T>::tangent, &s.xx, &out[0].xx, f, p);
-  return out;
-}
-
-template <class T>
 void many_derivatives(Of f, double p, const SymView<const T>& s, Directions<T> directions, Derivatives<T> out,
                       std::size_t count, const Batch& batch) {
   assert(directions.size() == out.size());
@@ -59,7 +52,7 @@ void many_derivatives(Of f, double p, const SymView<const T>& s, Directions<T> d
   }                                                                                                  \
   template <class T>                                                                                 \
   Tangent<T> name##_tangent(const Sym3<T>& s __VA_OPT__(, ) __VA_ARGS__) {                           \
-    return one_tangent(Of::name, p, s);                                                              \
+    return call_one<Tangent<T>>(&KernelFunctions<T>::tangent, &s.xx, Of::name, double(p));           \
   }                                                                                                  \
   VIETE_FOR(float, name, p __VA_OPT__(, ) __VA_ARGS__)                                               \
   VIETE_FOR(double, name, p __VA_OPT__(, ) __VA_ARGS__)

@@ -26,9 +26,7 @@ static_assert(std::is_standard_layout_v<Sym3<double>> && std::is_standard_layout
 
 template <class T>
 Sym3<T> exp_fast(const Sym3<T>& s) {
-  Sym3<T> out;
-  call_one(&KernelFunctions<T>::exp, &s.xx, &out.xx);
-  return out;
+  return call_one<Sym3<T>>(&KernelFunctions<T>::exp, &s.xx);
 }
 
 template <class T>

@@ -135,9 +135,7 @@ std::array<T, 3> eigenvalues_viete(const Sym3<T>& s) {
 
 template <class T>
 std::array<T, 3> eigenvalues(const Sym3<T>& s) {
-  T out[3];
-  call_one(&KernelFunctions<T>::eigenvalues, &s.xx, out);
-  return {out[0], out[1], out[2]};
+  return call_one<std::array<T, 3>>(&KernelFunctions<T>::eigenvalues, &s.xx);
 }
 
 template <class T>

@@ -12,30 +12,22 @@ namespace viete::sym3 {
 
 template <class T>
 Sym3<T> log(const Sym3<T>& s) {
-  Sym3<T> out;
-  call_one(&KernelFunctions<T>::log, &s.xx, &out.xx);
-  return out;
+  return call_one<Sym3<T>>(&KernelFunctions<T>::log, &s.xx);
 }
 
 template <class T>
 Sym3<T> sqrt(const Sym3<T>& s) {
-  Sym3<T> out;
-  call_one(&KernelFunctions<T>::sqrt, &s.xx, &out.xx);
-  return out;
+  return call_one<Sym3<T>>(&KernelFunctions<T>::sqrt, &s.xx);
 }
 
 template <class T>
 Sym3<T> inv_sqrt(const Sym3<T>& s) {
-  Sym3<T> out;
-  call_one(&KernelFunctions<T>::inv_sqrt, &s.xx, &out.xx);
-  return out;
+  return call_one<Sym3<T>>(&KernelFunctions<T>::inv_sqrt, &s.xx);
 }
 
 template <class T>
 Sym3<T> pow(const Sym3<T>& s, double p) {
-  Sym3<T> out;
-  call_one(&KernelFunctions<T>::pow, &s.xx, &out.xx, p);
-  return out;
+  return call_one<Sym3<T>>(&KernelFunctions<T>::pow, &s.xx, p);
 }
 
 #define VIETE_FOR(T)                                                                                        \

@@ -12,9 +12,7 @@ static_assert(std::is_standard_layout_v<Polar<double>> && std::is_standard_layou
 
 template <class T>
 Polar<T> polar(const Mat3<T>& m) {
-  Polar<T> p;
-  call_one(&KernelFunctions<T>::polar, m.data(), p.rotation.data());
-  return p;
+  return call_one<Polar<T>>(&KernelFunctions<T>::polar, m.data());
 }
 
 #define VIETE_FOR(T)                                                                               \

@@ -27,16 +27,12 @@ void any_half_angle(const T* w, T* cosine_and_sine) {
 
 template <class T>
 Mat3<T> exp_rotation(const Vec3<T>& w) {
-  Mat3<T> r;
-  call_one(&KernelFunctions<T>::exp_rotation, w.data(), r.data());
-  return r;
+  return call_one<Mat3<T>>(&KernelFunctions<T>::exp_rotation, w.data());
 }
 
 template <class T>
 Vec3<T> log_rotation(const Mat3<T>& r) {
-  Vec3<T> w;
-  call_one(&KernelFunctions<T>::log_rotation, r.data(), w.data());
-  return w;
+  return call_one<Vec3<T>>(&KernelFunctions<T>::log_rotation, r.data());
 }
 
 #define VIETE_FOR(T)                                                                      \
