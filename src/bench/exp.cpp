@@ -52,14 +52,6 @@ const ExpMethod methods[] = {
     by_method<Method::fast>(),
 };
 
-}  // namespace
-
-std::span<const ExpMethod> exp_methods() {
-  return methods;
-}
-
-namespace {
-
 using sym3::Layout;
 
 constexpr std::array layouts = {Layout::planes, Layout::packed, Layout::full};
@@ -124,7 +116,20 @@ std::string shown_name(const std::string& name) {
   return method ? std::string(sym3::label(*method)) : name;
 }
 
+const char* precision(const ExpBench& bench) {
+  return bench.in_float ? "float" : "double";
+}
+
+const char* layout_name(Layout layout) {
+  constexpr const char* names[] = {"planes", "packed", "full"};
+  return names[static_cast<std::size_t>(layout)];
+}
+
 }  // namespace
+
+std::span<const ExpMethod> exp_methods() {
+  return methods;
+}
 
 LayoutResult measure_layout(sym3::Layout layout, std::size_t count, bool in_float, base::Progress& progress) {
   return in_float ? time_layout(ensembles::paper_ensemble<float>(distinct), layout, count, progress)
@@ -143,19 +148,6 @@ std::vector<BenchResult> labelled_times(const ExpBench& bench) {
   times.push_back({"Fast, in cache", best_in_cache(bench)});
   return times;
 }
-
-namespace {
-
-const char* precision(const ExpBench& bench) {
-  return bench.in_float ? "float" : "double";
-}
-
-const char* layout_name(Layout layout) {
-  constexpr const char* names[] = {"planes", "packed", "full"};
-  return names[static_cast<std::size_t>(layout)];
-}
-
-}  // namespace
 
 Table layouts_table(const ExpBench& bench) {
   Table table{{"layout", "matrices", "Fast, ns", "copy, ns", "Diag, ns", "Improved SD, ns"}, {}};

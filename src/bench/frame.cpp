@@ -67,32 +67,6 @@ std::string at(const char* name, std::size_t faces) {
   return std::string(name) + ", " + std::to_string(faces) + " faces";
 }
 
-}  // namespace
-
-void check_frame(std::span<const FrameTime> times, Bars& bars) {
-  for (const RatioBar& r : ratio_bars) {
-    const auto *over = frame_of(times, r.over, r.over_faces),
-               *under = frame_of(times, r.under, r.under_faces, r.threaded);
-    if (over && under)
-      bars.check(
-          at(r.over, r.over_faces) + " / " + at(r.under, r.under_faces) + (r.threaded ? ", all threads" : ""),
-          over->cpu_ms / under->cpu_ms, r.bar, r.at_least);
-  }
-  for (const auto& [name, bar] :
-       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
-    double error = -1;
-    for (const FrameTime& t : times)
-      if (t.name == name) error = std::fmax(error, t.error);
-    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
-  }
-  const auto *full = frame_of(times, dense, 300), *small = frame_of(times, compressed, 300);
-  if (full && small)
-    bars.check("bytes, compressed / dense, 300 faces",
-               static_cast<double>(small->bytes) / static_cast<double>(full->bytes), 0.25, false);
-}
-
-namespace {
-
 struct Case {
   std::string name;
   base::WorkerPool* pool;
@@ -313,6 +287,28 @@ std::vector<FrameTime> measure_frames(const ModelOptions& options, base::Progres
     all.insert(all.end(), times.begin(), times.end());
   }
   return all;
+}
+
+void check_frame(std::span<const FrameTime> times, Bars& bars) {
+  for (const RatioBar& r : ratio_bars) {
+    const auto *over = frame_of(times, r.over, r.over_faces),
+               *under = frame_of(times, r.under, r.under_faces, r.threaded);
+    if (over && under)
+      bars.check(
+          at(r.over, r.over_faces) + " / " + at(r.under, r.under_faces) + (r.threaded ? ", all threads" : ""),
+          over->cpu_ms / under->cpu_ms, r.bar, r.at_least);
+  }
+  for (const auto& [name, bar] :
+       {std::pair{dense, 1e-6}, {dragged, 2e-5}, {staged_fast, 1e-13}, {compressed, 2e-5}}) {
+    double error = -1;
+    for (const FrameTime& t : times)
+      if (t.name == name) error = std::fmax(error, t.error);
+    if (error >= 0) bars.check(std::string(name) + ": error in diagonals", error, bar, false);
+  }
+  const auto *full = frame_of(times, dense, 300), *small = frame_of(times, compressed, 300);
+  if (full && small)
+    bars.check("bytes, compressed / dense, 300 faces",
+               static_cast<double>(small->bytes) / static_cast<double>(full->bytes), 0.25, false);
 }
 
 nlohmann::json to_json(std::span<const FrameTime> times) {

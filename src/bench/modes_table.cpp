@@ -139,19 +139,6 @@ nlohmann::json to_json(const Mode& mode, std::span<const NamedPose> poses) {
   return json;
 }
 
-}  // namespace
-
-OverPoses over_poses(const Mode& mode, double ShapeQuality::*value) {
-  std::vector<double> values;
-  for (const ShapeQuality& q : mode.qualities) values.push_back(q.*value);
-  std::erase_if(values, [](double v) { return std::isnan(v); });
-  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
-  std::sort(values.begin(), values.end());
-  return {values.front(), values[values.size() / 2], values.back()};
-}
-
-namespace {
-
 void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
   print_modes("independent of the poses",
               {"", "moved", "rigid", "similar", "affine", "leak", "frame", "bind"}, compared.modes,
@@ -175,6 +162,15 @@ void print(const ModeComparison& compared, std::span<const NamedPose> poses) {
 }
 
 }  // namespace
+
+OverPoses over_poses(const Mode& mode, double ShapeQuality::*value) {
+  std::vector<double> values;
+  for (const ShapeQuality& q : mode.qualities) values.push_back(q.*value);
+  std::erase_if(values, [](double v) { return std::isnan(v); });
+  if (values.empty()) return {std::nan(""), std::nan(""), std::nan("")};
+  std::sort(values.begin(), values.end());
+  return {values.front(), values[values.size() / 2], values.back()};
+}
 
 nlohmann::json to_json(const ModeComparison& compared, std::span<const NamedPose> poses) {
   nlohmann::json results = nlohmann::json::array();

@@ -63,28 +63,6 @@ std::string system_name() {
   return std::string(names.sysname) + " " + names.release + ", " + names.machine;
 }
 
-}  // namespace
-
-Made made_here(const std::string& command, double seconds) {
-  const double bytes =
-      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
-  std::string processor = processor_name();
-  if (processor.empty()) processor = "an unnamed processor";
-  processor += ", " + base::counted(std::thread::hardware_concurrency(), "thread");
-  const std::string date = date_now();
-  return {date,
-          processor,
-          {{"Computer", processor},
-           {"Memory", base::memory_size(bytes)},
-           {"System", system_name()},
-           {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
-           {"Kernel of the vector code", std::string(sym3::kernel_name())},
-           {"Measured", date + ", in " + base::few_digits(seconds) + " s"},
-           {"Command", command}}};
-}
-
-namespace {
-
 constexpr const char* page_style = R"(
 :root{color-scheme:light;--paper:#fff;--ink:#1f2933;--faint:#5b6673;--rule:#e4e8ec;--wash:#f5f7f9;--ours:#0072b2}
 *{box-sizing:border-box}
@@ -190,6 +168,24 @@ std::string footer(const Made& made, const nlohmann::json& json) {
 }
 
 }  // namespace
+
+Made made_here(const std::string& command, double seconds) {
+  const double bytes =
+      static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+  std::string processor = processor_name();
+  if (processor.empty()) processor = "an unnamed processor";
+  processor += ", " + base::counted(std::thread::hardware_concurrency(), "thread");
+  const std::string date = date_now();
+  return {date,
+          processor,
+          {{"Computer", processor},
+           {"Memory", base::memory_size(bytes)},
+           {"System", system_name()},
+           {"Program", std::string("viete ") + app::version() + ", " + app::build_type()},
+           {"Kernel of the vector code", std::string(sym3::kernel_name())},
+           {"Measured", date + ", in " + base::few_digits(seconds) + " s"},
+           {"Command", command}}};
+}
 
 nlohmann::json report_json(const Figures& figures, const Made& made) {
   nlohmann::json json = to_json(figures);
