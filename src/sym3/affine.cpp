@@ -31,37 +31,6 @@ AffineLog added(const AffineLog& a, double s, const AffineLog& b) {
   return {plus(a.linear, s, b.linear), plus(a.translation, s, b.translation)};
 }
 
-}  // namespace
-
-Affine operator*(const Affine& a, const Affine& b) {
-  return {product(a.linear, b.linear), plus(product(a.linear, b.translation), 1, a.translation)};
-}
-
-Affine inverse(const Affine& a) {
-  return from(a, {});
-}
-
-AffineLog log_affine(const Affine& map) {
-  const Mat3<double> l = log_general(map.linear);
-  return {l, inverse_phi_times(l, {}, map.translation)};
-}
-
-AffineLog log_affine(const Affine& map, const Vec3<double>& near) {
-  const Mat3<double> l = log_near(map.linear, near);
-  return {l, inverse_phi_times(l, turn_of({l, {}}), map.translation)};
-}
-
-Affine exp_affine(const AffineLog& log) {
-  return {exp_general(log.linear), phi_times(log.linear, log.translation)};
-}
-
-Vec3<double> turn_of(const AffineLog& log) {
-  const Mat3<double>& l = log.linear;
-  return {(l[7] - l[5]) / 2, (l[2] - l[6]) / 2, (l[3] - l[1]) / 2};
-}
-
-namespace {
-
 // Returns the binary exponent of the largest absolute weight. If this weight is 0 or not finite, returns 0.
 int exponent_of(std::span<const double> weights) {
   double largest = 0;
@@ -97,6 +66,33 @@ AffineLog sum_of_terms(std::span<const double> weights, const LogOf& log_of) {
 }
 
 }  // namespace
+
+Affine operator*(const Affine& a, const Affine& b) {
+  return {product(a.linear, b.linear), plus(product(a.linear, b.translation), 1, a.translation)};
+}
+
+Affine inverse(const Affine& a) {
+  return from(a, {});
+}
+
+AffineLog log_affine(const Affine& map) {
+  const Mat3<double> l = log_general(map.linear);
+  return {l, inverse_phi_times(l, {}, map.translation)};
+}
+
+AffineLog log_affine(const Affine& map, const Vec3<double>& near) {
+  const Mat3<double> l = log_near(map.linear, near);
+  return {l, inverse_phi_times(l, turn_of({l, {}}), map.translation)};
+}
+
+Affine exp_affine(const AffineLog& log) {
+  return {exp_general(log.linear), phi_times(log.linear, log.translation)};
+}
+
+Vec3<double> turn_of(const AffineLog& log) {
+  const Mat3<double>& l = log.linear;
+  return {(l[7] - l[5]) / 2, (l[2] - l[6]) / 2, (l[3] - l[1]) / 2};
+}
 
 Affine combine(std::span<const Affine> maps, std::span<const double> weights) {
   return exp_affine(sum_of_terms(weights, [&](std::size_t i) { return log_affine(from({}, maps[i])); }));

@@ -114,23 +114,8 @@ Sym3<double> derivative_in_double(const Sym3<double>& s, const Sym3<double>& dir
   return {at(0, 0), at(0, 1), at(0, 2), at(1, 1), at(1, 2), at(2, 2)};
 }
 
-}  // namespace
-
-#define VIETE_FOR(T)                                                   \
-  void exp_by_jacobi(const T* in, T* out) {                            \
-    to_six(exp_in_double(from_six(in)), out);                          \
-  }                                                                    \
-  void exp_derivative_by_jacobi(const T* in, T* out) {                 \
-    to_six(derivative_in_double(from_six(in), from_six(in + 6)), out); \
-  }
-VIETE_FOR(float)
-VIETE_FOR(double)
-#undef VIETE_FOR
-
 // Computes the nearest rotation by Horn's quaternion (Closed-form solution of absolute orientation using unit
 // quaternions, 1987) and a Newton step.
-
-namespace {
 
 constexpr int n = 4;
 constexpr int most_sweeps = 12;  // usually five or six are enough
@@ -239,21 +224,6 @@ std::array<double, 9> nearest_rotation(const std::array<double, 9>& m) {
   const auto scaled = normalized(m);
   return to_matrix(refined(top_vector(horn(scaled)), scaled));
 }
-
-}  // namespace
-
-#define VIETE_FOR(T)                              \
-  void polar_by_jacobi(const T* in, T* out) {     \
-    std::array<double, 9> m;                      \
-    std::copy(in, in + 9, m.begin());             \
-    const auto r = nearest_rotation(m);           \
-    for (int k = 0; k < 9; ++k) out[k] = T(r[k]); \
-  }
-VIETE_FOR(float)
-VIETE_FOR(double)
-#undef VIETE_FOR
-
-namespace {
 
 // Jacobi's method in double has errors relative to the largest eigenvalue. If the largest entry is more than
 // `wide` times the smallest eigenvalue, the functions repeat the method in double-double.
@@ -393,6 +363,18 @@ Sym3<double> derivative_by_slopes(const SlopeOf& slope, const Sym3<double>& s,
 }  // namespace
 
 #define VIETE_FOR(T)                                                           \
+  void exp_by_jacobi(const T* in, T* out) {                                    \
+    to_six(exp_in_double(from_six(in)), out);                                  \
+  }                                                                            \
+  void exp_derivative_by_jacobi(const T* in, T* out) {                         \
+    to_six(derivative_in_double(from_six(in), from_six(in + 6)), out);         \
+  }                                                                            \
+  void polar_by_jacobi(const T* in, T* out) {                                  \
+    std::array<double, 9> m;                                                   \
+    std::copy(in, in + 9, m.begin());                                          \
+    const auto r = nearest_rotation(m);                                        \
+    for (int k = 0; k < 9; ++k) out[k] = T(r[k]);                              \
+  }                                                                            \
   void log_by_jacobi(const T* in, T* out) {                                    \
     to_six(log_in_double(from_six(in)), out);                                  \
   }                                                                            \

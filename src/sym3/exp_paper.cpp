@@ -109,6 +109,11 @@ Spectral<T> spectral_form(const std::array<T, 3>& l) {
   return three_distinct(l[0], l[1], l[2]);
 }
 
+int distinct_eigenvalues(const std::array<double, 3>& l) {
+  const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
+  return s01 && s12 ? 1 : s01 || s12 || s02 ? 2 : 3;
+}
+
 template <class T>
 std::array<T, 3> three_nan() {
   constexpr T nan = std::numeric_limits<T>::quiet_NaN();
@@ -180,15 +185,6 @@ Sym3<T> exp_improved_sd_faithful(const Sym3<T>& s) {
 VIETE_FOR(float)
 VIETE_FOR(double)
 #undef VIETE_FOR
-
-namespace {
-
-int distinct_eigenvalues(const std::array<double, 3>& l) {
-  const bool s01 = same(l[0], l[1]), s12 = same(l[1], l[2]), s02 = same(l[0], l[2]);
-  return s01 && s12 ? 1 : s01 || s12 || s02 ? 2 : 3;
-}
-
-}  // namespace
 
 int distinct_by_qr(const Sym3<double>& s) {
   return distinct_eigenvalues(eigenvalues_qr(s));

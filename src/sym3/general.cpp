@@ -97,16 +97,6 @@ double largest_root(double p, double q) {
   return std::copysign(x, q);
 }
 
-}  // namespace
-
-double angle_of(const Mat3<double>& l) {
-  const Deviator v = deviator(l, 0);
-  const double x = largest_root(v.p, v.q);
-  return std::sqrt(std::max(0.75 * x * x - v.p, 0.0));
-}
-
-namespace {
-
 // Returns true if eigenvalues differ by at most about 13 %. Then the series of log in M / mean - I converges.
 bool close_together(const Deviator& v) {
   const double m = v.mean();
@@ -257,6 +247,12 @@ std::optional<Mat3<double>> exp_of_apart(const Mat3<double>& l, const Deviator& 
 
 }  // namespace
 
+double angle_of(const Mat3<double>& l) {
+  const Deviator v = deviator(l, 0);
+  const double x = largest_root(v.p, v.q);
+  return std::sqrt(std::max(0.75 * x * x - v.p, 0.0));
+}
+
 Mat3<double> exp_general(const Mat3<double>& l) {
   const Deviator v = deviator(l, 0);
   double p = v.p, q = v.q, scale = 1;
@@ -376,6 +372,23 @@ bool is_sum(const Split& s) {
   return s.whole && commute(s.parts);
 }
 
+// log M if M has a logarithm, otherwise X + Y.
+struct Answer {
+  Mat3<double> log;
+  bool is_log;
+};
+
+// If |log M| < 3, M rotates by less than 122 degrees and is not flat. Then the logarithm is reliable.
+Answer principal_log(const Mat3<double>& m) {
+  constexpr double is_short = 3;
+  const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];
+  const auto l = symmetric ? std::nullopt : log_in_range(m, {});
+  if (l && norm(*l) < is_short) return {*l, true};
+  const Split s = split(m, {});
+  const bool sum = is_sum(s) || !s.whole || !l;
+  return {sum ? sum_of(s.parts) : *l, !sum || is_sum(s)};
+}
+
 }  // namespace
 
 // With v = angle * n and |n| = 1, the branches are (angle + 2 pi k) * n. The branch nearest to the reference
@@ -402,27 +415,6 @@ Vec3<double> nearest_branch(const Vec3<double>& v, const Vec3<double>& reference
 PolarLog log_polar(const Mat3<double>& m, const Vec3<double>& near) {
   return split(m, near).parts;
 }
-
-namespace {
-
-// log M if M has a logarithm, otherwise X + Y.
-struct Answer {
-  Mat3<double> log;
-  bool is_log;
-};
-
-// If |log M| < 3, M rotates by less than 122 degrees and is not flat. Then the logarithm is reliable.
-Answer principal_log(const Mat3<double>& m) {
-  constexpr double is_short = 3;
-  const bool symmetric = m[1] == m[3] && m[2] == m[6] && m[5] == m[7];
-  const auto l = symmetric ? std::nullopt : log_in_range(m, {});
-  if (l && norm(*l) < is_short) return {*l, true};
-  const Split s = split(m, {});
-  const bool sum = is_sum(s) || !s.whole || !l;
-  return {sum ? sum_of(s.parts) : *l, !sum || is_sum(s)};
-}
-
-}  // namespace
 
 Mat3<double> log_general(const Mat3<double>& m) {
   return principal_log(m).log;

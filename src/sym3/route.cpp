@@ -18,8 +18,7 @@ Route route_of_fast(const Sym3<double>& s) {
   double p = (x * x + y * y + z * z) / 2 + s.xy * s.xy + s.xz * s.xz + s.yz * s.yz;
   if (p <= C::p_limit && std::abs(trace) <= C::trace_limit) return route;
   for (; p > C::p_limit && route.squarings < C::max_squarings; p /= 4) ++route.squarings;
-  const bool diagonal = s.xy == 0 && s.xz == 0 && s.yz == 0;
-  if (diagonal || !(p <= C::p_limit) || !is_finite(exp(s, Method::fast))) return {.by_jacobi = true};
+  if (is_diagonal(s) || !(p <= C::p_limit) || !is_finite(exp(s, Method::fast))) return {.by_jacobi = true};
   return route;
 }
 
