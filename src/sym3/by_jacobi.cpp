@@ -216,11 +216,7 @@ std::array<double, n> refined(const std::array<double, n>& q, const std::array<d
 std::array<double, 9> nearest_rotation(const std::array<double, 9>& m) {
   double finite = 0;
   for (const double x : m) finite += x * 0;
-  if (finite != 0) {
-    std::array<double, 9> nan;
-    nan.fill(std::numeric_limits<double>::quiet_NaN());
-    return nan;
-  }
+  if (finite != 0) return nine_nan();
   const auto scaled = normalized(m);
   return to_matrix(refined(top_vector(horn(scaled)), scaled));
 }

@@ -25,12 +25,6 @@ constexpr double least_clear = 1e-7;
 // If |L| is above this value, exp_general() tries eigenvalues first, because squarings lose digits.
 constexpr double squared_to = 100;
 
-Mat3<double> nine_nan() {
-  Mat3<double> m;
-  m.fill(std::numeric_limits<double>::quiet_NaN());
-  return m;
-}
-
 void add_to_diagonal(Mat3<double>& m, double x) {
   for (const int i : {0, 4, 8}) m[i] += x;
 }

@@ -71,6 +71,12 @@ Sym3<T> nan_matrix() {
   return {nan, nan, nan, nan, nan, nan};
 }
 
+inline Mat3<double> nine_nan() {
+  Mat3<double> m;
+  m.fill(std::numeric_limits<double>::quiet_NaN());
+  return m;
+}
+
 inline Mat3<double> full(const Sym3<double>& s) {
   return {s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz};
 }
