@@ -23,7 +23,7 @@ struct OfPositive {
   template <class D, class V>
   HWY_INLINE void general(D d, const V (&s)[in], V (&f)[out]) const {
     const auto ok = lanes(d, s, f);
-    replace_lanes(d, hn::Not(ok), s, f, [](const auto* in, auto* out) { F::one(in, out); });
+    replace_lanes(d, hn::Not(ok), s, f, F::one);
   }
 
 private:
@@ -41,10 +41,7 @@ struct Sqrt {
   static HWY_INLINE Six<V> lanes(D, const Six<V>&, const Spectrum<V>& e) {
     return sqrt_lanes(e);
   }
-  template <class T>
-  static void one(const T* in, T* out) {
-    sqrt_by_jacobi(in, out);
-  }
+  static constexpr auto one = [](const auto* in, auto* out) { sqrt_by_jacobi(in, out); };
 };
 
 struct InvSqrt {
@@ -52,10 +49,7 @@ struct InvSqrt {
   static HWY_INLINE Six<V> lanes(D d, const Six<V>&, const Spectrum<V>& e) {
     return inv_sqrt_lanes(d, e);
   }
-  template <class T>
-  static void one(const T* in, T* out) {
-    inv_sqrt_by_jacobi(in, out);
-  }
+  static constexpr auto one = [](const auto* in, auto* out) { inv_sqrt_by_jacobi(in, out); };
 };
 
 struct Log {
@@ -63,10 +57,7 @@ struct Log {
   static HWY_INLINE Six<V> lanes(D d, const Six<V>& s, const Spectrum<V>& e) {
     return log_lanes(d, s, e);
   }
-  template <class T>
-  static void one(const T* in, T* out) {
-    log_by_jacobi(in, out);
-  }
+  static constexpr auto one = [](const auto* in, auto* out) { log_by_jacobi(in, out); };
 };
 
 struct Pow {
