@@ -95,30 +95,6 @@ struct Area {
   double left, top, right, bottom;
 };
 
-void add_bars(Svg& svg, const Plot& plot, const Area& area, double label) {
-  constexpr double room = 104;
-  double longest = 0;
-  for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.ns);
-  const double step = (area.bottom - area.top) / static_cast<double>(plot.bars.size());
-  const double height = std::min(26.0, 0.62 * step), full = area.right - area.left - label - room;
-  double middle = area.top + 0.5 * step;
-  svg.line({area.left + label, area.top}, {area.left + label, area.bottom}, rule, 1);
-  for (const PlotBar& bar : plot.bars) {
-    const double length = std::max(1.5, full * bar.ns / longest), start = area.left + label;
-    const double share = bar.part > 0 ? bar.part / bar.ns : 1;
-    svg.text({start - 10, middle + 4}, bar.name, {.anchor = "end"});
-    if (share < 1) svg.bar({start, middle - 0.5 * height}, length, height, plot_color::rest);
-    svg.bar({start, middle - 0.5 * height}, std::max(1.5, share * length), height, bar.color);
-    const std::string value = base::few_digits(bar.ns);
-    svg.text({start + length + 8, middle + 4}, value + plot.unit, {.strong = true});
-    if (plot.compared && &bar != plot.bars.data()) {
-      const double x = start + length + 26 + 7.5 * static_cast<double>(value.size()) + 16;
-      svg.text({x, middle + 4}, base::few_digits(plot.bars.front().ns / bar.ns) + " x", {.color = faint});
-    }
-    middle += step;
-  }
-}
-
 struct Scale {
   bool logarithmic;
   double low, high, from, to;  ///< low and high are values or logarithms; from and to are pixels
@@ -186,7 +162,7 @@ std::string value_text(double value) {
 }
 
 /// Draws names at the ends of the curves. Moves names apart that would overlap.
-void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, double end) {
+void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area) {
   struct Name {
     const PlotCurve* curve;
     double at, value;
@@ -209,24 +185,8 @@ void draw_names(Svg& svg, const Plot& plot, const Scale& y, const Area& area, do
     SvgText right = style;
     right.anchor = "end";
     svg.text({area.right + 12, name.at + 4}, name.curve->name, style);
-    if (!plot.linear) svg.text({end, name.at + 4}, value_text(name.value), right);
+    if (!plot.linear) svg.text({plot_width, name.at + 4}, value_text(name.value), right);
   }
-}
-
-void add_curves(Svg& svg, const Plot& plot, const Area& area, double end) {
-  const Scale x = scale_of(plot, &PlotCurve::Point::count, area.left, area.right);
-  const Scale y = scale_of(plot, &PlotCurve::Point::ns, area.bottom, area.top);
-  draw_grid(svg, plot, x, y, area);
-  for (const PlotCurve& curve : plot.curves) {
-    std::vector<SvgPoint> points;
-    for (const auto& p : curve.points) {
-      if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
-    }
-    svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
-    if (curve.dashed || plot.linear) continue;
-    for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);
-  }
-  draw_names(svg, plot, y, area, end);
 }
 
 }  // namespace
@@ -239,11 +199,32 @@ const char* color_of_method(const std::string& name) {
 }
 
 std::string draw_bars(const Plot& plot) {
-  const double height = 30 * static_cast<double>(plot.bars.size());
-  Svg svg(plot_width, height);
-  std::size_t longest = 0;
-  for (const PlotBar& bar : plot.bars) longest = std::max(longest, bar.name.size());
-  add_bars(svg, plot, {0, 0, plot_width, height}, 16 + letter * static_cast<double>(longest));
+  constexpr double room = 104, step = 30, height = 0.62 * step;
+  const double bottom = step * static_cast<double>(plot.bars.size());
+  std::size_t letters = 0;
+  double longest = 0;
+  for (const PlotBar& bar : plot.bars) {
+    letters = std::max(letters, bar.name.size());
+    longest = std::max(longest, bar.ns);
+  }
+  const double start = 16 + letter * static_cast<double>(letters), full = plot_width - start - room;
+  double middle = 0.5 * step;
+  Svg svg(plot_width, bottom);
+  svg.line({start, 0}, {start, bottom}, rule, 1);
+  for (const PlotBar& bar : plot.bars) {
+    const double length = std::max(1.5, full * bar.ns / longest);
+    const double share = bar.part > 0 ? bar.part / bar.ns : 1;
+    svg.text({start - 10, middle + 4}, bar.name, {.anchor = "end"});
+    if (share < 1) svg.bar({start, middle - 0.5 * height}, length, height, plot_color::rest);
+    svg.bar({start, middle - 0.5 * height}, std::max(1.5, share * length), height, bar.color);
+    const std::string value = base::few_digits(bar.ns);
+    svg.text({start + length + 8, middle + 4}, value + plot.unit, {.strong = true});
+    if (plot.compared && &bar != plot.bars.data()) {
+      const double x = start + length + 26 + 7.5 * static_cast<double>(value.size()) + 16;
+      svg.text({x, middle + 4}, base::few_digits(plot.bars.front().ns / bar.ns) + " x", {.color = faint});
+    }
+    middle += step;
+  }
   return svg.document();
 }
 
@@ -254,9 +235,21 @@ std::string draw_curves(const Plot& plot) {
     name = std::max(name, curve.name.size());
     if (!plot.linear) value = std::max(value, value_text(curve.points.back().ns).size());
   }
-  const double right = plot_width - 16 - letter * static_cast<double>(name + value + 1);
+  const Area area{40, 8, plot_width - 16 - letter * static_cast<double>(name + value + 1), height - 48};
+  const Scale x = scale_of(plot, &PlotCurve::Point::count, area.left, area.right);
+  const Scale y = scale_of(plot, &PlotCurve::Point::ns, area.bottom, area.top);
   Svg svg(plot_width, height);
-  add_curves(svg, plot, {40, 8, right, height - 48}, plot_width);
+  draw_grid(svg, plot, x, y, area);
+  for (const PlotCurve& curve : plot.curves) {
+    std::vector<SvgPoint> points;
+    for (const auto& p : curve.points) {
+      if (x.shows(p.count) && y.shows(p.ns)) points.push_back({x(p.count), y(p.ns)});
+    }
+    svg.curve(points, curve.color, curve.dashed ? 2 : 2.5, curve.dashed);
+    if (curve.dashed || plot.linear) continue;
+    for (const SvgPoint& p : points) svg.disc(p, 3.5, curve.color);
+  }
+  draw_names(svg, plot, y, area);
   return svg.document();
 }
 
