@@ -11,6 +11,7 @@
 #include <cstring>
 #include <vector>
 
+#include "sym3/call_kernel.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/sym3.h"
@@ -39,15 +40,9 @@ sym3::Sym3<T> diagonal(T x, T y, T z) {
 }
 
 template <class T>
-void run(const sym3::Kernel& kernel, const T* in, T* out, std::size_t count) {
-  sym3::exp(sym3::SymView<const T>(sym3::Layout::packed, in), sym3::SymView<T>(sym3::Layout::packed, out),
-            count, {&kernel});
-}
-
-template <class T>
 sym3::Sym3<T> exp_with(const sym3::Kernel& kernel, const sym3::Sym3<T>& s) {
   sym3::Sym3<T> out;
-  run(kernel, &s.xx, &out.xx, 1);
+  sym3::functions<T>(kernel).exp->one(&s.xx, &out.xx);
   return out;
 }
 

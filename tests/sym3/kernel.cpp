@@ -5,7 +5,6 @@
 #include <set>
 
 #include "sym3/arranged.h"
-#include "sym3/call_kernel.h"
 #include "sym3/exp.h"
 #include "sym3/kernel.h"
 #include "sym3/preamble.h"
@@ -51,16 +50,6 @@ TEST_CASE("fused_kernels_agree_in_every_bit_and_so_do_the_others") {
           if (a.fused == b.fused) CHECK(exp_with(a, s) == exp_with(b, s));
         }
       }
-    }
-  }
-}
-
-TEST_CASE_TEMPLATE("the_single_call_of_every_kernel_has_the_bits_of_its_batch", T, double, float) {
-  for (const auto& kernel : sym3::kernels()) {
-    for (const auto& s : spreads<T>(12, -5, 100)) {
-      Sym3<T> out;
-      sym3::functions<T>(kernel).exp->one(&s.xx, &out.xx);
-      CHECK(out == exp_with(kernel, s));
     }
   }
 }
