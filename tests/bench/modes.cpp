@@ -35,6 +35,14 @@ std::vector<mesh::Point> by_the_mean(const deform::Pose& pose) {
   return test::mapped(model, [&](const mesh::Point& x) { return x + mean; });
 }
 
+ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings = {.rounds = 1}) {
+  const auto cage = std::make_shared<const deform::Cage>(deform::make_cage(test::tube(4, 6, 1.6, 4)));
+  const std::vector<NamedPose> poses = {{"rest", deform::rest_pose(*cage)},
+                                        {"moderate", moderate_pose(*cage)}};
+  base::Progress progress;
+  return measure_modes(model, cage, poses, settings, progress);
+}
+
 }  // namespace
 
 TEST_CASE("deviation_is_the_largest_distance_in_diagonals_of_the_posed_cage") {
@@ -108,22 +116,6 @@ TEST_CASE("torn_is_the_largest_change_of_distance_of_near_unjoined_vertices") {
   const std::vector<mesh::Point> cracked = {{0, 0, 0}, {side, 0, 0}, {0, side, 0}, {0.0005, 0, 0}};
   CHECK(near_pairs(mesh::from_triangles(cracked, {{0, 1, 2}, {1, 2, 3}})).size() == 2);
 }
-
-namespace {
-
-std::shared_ptr<const deform::Cage> tube_cage() {
-  return std::make_shared<const deform::Cage>(deform::make_cage(test::tube(4, 6, 1.6, 4)));
-}
-
-ModeComparison compare(const mesh::Surface& model, const ModeSettings& settings = {.rounds = 1}) {
-  const auto cage = tube_cage();
-  const std::vector<NamedPose> poses = {{"rest", deform::rest_pose(*cage)},
-                                        {"moderate", moderate_pose(*cage)}};
-  base::Progress progress;
-  return measure_modes(model, cage, poses, settings, progress);
-}
-
-}  // namespace
 
 TEST_CASE("every_scheme_is_measured_and_none_distorts_a_cage_at_rest") {
   const ModeSettings settings{.rounds = 1, .radius = deform::number("radius").largest};

@@ -46,67 +46,6 @@ std::string row(const std::string& name, const std::string& value) {
   return "<th scope=\"row\">" + name + "</th><td class=\"n\">" + value + "</td>";
 }
 
-}  // namespace
-
-TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
-  const Figures figures = small_figures();
-  const Made made = made_here("viete report -o <here>", 12);
-  const std::string page = report_page(figures, made);
-  CHECK(test::xml_problem(page) == "");
-  CHECK(test::outside_of(page) == "");
-  const std::string above = page.substr(0, page.find("<footer"));  // the footer contains NaN
-  std::smatch number;
-  CHECK_FALSE(std::regex_search(above, number, std::regex("[^a-z]-?(nan|inf)[^a-z]")));
-  const auto json = report_json(figures, made);
-  for (const auto& r : json["eigenvalues"]["results"])
-    CHECK(test::mentions(page, row(r["name"], base::few_digits(r["ns"]))));
-  for (const char* precision : {"double", "float"}) {
-    for (const auto& r : json["exponentials"][precision]["results"]) {
-      const auto method = sym3::method_from_name(std::string(r["name"]));
-      const std::string name = method ? std::string(sym3::label(*method)) : std::string(r["name"]);
-      CHECK(test::mentions(page, row(name, base::few_digits(r["ns"]))));
-    }
-    for (const auto& table : json["accuracy"][precision])
-      for (const auto& r : table["rows"])
-        CHECK(test::mentions(page, ">" + error_text(r["methods"]["Fast"]["worst"]) + "<"));
-  }
-  for (const auto& t : json["frames"])
-    if (t["threads"] == 1 && t["name"] == "fused, dense")
-      CHECK(test::mentions(page, ">" + base::few_digits(t["cpu_ms"]) + "<"));
-  for (const auto& way : json["ways"]["results"])
-    CHECK(test::mentions(page, ">" + base::few_digits(way["frame_ms"]) + "<"));
-  const auto& tall = json["shapes"][0];
-  CHECK(tall["straight"]["volumes"].size() == 21);
-  CHECK(double(tall["straight"]["volumes"][20]) == doctest::Approx(2));
-  CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
-  for (const char* part : {"prefers-color-scheme:dark", "<dl class=\"tiles\">", " distorts least: ",
-                           "<figcaption>halfway, log space</figcaption>", "Description of the deformers"})
-    CHECK_MESSAGE(test::mentions(page, part), part);
-  const std::regex painted("(fill|stroke)=\"(#[0-9a-f]+)\"");
-  for (std::sregex_iterator color(above.begin(), above.end(), painted), end; color != end; ++color) {
-    const std::string dark = "svg [" + color->str(1) + "=\"" + color->str(2) + "\"]{";
-    CHECK_MESSAGE(test::mentions(above, dark), dark);
-  }
-}
-
-TEST_CASE("logarithmic_plots_skip_values_that_are_not_positive") {
-  Plot plot;
-  plot.curves = {{"Fast", "#0072b2", false, {{1e-16, 0}, {1e-8, 1e-16}, {1, 2e-16}}},
-                 {"Diag", "#6b7785", false, {{1e-16, 1e-16}, {1, 0}}}};
-  const std::string drawn = draw_curves(plot);
-  CHECK(test::xml_problem(drawn) == "");
-  CHECK(drawn.find("nan") == drawn.npos);
-  CHECK(drawn.find("inf") == drawn.npos);
-  CHECK(escaped("a < b & c") == "a &lt; b &amp; c");
-}
-
-TEST_CASE("paths_are_quoted_for_the_shell") {
-  CHECK(shell_word("/a/b.obj") == "/a/b.obj");
-  CHECK(shell_word("a b's.obj") == "'a b'\\''s.obj'");
-}
-
-namespace {
-
 using Cells = std::vector<std::string>;
 
 // Returns the cells of each row without marks for bold text.
@@ -178,6 +117,63 @@ void check_frames(Cells cells, const nlohmann::json& report, std::size_t faces) 
 }
 
 }  // namespace
+
+TEST_CASE("a_report_page_is_self_contained_xml_with_the_numbers_of_its_file") {
+  const Figures figures = small_figures();
+  const Made made = made_here("viete report -o <here>", 12);
+  const std::string page = report_page(figures, made);
+  CHECK(test::xml_problem(page) == "");
+  CHECK(test::outside_of(page) == "");
+  const std::string above = page.substr(0, page.find("<footer"));  // the footer contains NaN
+  std::smatch number;
+  CHECK_FALSE(std::regex_search(above, number, std::regex("[^a-z]-?(nan|inf)[^a-z]")));
+  const auto json = report_json(figures, made);
+  for (const auto& r : json["eigenvalues"]["results"])
+    CHECK(test::mentions(page, row(r["name"], base::few_digits(r["ns"]))));
+  for (const char* precision : {"double", "float"}) {
+    for (const auto& r : json["exponentials"][precision]["results"]) {
+      const auto method = sym3::method_from_name(std::string(r["name"]));
+      const std::string name = method ? std::string(sym3::label(*method)) : std::string(r["name"]);
+      CHECK(test::mentions(page, row(name, base::few_digits(r["ns"]))));
+    }
+    for (const auto& table : json["accuracy"][precision])
+      for (const auto& r : table["rows"])
+        CHECK(test::mentions(page, ">" + error_text(r["methods"]["Fast"]["worst"]) + "<"));
+  }
+  for (const auto& t : json["frames"])
+    if (t["threads"] == 1 && t["name"] == "fused, dense")
+      CHECK(test::mentions(page, ">" + base::few_digits(t["cpu_ms"]) + "<"));
+  for (const auto& way : json["ways"]["results"])
+    CHECK(test::mentions(page, ">" + base::few_digits(way["frame_ms"]) + "<"));
+  const auto& tall = json["shapes"][0];
+  CHECK(tall["straight"]["volumes"].size() == 21);
+  CHECK(double(tall["straight"]["volumes"][20]) == doctest::Approx(2));
+  CHECK(test::mentions(page, row("tall", percent(100 * double(tall["log_space"]["volume"])))));
+  for (const char* part : {"prefers-color-scheme:dark", "<dl class=\"tiles\">", " distorts least: ",
+                           "<figcaption>halfway, log space</figcaption>", "Description of the deformers"})
+    CHECK_MESSAGE(test::mentions(page, part), part);
+  const std::regex painted("(fill|stroke)=\"(#[0-9a-f]+)\"");
+  for (std::sregex_iterator color(above.begin(), above.end(), painted), end; color != end; ++color) {
+    const std::string dark = "svg [" + color->str(1) + "=\"" + color->str(2) + "\"]{";
+    CHECK_MESSAGE(test::mentions(above, dark), dark);
+  }
+}
+
+TEST_CASE("logarithmic_plots_skip_values_that_are_not_positive") {
+  Plot plot;
+  plot.curves = {{"Fast", "#0072b2", false, {{1e-16, 0}, {1e-8, 1e-16}, {1, 2e-16}}},
+                 {"Diag", "#6b7785", false, {{1e-16, 1e-16}, {1, 0}}}};
+  const std::string drawn = draw_curves(plot);
+  CHECK(test::xml_problem(drawn) == "");
+  CHECK(drawn.find("nan") == drawn.npos);
+  CHECK(drawn.find("inf") == drawn.npos);
+  CHECK(escaped("a < b & c") == "a &lt; b &amp; c");
+}
+
+TEST_CASE("paths_are_quoted_for_the_shell") {
+  CHECK(shell_word("/a/b.obj") == "/a/b.obj");
+  CHECK(shell_word("a b's.obj") == "'a b'\\''s.obj'");
+}
 
 // Returns the median and the worst value over the dragon's poses, relative to mean value coordinates.
 std::pair<double, double> distortion(const nlohmann::json& report, const char* way) {

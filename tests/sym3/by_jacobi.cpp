@@ -26,6 +26,43 @@ double relative(Quad computed, Quad exact) {
   return static_cast<double>(fabsq((computed - exact) / exact));
 }
 
+/// Returns the larger of |S - V diag(values) V^T| / |S| and |V^T V - I|.
+template <class Real>
+double residual(const Sym3<double>& s) {
+  const auto e = sym3::eigen_by_jacobi<Real>(s);
+  const QuadSym original = test::to_quad(s);
+  QuadSym product{}, gram{};
+  const auto v = [&](int i, int k) { return to_quad(e.vectors[i][k]); };
+  Quad* const p[] = {&product.xx, &product.xy, &product.xz, &product.yy, &product.yz, &product.zz};
+  Quad* const g[] = {&gram.xx, &gram.xy, &gram.xz, &gram.yy, &gram.yz, &gram.zz};
+  const int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
+  for (int n = 0; n < 6; ++n) {
+    for (int k = 0; k < 3; ++k) {
+      *p[n] += to_quad(e.values[k]) * v(row[n], k) * v(column[n], k);
+      *g[n] += v(k, row[n]) * v(k, column[n]);
+    }
+  }
+  const Quad of_matrix = quad_distance(product, original) / quad_frobenius(original);
+  return static_cast<double>(std::max(of_matrix, quad_distance(gram, {1, 0, 0, 1, 0, 1})));
+}
+
+template <class T>
+Sym3<T> by(void (*function)(const std::type_identity_t<T>*, std::type_identity_t<T>*), const Sym3<T>& s) {
+  Sym3<T> out;
+  function(&s.xx, &out.xx);
+  return out;
+}
+
+template <class T>
+constexpr double bound = sizeof(T) == 8 ? 24 : 1.5;
+
+template <class T>
+void check(const Sym3<T>& s) {
+  CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(by(sym3::inv_sqrt_by_jacobi, s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
+  CHECK(error_in_u(by(sym3::sqrt_by_jacobi, s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
+}
+
 }  // namespace
 
 TEST_CASE("double_double_operations_keep_104_bits") {
@@ -50,30 +87,6 @@ TEST_CASE("sums_and_products_of_doubles_are_exact") {
   }
 }
 
-namespace {
-
-/// Returns the larger of |S - V diag(values) V^T| / |S| and |V^T V - I|.
-template <class Real>
-double residual(const Sym3<double>& s) {
-  const auto e = sym3::eigen_by_jacobi<Real>(s);
-  const QuadSym original = test::to_quad(s);
-  QuadSym product{}, gram{};
-  const auto v = [&](int i, int k) { return to_quad(e.vectors[i][k]); };
-  Quad* const p[] = {&product.xx, &product.xy, &product.xz, &product.yy, &product.yz, &product.zz};
-  Quad* const g[] = {&gram.xx, &gram.xy, &gram.xz, &gram.yy, &gram.yz, &gram.zz};
-  const int row[] = {0, 0, 0, 1, 1, 2}, column[] = {0, 1, 2, 1, 2, 2};
-  for (int n = 0; n < 6; ++n) {
-    for (int k = 0; k < 3; ++k) {
-      *p[n] += to_quad(e.values[k]) * v(row[n], k) * v(column[n], k);
-      *g[n] += v(k, row[n]) * v(k, column[n]);
-    }
-  }
-  const Quad of_matrix = quad_distance(product, original) / quad_frobenius(original);
-  return static_cast<double>(std::max(of_matrix, quad_distance(gram, {1, 0, 0, 1, 0, 1})));
-}
-
-}  // namespace
-
 TEST_CASE("jacobi_decomposes_to_the_precision_of_its_numbers") {
   for (const double spread : {1e-6, 1.0, 1e6}) {
     for (const auto& s : spreads<double>(spread, -spread / 3, 200)) {
@@ -95,17 +108,6 @@ TEST_CASE("jacobi_keeps_blocks_and_extreme_ratios") {
   CHECK(sym3::eigen_by_jacobi<DoubleDouble>({1e280, 1e-100, 0, 1, 0, 1}).values[1].hi == 1);
 }
 
-namespace {
-
-template <class T>
-Sym3<T> by(void (*function)(const std::type_identity_t<T>*, std::type_identity_t<T>*), const Sym3<T>& s) {
-  Sym3<T> out;
-  function(&s.xx, &out.xx);
-  return out;
-}
-
-}  // namespace
-
 TEST_CASE("exp_by_jacobi_is_exact_to_16_u_at_any_spread") {
   for (const double spread : {0.0, 1e-9, 1.0, 30.0, 700.0, 1300.0}) {
     for (const auto& s : spreads<double>(spread, -0.6 * spread, 300)) {
@@ -120,20 +122,6 @@ TEST_CASE("exp_by_jacobi_works_in_place") {
   sym3::exp_by_jacobi(&s.xx, &s.xx);
   CHECK(s == copy);
 }
-
-namespace {
-
-template <class T>
-constexpr double bound = sizeof(T) == 8 ? 24 : 1.5;
-
-template <class T>
-void check(const Sym3<T>& s) {
-  CHECK(error_in_u(by(sym3::log_by_jacobi, s), quad_log(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(by(sym3::inv_sqrt_by_jacobi, s), quad_inv_sqrt(to_quad(s))) <= bound<T>);
-  CHECK(error_in_u(by(sym3::sqrt_by_jacobi, s), quad_function(to_quad(s), sqrtq)) <= bound<T>);
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("log_and_roots_by_jacobi_keep_their_bounds_at_every_condition_and_gap", T, double, float) {
   for (const double condition : {1.0001, 1.1, 1.5, 2.0, 4.0, 7.0, 9.0, 12.0, 20.0, 1e2, 1e4, 1e6}) {

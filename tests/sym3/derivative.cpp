@@ -128,6 +128,47 @@ std::vector<Sym3<T>> matrices_of_all_kinds(std::size_t count) {
   return all;
 }
 
+/// Checks three directions at once, in all layouts.
+template <class T>
+struct DerivativeCase {
+  Of f;
+  const sym3::Kernel& kernel;
+  const std::vector<Sym3<T>>& matrices;
+  std::vector<std::vector<Sym3<T>>> directions{3}, expected{3};
+
+  DerivativeCase(Of f, const sym3::Kernel& kernel, const std::vector<Sym3<T>>& matrices)
+      : f(f), kernel(kernel), matrices(matrices) {
+    Random random(78);
+    for (int k = 0; k < 3; ++k) {
+      for (const auto& s : matrices) {
+        directions[k].push_back(random_direction<T>(random));
+        expected[k].push_back(derived(f, kernel, s, directions[k].back()));
+      }
+    }
+  }
+
+  bool gives_the_bits(sym3::Layout from, sym3::Layout to, std::size_t count, bool in_place) const {
+    Arranged<T> s(from, matrices, count);
+    std::vector<Arranged<T>> in, out;
+    std::vector<sym3::SymView<const T>> reads;
+    std::vector<sym3::SymView<T>> writes;
+    for (int k = 0; k < 3; ++k) {
+      in.emplace_back(to, directions[k], count), out.emplace_back(to, count);
+    }
+    for (int k = 0; k < 3; ++k) {
+      reads.push_back(in[k].view()), writes.push_back(in_place ? in[k].view() : out[k].view());
+    }
+    derive<T>(f, s.view(), reads, writes, count, {&kernel});
+    bool same = in_place || out[2].holds(count);
+    for (int k = 0; k < 3; ++k) {
+      for (std::size_t i = 0; i < count; ++i) {
+        same = same && same_or_nan<T>((in_place ? in[k] : out[k]).get(i), expected[k][i]);
+      }
+    }
+    return same;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("the_reference_of_derivatives_is_the_limit_of_differences") {
@@ -260,51 +301,6 @@ TEST_CASE_TEMPLATE("derivatives_of_exp_of_finite_numbers_are_never_nan", T, doub
     }
   }
 }
-
-namespace {
-
-/// Checks three directions at once, in all layouts.
-template <class T>
-struct DerivativeCase {
-  Of f;
-  const sym3::Kernel& kernel;
-  const std::vector<Sym3<T>>& matrices;
-  std::vector<std::vector<Sym3<T>>> directions{3}, expected{3};
-
-  DerivativeCase(Of f, const sym3::Kernel& kernel, const std::vector<Sym3<T>>& matrices)
-      : f(f), kernel(kernel), matrices(matrices) {
-    Random random(78);
-    for (int k = 0; k < 3; ++k) {
-      for (const auto& s : matrices) {
-        directions[k].push_back(random_direction<T>(random));
-        expected[k].push_back(derived(f, kernel, s, directions[k].back()));
-      }
-    }
-  }
-
-  bool gives_the_bits(sym3::Layout from, sym3::Layout to, std::size_t count, bool in_place) const {
-    Arranged<T> s(from, matrices, count);
-    std::vector<Arranged<T>> in, out;
-    std::vector<sym3::SymView<const T>> reads;
-    std::vector<sym3::SymView<T>> writes;
-    for (int k = 0; k < 3; ++k) {
-      in.emplace_back(to, directions[k], count), out.emplace_back(to, count);
-    }
-    for (int k = 0; k < 3; ++k) {
-      reads.push_back(in[k].view()), writes.push_back(in_place ? in[k].view() : out[k].view());
-    }
-    derive<T>(f, s.view(), reads, writes, count, {&kernel});
-    bool same = in_place || out[2].holds(count);
-    for (int k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < count; ++i) {
-        same = same && same_or_nan<T>((in_place ? in[k] : out[k]).get(i), expected[k][i]);
-      }
-    }
-    return same;
-  }
-};
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("several_derivatives_of_a_batch_have_the_bits_of_single_calls", T, double, float) {
   const auto in = matrices_of_all_kinds<T>(80);

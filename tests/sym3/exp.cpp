@@ -4,10 +4,14 @@
 #include <vector>
 
 #include "sym3/arranged.h"
+#include "sym3/call_kernel.h"
 #include "sym3/exp.h"
 #include "sym3/highway_targets.h"
+#include "sym3/kernel.h"
 #include "sym3/preamble.h"
 #include "sym3/quad_reference.h"
+
+#include "sym3/exp_derivative-inl.h"  // includes Highway, so highway_targets.h must come first
 
 using sym3::Method;
 
@@ -15,6 +19,78 @@ namespace {
 
 constexpr Method all_methods[] = {Method::diag, Method::sd, Method::improved_sd, Method::improved_sd_faithful,
                                   Method::fast};
+
+template <class T>
+std::vector<double> worst_errors(const std::vector<Sym3<T>>& matrices) {
+  std::vector<double> worst(sym3::kernels().size(), 0);
+  for (const auto& s : matrices) {
+    const QuadSym exact = quad_exp(to_quad(s));
+    for (std::size_t k = 0; k < worst.size(); ++k) {
+      const double error = error_in_u(exp_with(sym3::kernels()[k], s), exact);
+      worst[k] = std::max(worst[k], std::isnan(error) ? INFINITY : error);
+    }
+  }
+  return worst;
+}
+
+template <class T>
+void check_bound(const std::string& what, const std::vector<Sym3<T>>& matrices, double fused_bound,
+                 double plain_bound) {
+  const auto worst = worst_errors(matrices);
+  for (std::size_t k = 0; k < worst.size(); ++k) {
+    const auto& kernel = sym3::kernels()[k];
+    CAPTURE(kernel.name);
+    CAPTURE(what);
+    CHECK(worst[k] <= (kernel.fused ? fused_bound : plain_bound));
+  }
+}
+
+template <class T>
+void check_spread(double spread, double lowest) {
+  const std::string what = "spread " + std::to_string(spread) + " from " + std::to_string(lowest);
+  check_bound(what, spreads<T>(spread, lowest, 600), 6 + 2 * spread, 8 + 2.5 * spread);
+}
+
+namespace lanes = viete::sym3::HWY_NAMESPACE;
+
+template <class T>
+void check_lanes(double spread) {
+  const hwy::HWY_NAMESPACE::CappedTag<T, 1> d;
+  const auto all = spreads<T>(spread, -spread / 2, 100);
+  const sym3::Kernel& kernel = sym3::kernels().back();
+  using V = hwy::HWY_NAMESPACE::Vec<std::remove_const_t<decltype(d)>>;
+  const auto load = [&](const Sym3<T>& s) {
+    const auto set = [&](T x) { return hwy::HWY_NAMESPACE::Set(d, x); };
+    return lanes::Six<V>(set(s.xx), set(s.xy), set(s.xz), set(s.yy), set(s.yz), set(s.zz));
+  };
+  const auto store = [](const lanes::Six<V>& s) {
+    using hwy::HWY_NAMESPACE::GetLane;
+    return Sym3<T>{GetLane(s.xx), GetLane(s.xy), GetLane(s.xz), GetLane(s.yy), GetLane(s.yz), GetLane(s.zz)};
+  };
+  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+    const auto point = lanes::exp_point(d, load(all[i]));
+    Sym3<T> expected;
+    sym3::functions<T>(kernel).derivative->one(&all[i].xx, &all[i + 1].xx, &expected.xx, sym3::Of::exp, 0);
+    CHECK(store(lanes::exp_derivative(d, point, load(all[i + 1]))) == expected);
+    CHECK(error_in_u(store(lanes::exp_value(d, point)), quad_exp(to_quad(all[i]))) <= 8 + 2.5 * spread);
+  }
+}
+
+template <class T>
+constexpr T inf = std::numeric_limits<T>::infinity();
+
+/// Checks that an entry overflows to an infinity of the correct sign, and leaves other entries finite.
+template <class T>
+void check_overflow(const sym3::Kernel& kernel, const Sym3<T>& s) {
+  const auto computed = entries_of(exp_with(kernel, s));
+  const auto exact = entries_of(quad_exp(to_quad(s)));
+  const double largest = static_cast<double>(std::numeric_limits<T>::max());
+  for (int i = 0; i < 6; ++i) {
+    CHECK_FALSE(std::isnan(computed[i]));
+    if (fabsq(exact[i]) > 1.001 * Quad(largest)) CHECK(computed[i] == (exact[i] > 0 ? inf<T> : -inf<T>));
+    if (fabsq(exact[i]) < 0.999 * Quad(largest)) CHECK(std::isfinite(computed[i]));
+  }
+}
 
 }  // namespace
 
@@ -56,41 +132,6 @@ TEST_CASE_TEMPLATE("nan_and_infinity_give_six_nan_by_every_method", T, double, f
     }
   }
 }
-
-namespace {
-
-template <class T>
-std::vector<double> worst_errors(const std::vector<Sym3<T>>& matrices) {
-  std::vector<double> worst(sym3::kernels().size(), 0);
-  for (const auto& s : matrices) {
-    const QuadSym exact = quad_exp(to_quad(s));
-    for (std::size_t k = 0; k < worst.size(); ++k) {
-      const double error = error_in_u(exp_with(sym3::kernels()[k], s), exact);
-      worst[k] = std::max(worst[k], std::isnan(error) ? INFINITY : error);
-    }
-  }
-  return worst;
-}
-
-template <class T>
-void check_bound(const std::string& what, const std::vector<Sym3<T>>& matrices, double fused_bound,
-                 double plain_bound) {
-  const auto worst = worst_errors(matrices);
-  for (std::size_t k = 0; k < worst.size(); ++k) {
-    const auto& kernel = sym3::kernels()[k];
-    CAPTURE(kernel.name);
-    CAPTURE(what);
-    CHECK(worst[k] <= (kernel.fused ? fused_bound : plain_bound));
-  }
-}
-
-template <class T>
-void check_spread(double spread, double lowest) {
-  const std::string what = "spread " + std::to_string(spread) + " from " + std::to_string(lowest);
-  check_bound(what, spreads<T>(spread, lowest, 600), 6 + 2 * spread, 8 + 2.5 * spread);
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("papers_ensemble_is_exact_to_8_u", T, double, float) {
   check_bound("paper", paper_ensemble<T>(20000), 8, 12);
@@ -139,64 +180,9 @@ TEST_CASE_TEMPLATE("rank_one_and_diagonal_matrices_keep_the_bounds", T, double, 
   check_bound("diagonal", diagonals, 18, 23);
 }
 
-// exp_derivative-inl.h includes Highway, so highway_targets.h must come first.
-#include "sym3/exp_derivative-inl.h"
-//
-#include "sym3/call_kernel.h"
-#include "sym3/kernel.h"
-
-namespace {
-
-namespace lanes = viete::sym3::HWY_NAMESPACE;
-
-template <class T>
-void check_lanes(double spread) {
-  const hwy::HWY_NAMESPACE::CappedTag<T, 1> d;
-  const auto all = spreads<T>(spread, -spread / 2, 100);
-  const sym3::Kernel& kernel = sym3::kernels().back();
-  using V = hwy::HWY_NAMESPACE::Vec<std::remove_const_t<decltype(d)>>;
-  const auto load = [&](const Sym3<T>& s) {
-    const auto set = [&](T x) { return hwy::HWY_NAMESPACE::Set(d, x); };
-    return lanes::Six<V>(set(s.xx), set(s.xy), set(s.xz), set(s.yy), set(s.yz), set(s.zz));
-  };
-  const auto store = [](const lanes::Six<V>& s) {
-    using hwy::HWY_NAMESPACE::GetLane;
-    return Sym3<T>{GetLane(s.xx), GetLane(s.xy), GetLane(s.xz), GetLane(s.yy), GetLane(s.yz), GetLane(s.zz)};
-  };
-  for (std::size_t i = 0; i + 1 < all.size(); ++i) {
-    const auto point = lanes::exp_point(d, load(all[i]));
-    Sym3<T> expected;
-    sym3::functions<T>(kernel).derivative->one(&all[i].xx, &all[i + 1].xx, &expected.xx, sym3::Of::exp, 0);
-    CHECK(store(lanes::exp_derivative(d, point, load(all[i + 1]))) == expected);
-    CHECK(error_in_u(store(lanes::exp_value(d, point)), quad_exp(to_quad(all[i]))) <= 8 + 2.5 * spread);
-  }
-}
-
-}  // namespace
-
 TEST_CASE_TEMPLATE("exp_and_its_derivative_of_registers_come_from_one_point", T, double, float) {
   for (const double spread : {0.0, 1.0, 4.9, 30.0}) check_lanes<T>(spread);
 }
-
-namespace {
-
-template <class T>
-constexpr T inf = std::numeric_limits<T>::infinity();
-
-/// Checks that an entry overflows to an infinity of the correct sign, and leaves other entries finite.
-template <class T>
-void check_overflow(const sym3::Kernel& kernel, const Sym3<T>& s) {
-  const auto computed = entries_of(exp_with(kernel, s));
-  const auto exact = entries_of(quad_exp(to_quad(s)));
-  const double largest = static_cast<double>(std::numeric_limits<T>::max());
-  for (int i = 0; i < 6; ++i) {
-    CHECK_FALSE(std::isnan(computed[i]));
-    if (fabsq(exact[i]) > 1.001 * Quad(largest)) CHECK(computed[i] == (exact[i] > 0 ? inf<T> : -inf<T>));
-    if (fabsq(exact[i]) < 0.999 * Quad(largest)) CHECK(std::isfinite(computed[i]));
-  }
-}
-
-}  // namespace
 
 TEST_CASE_TEMPLATE("zero_gives_exactly_the_identity", T, double, float) {
   for (const Method method : {Method::diag, Method::sd, Method::improved_sd, Method::fast})

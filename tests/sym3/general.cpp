@@ -80,6 +80,30 @@ double error_by_condition(const Mat3<double>& computed, const F& f, const QuadMa
   return distance(computed, exact) / (size + sensitivity(f, m)) / 0x1p-53;
 }
 
+constexpr double degree = half_turn / 180;
+
+double entry_difference(const Mat3<double>& a, const Mat3<double>& b) {
+  double largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+double largest_of(const Mat3<double>& m) {
+  return entry_difference(m, {});
+}
+
+// Returns log_polar() with additional whole turns.
+sym3::PolarLog parts_of(const Mat3<double>& m, int turns = 0) {
+  sym3::PolarLog parts = sym3::log_polar(m);
+  const double angle = sym3::norm(parts.turn);
+  if (angle > 0) parts.turn = sym3::times(1 + 2 * half_turn * turns / angle, parts.turn);
+  return parts;
+}
+
+Mat3<double> sum_of_logs(const sym3::PolarLog& parts) {
+  return sym3::plus(sym3::full(parts.stretch), 1, sym3::cross_matrix(parts.turn));
+}
+
 }  // namespace
 
 TEST_CASE("log_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
@@ -129,34 +153,6 @@ TEST_CASE("log_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
     CHECK(worst < 32);
   }
 }
-
-namespace {
-
-constexpr double degree = half_turn / 180;
-
-double entry_difference(const Mat3<double>& a, const Mat3<double>& b) {
-  double largest = 0;
-  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
-  return largest;
-}
-
-double largest_of(const Mat3<double>& m) {
-  return entry_difference(m, {});
-}
-
-// Returns log_polar() with additional whole turns.
-sym3::PolarLog parts_of(const Mat3<double>& m, int turns = 0) {
-  sym3::PolarLog parts = sym3::log_polar(m);
-  const double angle = sym3::norm(parts.turn);
-  if (angle > 0) parts.turn = sym3::times(1 + 2 * half_turn * turns / angle, parts.turn);
-  return parts;
-}
-
-Mat3<double> sum_of_logs(const sym3::PolarLog& parts) {
-  return sym3::plus(sym3::full(parts.stretch), 1, sym3::cross_matrix(parts.turn));
-}
-
-}  // namespace
 
 TEST_CASE("exp_of_a_general_matrix_is_as_exact_as_its_condition_allows") {
   Random random(12);
