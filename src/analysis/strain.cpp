@@ -50,6 +50,16 @@ void add_product(const Vec3& a, const Vec3& b, double share, sym3::Mat3<double>&
   for (std::size_t k = 0; k < 9; ++k) sum[k] += share * a[k / 3] * b[k % 3];
 }
 
+// Returns f(0), f(1), ... f(count - 1).
+template <class F>
+auto values_of(std::size_t count, base::WorkerPool& pool, const F& f) {
+  std::vector<decltype(f(0))> values(count);
+  pool.for_blocks(count, at_once, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) values[i] = f(i);
+  });
+  return values;
+}
+
 // Returns the axes of a face at rest: along the first side, across this side in the plane, and the normal.
 std::array<Vec3, 3> axes(const FlatFace& face, std::span<const Point> rest) {
   const auto& [a, b, c] = face.corners;
@@ -71,42 +81,31 @@ Strain::Strain(const mesh::Surface& rest)
 
 std::vector<double> Strain::means(std::span<const Point> deformed, double (*of)(const Stretches&),
                                   base::WorkerPool& pool) const {
-  std::vector<double> of_faces(faces_.size()), values(rest_.size());
-  pool.for_blocks(faces_.size(), at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) of_faces[f] = of(stretches(plane_map(faces_[f], deformed)));
+  const auto of_faces = values_of(
+      faces_.size(), pool, [&](std::size_t f) { return of(stretches(plane_map(faces_[f], deformed))); });
+  return values_of(rest_.size(), pool, [&](std::size_t v) {
+    double sum = 0, area = 0;
+    for (const std::uint32_t f : around_.of(v))
+      sum += faces_[f].area() * of_faces[f], area += faces_[f].area();
+    return area > 0 ? sum / area : 0;
   });
-  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      double sum = 0, area = 0;
-      for (const std::uint32_t f : around_.of(v))
-        sum += faces_[f].area() * of_faces[f], area += faces_[f].area();
-      values[v] = area > 0 ? sum / area : 0;
-    }
-  });
-  return values;
 }
 
 std::vector<double> Strain::turns(std::span<const Point> deformed, base::WorkerPool& pool) const {
-  std::vector<sym3::Mat3<double>> of_faces(faces_.size());
-  pool.for_blocks(faces_.size(), at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t f = begin; f < end; ++f) {
-      const auto [x, y, n] = axes(faces_[f], rest_);
-      const PlaneMap map = plane_map(faces_[f], deformed);
-      add_product(map.x, x, faces_[f].area(), of_faces[f]);
-      add_product(map.y, y, faces_[f].area(), of_faces[f]);
-      add_product(unit(cross(map.x, map.y)), n, faces_[f].area(), of_faces[f]);
-    }
+  const auto of_faces = values_of(faces_.size(), pool, [&](std::size_t f) {
+    const auto [x, y, n] = axes(faces_[f], rest_);
+    const PlaneMap map = plane_map(faces_[f], deformed);
+    sym3::Mat3<double> product{};
+    add_product(map.x, x, faces_[f].area(), product);
+    add_product(map.y, y, faces_[f].area(), product);
+    add_product(unit(cross(map.x, map.y)), n, faces_[f].area(), product);
+    return product;
   });
-  std::vector<double> values(rest_.size());
-  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      sym3::Mat3<double> sum{};
-      for (const std::uint32_t f : around_.of(v)) sum = sym3::plus(sum, 1.0, of_faces[f]);
-      const auto turn = sym3::log_rotation(sym3::polar(sum).rotation);
-      values[v] = sym3::norm(turn) * 180 / std::numbers::pi;
-    }
+  return values_of(rest_.size(), pool, [&](std::size_t v) {
+    sym3::Mat3<double> sum{};
+    for (const std::uint32_t f : around_.of(v)) sum = sym3::plus(sum, 1.0, of_faces[f]);
+    return sym3::norm(sym3::log_rotation(sym3::polar(sum).rotation)) * 180 / std::numbers::pi;
   });
-  return values;
 }
 
 Vec3 Strain::normal(std::span<const Point> deformed, std::size_t vertex) const {
@@ -120,11 +119,7 @@ Vec3 Strain::normal(std::span<const Point> deformed, std::size_t vertex) const {
 
 std::vector<double> Strain::along_normals(std::span<const Point> from, std::span<const Point> to,
                                           base::WorkerPool& pool) const {
-  std::vector<double> values(rest_.size());
-  pool.for_blocks(values.size(), at_once, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) values[v] = dot(normal(from, v), to[v] - from[v]);
-  });
-  return values;
+  return values_of(rest_.size(), pool, [&](std::size_t v) { return dot(normal(from, v), to[v] - from[v]); });
 }
 
 }  // namespace viete::analysis
